@@ -65,7 +65,7 @@ conformance: $(INSTALLED) $(MICROPYTHON32) $(STATIONS) $(RELEASES) browser valgr
 
 # docs/reference.md has every key of the specification, as the schemas state it; a test holds it to them.
 reference: $(INSTALLED)
-	$(BIN)/python -c 'from codegen.key_reference import reference_page; print(reference_page(), end="")' > docs/reference.md
+	$(BIN)/python -c 'from codegen.targets.schemas.reference import reference_page; print(reference_page(), end="")' > docs/reference.md
 
 # Some ten minutes: which of 60 faults in the rover's firmware the generated suite notices. FAULTS="--program boat --seed 2"
 # draws others.

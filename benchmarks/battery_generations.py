@@ -13,10 +13,10 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from codegen import pipeline
 from codegen.diagnostics import Report
 from codegen.model.scenario import Scenario, Swap
 from codegen.model.system import System
+from codegen.project.systems import output_folder, read_scenarios, read_systems, scenarios_path
 from codegen.sim.address import Address
 from codegen.sim.process import Runtime, find_interpreter
 from codegen.sim.program import simulated_programs
@@ -39,7 +39,7 @@ def measured(scenario: Scenario, system: System, value: int, port: int) -> Rates
         raise SystemExit("micropython is not installed: make build does it")
     chosen = replace(scenario, parameters={**scenario.parameters, PARAMETER: float(value)}, beside=())
     chosen = replace(chosen, events=tuple(event for event in chosen.events if not isinstance(event, Swap)))
-    folders = {"": pipeline.output_folder(system)}
+    folders = {"": output_folder(system)}
     simulation = Simulation(
         scenario=chosen,
         duration_ms=chosen.duration_ms,
@@ -88,8 +88,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--project", default=str(PROJECT))
     arguments = parser.parse_args(argv)
     report = Report()
-    systems = pipeline.read_systems(arguments.project, report)
-    scenarios = pipeline.read_scenarios(pipeline.scenarios_path(arguments.project), systems, report)
+    systems = read_systems(arguments.project, report)
+    scenarios = read_scenarios(scenarios_path(arguments.project), systems, report)
     if report.has_errors or not scenarios or arguments.scenario not in scenarios:
         raise SystemExit(f"{arguments.project}: no scenario {arguments.scenario!r}, or errors: run codegen check")
     if PARAMETER not in systems[0].parameters:

@@ -18,8 +18,8 @@ from typing import Any
 import yaml
 
 from codegen.claims.reading import Reference
+from codegen.commands.documents import check_documents, dialect_reference
 from codegen.diagnostics import Diagnostic, Report
-from codegen.documents import check_documents, dialect_reference
 
 CORPUS = Path(__file__).resolve().parents[1] / "tests" / "claims" / "corpus"
 HIDDEN = "unseen"

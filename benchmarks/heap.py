@@ -11,7 +11,7 @@ import measure
 from figure import Figure
 from mpremote.romfs import VfsRomWriter
 
-from codegen.mpy import BYTECODE, options
+from codegen.emit.mpy import BYTECODE, options
 
 COMPARES = """The program of the rover with one link, and that of examples/boat with its modules, without machine
 code, on a MicroPython 1.27 whose words have 32 bits as those of a board: compiled to WebAssembly, its collector made

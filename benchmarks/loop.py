@@ -17,11 +17,11 @@ import measure
 import results
 from loop_plan import Counted, Plan
 
-from codegen import pipeline
 from codegen.diagnostics import Report
 from codegen.loop.costs import FILE
 from codegen.loop.parts import Part, Work
 from codegen.model.system import System
+from codegen.project.systems import read_system
 
 PROJECTS = results.ROOT / "tests" / "projects"
 ROVER = results.ROOT
@@ -137,7 +137,7 @@ def _solved(matrix: list[list[float]]) -> list[float]:
 def system_of(folder: Path) -> System:
     """Read the system of a project."""
     report = Report()
-    system = pipeline.read_system(str(folder / "specs" / "codegen.yaml"), report)
+    system = read_system(str(folder / "specs" / "codegen.yaml"), report)
     if system is None:
         raise SystemExit(f"{folder}: {report.diagnostics}")
     return system

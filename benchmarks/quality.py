@@ -75,17 +75,18 @@ def _checks(text: str) -> int:
 
 def criteria() -> Found:
     """Return how many criteria the requirement documents state, by how they are shown."""
-    from codegen import pipeline  # noqa: PLC0415  the page alone needs no specification
+    from codegen.commands.trace import read_trace, read_trace_lock  # noqa: PLC0415  the page alone needs no specification
     from codegen.diagnostics import Report  # noqa: PLC0415
+    from codegen.project.systems import read_systems  # noqa: PLC0415  the page alone needs no specification
     from codegen.trace.coverage import coverage_of  # noqa: PLC0415
     from codegen.trace.lock import reviews  # noqa: PLC0415
 
     project = str(ROOT / "specs" / "codegen.yaml")
     report = Report()
-    systems = pipeline.read_systems(project, report)
-    trace = pipeline.read_trace(systems, report)
+    systems = read_systems(project, report)
+    trace = read_trace(systems, report)
     found: Counter[str] = Counter()
-    for each in coverage_of(trace, reviews(trace, pipeline.read_trace_lock(project, report)), None):
+    for each in coverage_of(trace, reviews(trace, read_trace_lock(project, report)), None):
         if not each.is_decision:
             kinds = {bool(tested.test.inputs) for tested in each.tests}
             found[_shown_by(kinds, has_limit=each.host_limit is not None)] += 1

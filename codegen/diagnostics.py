@@ -39,9 +39,9 @@ class Rule:
 class Diagnostic:
     """One finding at one place. ``related`` are further places that explain it, each with a short text.
 
-    ``fingerprint`` (12 hex digits, see ``codegen.fingerprint``) is what a waiver names; without one a finding cannot be
-    waived. ``waived`` says who waived it, why and until when: then it counts neither as error nor as warning, but is
-    still shown.
+    ``fingerprint`` (12 hex digits, see ``codegen.findings.fingerprint``) is what a waiver names; without one a finding
+    cannot be waived. ``waived`` says who waived it, why and until when: then it counts neither as error nor as warning,
+    but is still shown.
     """
 
     place: Place

@@ -3,10 +3,10 @@
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Report, Rule
-from codegen.model.affine import AffineMap
-from codegen.model.dialect import WireField
-from codegen.model.nearest_unit import nearest_unit
-from codegen.model.unit import NUMBER, Measure, Unit, conversion, map_words, read_measure, unit_named
+from codegen.model.dialect.dialect import WireField
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.nearest_unit import nearest_unit
+from codegen.model.units.unit import NUMBER, Measure, Unit, conversion, map_words, read_measure, unit_named
 from codegen.source import Place
 
 UNKNOWN_UNIT = Rule(

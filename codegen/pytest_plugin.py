@@ -47,8 +47,8 @@ def _specification(config: Any) -> str | None:
         return found
     if not getattr(config.option, "xmlpath", None):
         return None
-    from codegen.built_specification import built_specification  # noqa: PLC0415
-    from codegen.project_files import nearest_project  # noqa: PLC0415  a run without results has no use for them
+    from codegen.project import nearest_project  # noqa: PLC0415  a run without results has no use for them
+    from codegen.project.built_specification import built_specification  # noqa: PLC0415
 
     project = nearest_project(str(config.rootpath))
     return None if project is None else built_specification(project)

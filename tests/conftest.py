@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-from codegen.cache import cache_folder
+from codegen.tool.cache import cache_folder
 
 ROOT = Path(__file__).resolve().parents[1]
 

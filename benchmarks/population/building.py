@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from codegen.diagnostics import Diagnostic, Report
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 from codegen.targets.firmware import render_firmware
 from codegen.targets.mocks import render_mocks
 from population.answer import Answer

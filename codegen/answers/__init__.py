@@ -1,8 +1,8 @@
 """What a field of a table can be answered with. Each kind of answer has a module here, which knows all about it.
 
-Stages know none of them: they ask the methods of ``codegen.model.answer.Answer``. Beside the kinds lies what several of
-them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (whether it fits the field), ``constant``,
-``limits`` and ``scaled``.
+Stages know none of them: they ask the methods of ``codegen.model.answers.answer.Answer``. Beside the kinds lies what
+several of them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (whether it fits the field),
+``constant``, ``limits`` and ``scaled``.
 """
 
 from codegen.answers.chip import ChipAnswer

@@ -10,13 +10,13 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import FLAGS, Aspect, Origins, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import EnumDefinition
-from codegen.model.known import Known, Value
-from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.step import Step
+from codegen.model.answers.account import FLAGS, Aspect, Origins, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode, indented
+from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Quantity
 
 BAD_CHOICE = Rule(

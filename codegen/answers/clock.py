@@ -7,16 +7,16 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
-from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.clock import BOOT, CLOCK
-from codegen.model.known import Known, Value, kept_number, shown_value
-from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.statements import tested
-from codegen.model.step import Step
-from codegen.model.storage import HALF
-from codegen.model.unit import ratio, unit_named
+from codegen.model.answers.account import Aspect, Origins, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, kept_number, shown_value
+from codegen.model.answers.step import Step
+from codegen.model.code.clock import BOOT, CLOCK
+from codegen.model.code.payload_code import PayloadCode, indented
+from codegen.model.code.statements import tested
+from codegen.model.code.storage import HALF
+from codegen.model.spec.population import FieldAnswer, Send
+from codegen.model.units.unit import ratio, unit_named
 from codegen.model.vehicle import Quantity
 
 _MS = 1000

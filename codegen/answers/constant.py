@@ -8,11 +8,11 @@ from codegen.answers.letters import carries_text
 from codegen.answers.limits import dialect_bounds
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount, read_real
-from codegen.model.answer import Elements
-from codegen.model.dialect import Kind, WireField
-from codegen.model.known import Value
-from codegen.model.letters import NUL, cut
-from codegen.model.unit import NUMBER, Unit, decimal
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Value
+from codegen.model.code.letters import NUL, cut
+from codegen.model.dialect.dialect import Kind, WireField
+from codegen.model.units.unit import NUMBER, Unit, decimal
 from codegen.source import Place
 
 CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")

@@ -11,14 +11,14 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import Taken, take
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import StateCase
-from codegen.model.answer import Elements
-from codegen.model.halves import above, below, equal
-from codegen.model.known import Known, Value, kept_number
-from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.statements import tested
-from codegen.model.storage import HALF, Storage
+from codegen.model.answers.account import StateCase
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, kept_number
+from codegen.model.code.halves import above, below, equal
+from codegen.model.code.payload_code import PayloadCode, indented
+from codegen.model.code.statements import tested
+from codegen.model.code.storage import HALF, Storage
+from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Quantity
 
 NOT_AS_KEPT = Rule(

@@ -11,13 +11,13 @@ from codegen.answers.letters import carries_text
 from codegen.answers.scope import Scope
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.known import Known, Value, shown_value
-from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.step import Step
-from codegen.model.unit import decimal, read_measure
+from codegen.model.answers.account import Aspect, Origins, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, shown_value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode, indented
+from codegen.model.spec.population import FieldAnswer
+from codegen.model.units.unit import decimal, read_measure
 from codegen.model.vehicle import Component, Instance
 
 

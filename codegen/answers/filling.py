@@ -2,11 +2,11 @@
 
 import math
 
-from codegen.model.answer import Elements
-from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.scaling import Scaling, rounded
-from codegen.model.statements import scaled
-from codegen.model.storage import SMALL_INT_MAX
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.scaling import Scaling, rounded
+from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.statements import scaled
+from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
 
 

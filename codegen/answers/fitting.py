@@ -3,11 +3,11 @@
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule
 from codegen.measure import unknown_field_unit
-from codegen.model.answer import Elements
-from codegen.model.dialect import EnumDefinition, WireField
-from codegen.model.step import Step
-from codegen.model.unit import Unit
-from codegen.model.wire_unit import wire_unit
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.step import Step
+from codegen.model.dialect.dialect import EnumDefinition, WireField
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.units.unit import Unit
 
 NO_SENTINEL = Rule(
     "no-sentinel",

@@ -9,13 +9,13 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Kind, SentinelForm
-from codegen.model.known import Known, Value, shown_value
-from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, shown_value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode
+from codegen.model.dialect.dialect import Kind, SentinelForm
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component
 
 UNKNOWN_FACT = Rule("unknown-fact", "A table names a fact that board.yaml, or the dialect, does not have.")

@@ -10,14 +10,14 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value
-from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.reading import Reading, flag_names
-from codegen.model.step import Step
+from codegen.model.answers.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode
+from codegen.model.code.reading import Reading, flag_names
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.source import Place
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.answers.limits import Bounds
-from codegen.model.scaling import Scaling
-from codegen.model.storage import HALF, Storage
+from codegen.model.answers.scaling import Scaling
+from codegen.model.code.storage import HALF, Storage
 
 
 def float_within(scaling: Scaling, sentinel: float | None, storage: Storage) -> Scaling:

@@ -7,12 +7,12 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.known import Known, Value, stored_value
-from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, stored_value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Parameter
 
 BAD_INSTANCE = Rule(

@@ -5,8 +5,8 @@ from typing import ClassVar
 
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
-from codegen.model.answer import Answer, Elements
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.answers.answer import Answer, Elements
+from codegen.model.spec.population import FieldAnswer
 
 POINTLESS_KEY = Rule(
     "pointless-key",

@@ -1,7 +1,7 @@
 """Which fields take a text, and whether the empty one means unknown there."""
 
-from codegen.model.answer import Elements
-from codegen.model.dialect import Kind, SentinelForm
+from codegen.model.answers.answer import Elements
+from codegen.model.dialect.dialect import Kind, SentinelForm
 
 
 def carries_text(covers: Elements) -> bool:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
 from codegen.measure import read_number
-from codegen.model.answer import Elements
-from codegen.model.dialect import WireField
-from codegen.model.literals import exact_number
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.scaling import Scaling, rounded
-from codegen.model.unit import Unit, decimal
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.scaling import Scaling, rounded
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import exact_number
+from codegen.model.spec.population import FieldAnswer
+from codegen.model.units.unit import Unit, decimal
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 if TYPE_CHECKING:

@@ -22,16 +22,16 @@ from codegen.answers.scaled import (
 from codegen.answers.scope import Scope
 from codegen.answers.source import Taken, take
 from codegen.frozen import dataclass
-from codegen.model.account import Arriving, Aspect, Origins, ReadBack, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value, shown_value, stored_value
-from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.reading import Reading, plausible, scaled
-from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
-from codegen.model.step import Step
-from codegen.model.storage import SMALL_INT_MAX
+from codegen.model.answers.account import Arriving, Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, shown_value, stored_value
+from codegen.model.answers.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.reading import Reading, plausible, scaled
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 
 

@@ -6,12 +6,12 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.pages import BAD_PAGES
 from codegen.answers.scope import Scope
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.known import Known, Value
-from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import PayloadCode
+from codegen.model.spec.population import FieldAnswer
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,16 +12,16 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect, SentinelForm
-from codegen.model.known import Known, Stored, Value, is_known, shown_value
-from codegen.model.payload_code import ELEMENT, PayloadCode, each_element, indented
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.reading import Reading
-from codegen.model.scaling import Scaling
-from codegen.model.step import Step
-from codegen.model.storage import Storage
+from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Stored, Value, is_known, shown_value
+from codegen.model.answers.scaling import Scaling
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import ELEMENT, PayloadCode, each_element, indented
+from codegen.model.code.reading import Reading
+from codegen.model.code.storage import Storage
+from codegen.model.dialect.dialect import Dialect, SentinelForm
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component, Quantity
 
 UNEQUAL_LENGTH = Rule(

@@ -4,14 +4,14 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.model.account import Aspect, ReadBack, StateCase, Trait
-from codegen.model.answer import Elements
-from codegen.model.known import Known
-from codegen.model.population_spec import Rounding
-from codegen.model.scaling import Scaling
-from codegen.model.step import Step
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import decimal
+from codegen.model.answers.account import Aspect, ReadBack, StateCase, Trait
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known
+from codegen.model.answers.scaling import Scaling
+from codegen.model.answers.step import Step
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.spec.population import Rounding
+from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 _ROUNDING = {

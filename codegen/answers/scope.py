@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
-from codegen.model.answer import Elements
-from codegen.model.board_spec import BoardSpec
-from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.population_spec import PopulationSpec
+from codegen.model.answers.answer import Elements
+from codegen.model.dialect.dialect import Dialect, EnumDefinition
+from codegen.model.spec.board import BoardSpec
+from codegen.model.spec.population import PopulationSpec
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.source import Place
 

@@ -8,9 +8,9 @@ from codegen.answers.scope import Scope
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
-from codegen.model.answer import Elements
-from codegen.model.dialect import Kind
-from codegen.model.unit import Unit, ratio
+from codegen.model.answers.answer import Elements
+from codegen.model.dialect.dialect import Kind
+from codegen.model.units.unit import Unit, ratio
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 

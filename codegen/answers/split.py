@@ -20,15 +20,15 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import take
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value, stored_value
-from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.reading import Reading, scaled
-from codegen.model.scaling import Scaling
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, stored_value
+from codegen.model.answers.scaling import Scaling
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.reading import Reading, scaled
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component, Parameter, Quantity
 
 BAD_SPLIT = Rule(

@@ -8,15 +8,15 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.letters import carries_text, says_unknown
 from codegen.answers.scope import Scope
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
-from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value, kept_text
-from codegen.model.letters import NUL, cut
-from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.reading import Reading
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, StateCase, Trait, Words
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import Known, Value, kept_text
+from codegen.model.answers.step import Step
+from codegen.model.code.letters import NUL, cut
+from codegen.model.code.payload_code import PayloadCode
+from codegen.model.code.reading import Reading
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 
 

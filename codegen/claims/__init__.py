@@ -6,10 +6,10 @@ A module with a function ``check`` that lies here is run; nothing lists it.
 from collections.abc import Callable
 from dataclasses import replace
 
-from codegen.checks import checks_in
 from codegen.claims.reading import Reading, merged
 from codegen.claims.worked.examples import EXAMPLE
 from codegen.diagnostics import Diagnostic
+from codegen.rules.checks import checks_in
 
 LIKELY = "likely, not certain"
 """What a finding says whose claim is read from the words around it; its rule is a warning and says why."""

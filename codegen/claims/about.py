@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from codegen.claims.reading import Mention, Reading, between
 from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect import WireField, WireMessage
+from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.once import once
 
 _NAME = re.compile(r"(?<![\w./\-])[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*(?![\w(/-])(?:\[\d{0,3}\])?")

@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
-from codegen.model.unit import Unit, ratio
+from codegen.model.units.unit import Unit, ratio
 from codegen.source import Place
 
 RULE = Rule(

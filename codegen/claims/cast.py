@@ -7,8 +7,8 @@ from codegen.claims.field_notes import cells
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect import WireField, WireMessage
-from codegen.model.literals import LIMITS
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.model.dialect.literals import LIMITS
 from codegen.source import Place
 
 RULE = Rule(

@@ -9,7 +9,7 @@ from codegen.claims.size import RULE as SIZE
 from codegen.claims.unit_claim import unit_claim
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
 _CONSTANT = re.compile(

@@ -7,7 +7,7 @@ from codegen.claims.code_facts import number_claims
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 
 _NAME = r"[A-Z][A-Z0-9_]{2,60}"
 _NAMED = re.compile(

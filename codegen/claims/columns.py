@@ -19,8 +19,8 @@ from codegen.claims.unit_claim import unit_claim
 from codegen.claims.unknown_value import number_of, unknown_values
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
-from codegen.model.dialect import WireField, WireMessage
-from codegen.model.literals import same_number
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.model.dialect.literals import same_number
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 OFFSET = Rule(

@@ -8,8 +8,8 @@ from codegen.claims.sentinel import UNIT
 from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
-from codegen.model.dialect import WireField, WireMessage
-from codegen.model.unit import Unit
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.model.units.unit import Unit
 
 _TYPES = r"(?:u?int(?:8|16|32|64)(?:_t)?|float|double)"
 _DECLARED = re.compile(

@@ -7,7 +7,7 @@ from codegen.claims.identifier import ENTRY_VALUE
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
-from codegen.model.dialect import EnumDefinition
+from codegen.model.dialect.dialect import EnumDefinition
 
 _IDLE = frozenset(
     [

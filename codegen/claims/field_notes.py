@@ -9,8 +9,8 @@ from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect import WireField, WireMessage
-from codegen.model.wire_types import SPELLINGS
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.source import Place
 
 C_TYPE = r"u?int(?:8|16|32|64)_t|float|double|char"

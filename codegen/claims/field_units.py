@@ -10,8 +10,8 @@ from codegen.claims.sentinel import UNIT
 from codegen.claims.unit_claim import is_same_unit
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import PassageKind
-from codegen.model.nearest_unit import worded_unit
-from codegen.model.unit import Unit, conversion, unit_named
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import Unit, conversion, unit_named
 
 SCALING = Rule(
     "claim-scaling",

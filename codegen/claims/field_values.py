@@ -13,8 +13,8 @@ from codegen.claims.sentinel import SENTINEL
 from codegen.claims.unknown_value import number_of, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage, PassageKind
-from codegen.model.dialect import EnumDefinition, WireMessage
-from codegen.model.literals import same_number
+from codegen.model.dialect.dialect import EnumDefinition, WireMessage
+from codegen.model.dialect.literals import same_number
 
 ENTRY = re.compile(
     r"(?<![\w.\-+])(?P<value>\d{1,3})\s*(?:=|:|\(|\u2013|-)?\s*"

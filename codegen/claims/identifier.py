@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from codegen.claims.reading import Mention, Reading, between
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import CodeBlock, Passage
-from codegen.model.literals import entry_value
+from codegen.model.dialect.literals import entry_value
 from codegen.source import Place
 
 MESSAGE_ID = Rule(

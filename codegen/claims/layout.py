@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
-from codegen.model.dialect import FieldDefinition, WireField, WireMessage
-from codegen.resolve.sentinel import sentinel_of
+from codegen.model.dialect.dialect import FieldDefinition, WireField, WireMessage
+from codegen.resolve.dialect.sentinel import sentinel_of
 
 FIELD = Rule(
     "claim-field",

@@ -7,10 +7,10 @@ from fractions import Fraction
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.prose import Passage
-from codegen.model.dialect import WireField
-from codegen.model.literals import LIMITS
-from codegen.model.unit import Unit, decimal, ratio
-from codegen.model.wire_unit import wire_unit
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import LIMITS
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.units.unit import Unit, decimal, ratio
 
 RULE = Rule(
     "claim-limit",

@@ -10,9 +10,9 @@ from codegen.claims.unit_claim import unit_claim
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
-from codegen.model.dialect import WireMessage
-from codegen.model.nearest_unit import worded_unit
-from codegen.model.unit import Unit, conversion
+from codegen.model.dialect.dialect import WireMessage
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import Unit, conversion
 
 _UNIT = r"[A-Za-z%\u00b5\u00b0][A-Za-z0-9/%^*\u00b2\u00b3]{0,18}"
 _ABOVE = re.compile(r"^\s*(?:///?|/\*\*?|\*|#)\s*(?P<text>[^*]{1,120}?)\s*(?:\*/)?\s*$")

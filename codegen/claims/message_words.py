@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading, between
 from codegen.claims.size import RULE as SIZE
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 ORDER = Rule(

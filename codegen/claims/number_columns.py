@@ -16,7 +16,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w])")

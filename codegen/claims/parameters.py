@@ -9,9 +9,9 @@ from codegen.claims.field_notes import cells
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
-from codegen.model.nearest_unit import worded_unit
 from codegen.model.stated_parameter import StatedParameter
-from codegen.model.unit import conversion, decimal
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import conversion, decimal
 
 PARAMETER = Rule(
     "claim-parameter",

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.dialect import KnownMessage, WireMessage
-from codegen.resolve.wire import MAX_PAYLOAD
+from codegen.model.dialect.dialect import KnownMessage, WireMessage
+from codegen.resolve.dialect.wire import MAX_PAYLOAD
 from codegen.rules.overlay_text import contradicting_text
 
 PAYLOAD = Rule(

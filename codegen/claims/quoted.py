@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 
-from codegen.decode.dialect_element import ElementReader
-from codegen.decode.dialect_enum import decode_enum
-from codegen.decode.dialect_message import decode_message
+from codegen.decode.dialect.element import ElementReader
+from codegen.decode.dialect.enum import decode_enum
+from codegen.decode.dialect.message import decode_message
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock
 from codegen.load.xml_tree import XmlElement, parse_xml
-from codegen.model.dialect import EnumDefinition, FieldDefinition, MessageDefinition
+from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, MessageDefinition
 
 _TAGS = ("<message", "<enum", "<field")
 _ROOT = "<mavlink>"

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.reading import Reading, between
 from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
 
 RULE = Rule(

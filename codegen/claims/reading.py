@@ -13,14 +13,14 @@ from typing import Protocol, TypeVar
 from codegen.claims.quoted import Quoted, quoted_definitions
 from codegen.decode.decoded import decoded
 from codegen.diagnostics import Diagnostic, Report, Rule
-from codegen.fingerprint import fingerprint
+from codegen.findings.fingerprint import fingerprint
 from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
-from codegen.model.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
 from codegen.model.price import Range
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
-from codegen.resolve.wire import wire_message
+from codegen.resolve.dialect.wire import wire_message
 from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")

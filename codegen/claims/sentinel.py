@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from codegen.claims.field_notes import FieldNotes, Note, field_notes
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.dialect import Kind, WireField
-from codegen.model.literals import named_number, same_number
-from codegen.model.unit import Unit
-from codegen.model.unit_table import SHOWN
+from codegen.model.dialect.dialect import Kind, WireField
+from codegen.model.dialect.literals import named_number, same_number
+from codegen.model.units.unit import Unit
+from codegen.model.units.unit_table import SHOWN
 
 SENTINEL = Rule(
     "claim-sentinel",

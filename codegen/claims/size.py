@@ -8,7 +8,7 @@ from codegen.claims.reading import Mention, Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
 
 RULE = Rule(

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import PassageKind
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 
 RATE = Rule(
     "claim-rate",

@@ -9,8 +9,8 @@ from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.claims.size import RULE as SIZE
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
-from codegen.model.dialect import WireField
-from codegen.model.wire_types import SPELLINGS
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.wire_types import SPELLINGS
 
 RULE = Rule(
     "claim-struct",

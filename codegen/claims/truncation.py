@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.prose import Passage
-from codegen.model.dialect import WireField, WireMessage
+from codegen.model.dialect.dialect import WireField, WireMessage
 
 RULE = Rule(
     "claim-truncation",

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import UNIT
 from codegen.diagnostics import Diagnostic
-from codegen.model.dialect import WireMessage
-from codegen.model.nearest_unit import worded_unit
-from codegen.model.unit import Unit
+from codegen.model.dialect.dialect import WireMessage
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import Unit
 from codegen.source import Place
 
 

@@ -13,7 +13,7 @@ from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
 NO_FIELD = Rule(

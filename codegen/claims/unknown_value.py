@@ -2,8 +2,8 @@
 
 import re
 
-from codegen.model.dialect import WireField
-from codegen.model.literals import named_number
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import named_number
 
 _VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
 _WORDS = (

@@ -64,8 +64,8 @@ def _run(argv: list[str]) -> int:
     except SystemExit as leaving:  # after --help, --version or wrong usage
         return leaving.code if isinstance(leaving.code, int) else EXIT_USAGE
     code = int(arguments.run(arguments))
-    if "codegen.tool" in sys.modules:  # some commands have no use for it
-        from codegen.tool import keep_what_is_new
+    if "codegen.tool.digest" in sys.modules:  # some commands have no use for it
+        from codegen.tool.digest import keep_what_is_new
 
         keep_what_is_new()
     return code

@@ -77,8 +77,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
     """What was measured; None after a finding."""
-    from codegen.bench import facts_for_bench
     from codegen.cli.progress import working
+    from codegen.commands.bench import facts_for_bench
     from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
     from codegen.source import Place
 

@@ -43,39 +43,40 @@ def run(arguments: argparse.Namespace) -> int:
     project = project_file(arguments)
     if project is None:
         return report_no_project()
-    from codegen import stamp
+    from codegen.emit import stamp
 
     started = time.time()
     kept = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
     if kept is not None:
         print(up_to_date(kept), file=sys.stderr)
         return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
-    from codegen import outputs, pipeline
     from codegen.cli.output import emit
     from codegen.cli.progress import working
+    from codegen.commands.build import board_folder, compile_systems, render_systems, what_is_made
     from codegen.diagnostics import Report
+    from codegen.project.systems import check_scenarios, files_read, folders_read, output_folder, read_systems
 
     report = Report()
     with working("reading the specification") as now:
-        systems = pipeline.read_systems(project, report)
+        systems = read_systems(project, report)
         system = systems[0] if systems else None
-        pipeline.check_scenarios(project, systems, report)
+        check_scenarios(project, systems, report)
         now("rendering what is generated")
-        rendered = {} if system is None or report.has_errors else outputs.render_systems(systems)
+        rendered = {} if system is None or report.has_errors else render_systems(systems)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
-    folder = pipeline.output_folder(system)
+    folder = output_folder(system)
     code = emit(rendered, folder, arguments, report)
-    read, beside = pipeline.files_read(systems), pipeline.folders_read(systems)
+    read, beside = files_read(systems), folders_read(systems)
     if is_plain(arguments) and not list(report):
         stamp.keep(project, started, read, folder, rendered, beside)
     if arguments.mpy is not None and not code:
         compiled = Report()
         with working(f"compiling the firmware for {arguments.mpy}"):
-            boards = outputs.compile_systems(systems, arguments.mpy, compiled)
-        code = emit(boards, outputs.board_folder(system, arguments.mpy), arguments, compiled)
+            boards = compile_systems(systems, arguments.mpy, compiled)
+        code = emit(boards, board_folder(system, arguments.mpy), arguments, compiled)
     if not code and not (arguments.check or arguments.diff or arguments.dry_run):
-        print("".join(f"{line}\n" for line in outputs.what_is_made(systems)), end="", file=sys.stderr)
+        print("".join(f"{line}\n" for line in what_is_made(systems)), end="", file=sys.stderr)
     if arguments.depfile is None or code:
         return code
     return write_depfile(arguments, stamp.everything_read(project, read, beside))

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from codegen.cli.output import add_format_option
 
 if TYPE_CHECKING:
-    from codegen.claims.reading import Reference
     from codegen.claims.worked.listing import Number
     from codegen.diagnostics import Report
 
@@ -41,6 +40,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Print what was found, and return the exit code."""
     from codegen.cli.project import project_file, report_no_project
+    from codegen.commands.check import check_project, claim_rules
 
     project = project_file(arguments)
     if arguments.dialect is not None and not arguments.documents:
@@ -65,44 +65,27 @@ def run(arguments: argparse.Namespace) -> int:
         else:
             assert project is not None
             with confined(folders_of(project)):
-                files = _check_project(project, report, listed if arguments.examples else None)
+                files = check_project(project, report, listed if arguments.examples else None)
         if project is not None:
-            from codegen.cli.waived import waivers_of, with_waivers
+            from codegen.commands.waived import waivers_of, with_waivers
 
             waivers = waivers_of(project)
             with confined(folders_of(project)):
-                report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
+                report = with_waivers(report, waivers, claim_rules() if waivers else (), files)
     print_findings(report, arguments.format, shows_waived=arguments.waived)
     if arguments.examples:
         _print_examples(listed)
     return report.exit_code
 
 
-def _check_project(project: str, report: "Report", listed: "list[Number] | None") -> list[str]:
-    """Report on the specification and on its own documents, which are returned; their examples go to ``listed``."""
-    from codegen import pipeline
-    from codegen.document_findings import check_project_documents, project_documents
-
-    systems = pipeline.read_systems(project, report)
-    pipeline.check_scenarios(project, systems, report)
-    pipeline.read_trace_lock(project, report)
-    if report.has_errors or not systems:
-        return []  # what documents say could not be compared with what is meant
-    if listed is not None:
-        from codegen import documents
-
-        own, reference = project_documents(systems), documents.project_reference(systems)
-        listed.extend(documents.example_numbers(own, reference))
-    return check_project_documents(systems, report)
-
-
 def _check_documents(
     arguments: argparse.Namespace, project: str | None, report: "Report", listed: "list[Number]"
 ) -> list[str]:
     """Report on the claims of the documents that the arguments name; returns those that could be read."""
-    from codegen import documents
+    from codegen.commands import documents
+    from codegen.commands.check import reference_for
 
-    reference = _reference(arguments.dialect, project, report)
+    reference = reference_for(arguments.dialect, project, report)
     if reference is None:
         return []
     if arguments.examples:
@@ -125,25 +108,3 @@ def _print_examples(listed: "list[Number]") -> None:
     print(end="", flush=True)
     counted = f"{len(listed)} numbers in worked examples: {computed} recomputed, {len(unknown)} not computable"
     print(counted, file=sys.stderr)
-
-
-def _reference(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":
-    """What documents are compared with. What is wrong with a project is told only where it cannot be used."""
-    from codegen import documents, pipeline
-    from codegen.diagnostics import Report
-
-    if dialect is not None or project is None:
-        return documents.dialect_reference(dialect or "common", report)
-    found = Report()
-    systems = pipeline.read_systems(project, found)
-    if not systems:
-        report.extend(found)
-        return None
-    return documents.project_reference(systems)
-
-
-def _claim_rules() -> list[str]:
-    """The ids of the rules about claims."""
-    from codegen.catalogue import rule_ids
-
-    return [rule for rule in rule_ids("codegen.claims") if rule.startswith("claim-")]

@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 2
     from codegen.cli.output import emit
     from codegen.cli.progress import working
-    from codegen.codec import codec_of, mip_list, read_codec_dialect
+    from codegen.commands.codec import codec_of, mip_list, read_codec_dialect
     from codegen.diagnostics import Report
 
     report = Report()
@@ -74,7 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
         files = {} if dialect is None else codec_of(dialect, names, report, **options)
         rendered: dict[str, str | bytes] = {**files}
         if rendered and arguments.mpy is not None:
-            from codegen.mpy import compiled
+            from codegen.emit.mpy import compiled
 
             rendered = compiled(rendered, arguments.mpy, report)
     if rendered and arguments.package is not None:
@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     code = emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
     if arguments.depfile is None or code or dialect is None:
         return code
-    from codegen.tool import tool_files
+    from codegen.tool.digest import tool_files
 
     return write_depfile(arguments, [*dialect.files, *tool_files()])
 

@@ -34,8 +34,8 @@ def write_depfile(arguments: argparse.Namespace, paths: Iterable[str]) -> int:
     if arguments.depfile is None:
         return 0
     from codegen.cli.findings import print_findings
-    from codegen.depfile import depfile_text
     from codegen.diagnostics import Report
+    from codegen.emit.depfile import depfile_text
     from codegen.emit.file import write_file
     from codegen.source import shown_path
 

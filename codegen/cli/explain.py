@@ -24,30 +24,19 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the story to stdout, or why there is none, and return the exit code."""
-    from codegen import pipeline
     from codegen.cli.findings import print_findings
     from codegen.cli.project import project_file, report_no_project
+    from codegen.commands.explain import story_of
     from codegen.diagnostics import Report
-    from codegen.explain import explain
 
-    # Whoever asks what a rule means often has a specification that breaks it, so a broken one still gets an answer.
     project = project_file(arguments)
-    reading, report = Report(), Report()
-    systems = () if project is None else pipeline.read_systems(project, reading)
-    system = systems[0] if systems else None
-    story = explain(arguments.topic, system, report)
-    for program in systems[1:]:
-        told = explain(arguments.topic, program, Report())
-        if told is not None and told != story:
-            heading = f"In the program {program.spec.program}:\n{told}"
-            story = heading if story is None else f"{story}\n{heading}"
+    report = Report()
+    story = story_of(arguments.topic, project, report)
     if story is not None:
         print(story.rstrip("\n"))
         return 0
     if project is None:
         return report_no_project()
-    if system is None:
-        report.extend(reading)
     print_findings(report)
     if report.has_errors:
         return report.exit_code

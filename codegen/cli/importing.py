@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from codegen.importing.existing import ExistingTable
     from codegen.importing.proposal import Proposal
     from codegen.importing.table_text import Heading
-    from codegen.model.dialect import Dialect, WireMessage
+    from codegen.model.dialect.dialect import Dialect, WireMessage
     from codegen.model.system import System
 
 
@@ -165,11 +165,11 @@ def _nonsense(arguments: argparse.Namespace) -> str | None:
 
 def _surroundings(arguments: argparse.Namespace, report: "Report") -> "tuple[tuple[System, ...], Dialect | None]":
     """The programs of the project, if there is one, and the dialect; None after a finding."""
-    from codegen import pipeline
     from codegen.cli.progress import working
     from codegen.cli.project import project_file
-    from codegen.codec import read_codec_dialect
+    from codegen.commands.codec import read_codec_dialect
     from codegen.diagnostics import Report
+    from codegen.project.systems import read_systems
 
     project = None if arguments.dialect is not None else project_file(arguments)
     if project is None:
@@ -177,7 +177,7 @@ def _surroundings(arguments: argparse.Namespace, report: "Report") -> "tuple[tup
     # What is wrong with the project is for check to say: a table that is imported may be what is missing.
     reading = Report()
     with working("reading the specification"):
-        systems = pipeline.read_systems(project, reading)
+        systems = read_systems(project, reading)
     if not systems:
         report.extend(reading)
         return (), None

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from codegen.diagnostics import Report
-    from codegen.start import Wish
+    from codegen.commands.init import Wish
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -40,7 +39,7 @@ def start_kinds() -> "Mapping[str, str]":
     """Return each kind of ``templates/start/kinds.json``, and what it is, in a few words."""
     import json
 
-    from codegen.template_files import copied
+    from codegen.tool.template_files import copied
 
     kinds: dict[str, str] = json.loads(copied("start/kinds.json"))
     return kinds
@@ -49,8 +48,16 @@ def start_kinds() -> "Mapping[str, str]":
 def run(arguments: argparse.Namespace) -> int:
     """Write the project, say what comes next, and return the exit code."""
     from codegen.cli.findings import print_findings
+    from codegen.commands.init import (
+        CODEC,
+        Wish,
+        check_wish,
+        report_existing,
+        schemas_for_editors,
+        start_files,
+        write_project,
+    )
     from codegen.diagnostics import Report
-    from codegen.start import CODEC, Wish, report_existing, start_files
 
     if arguments.kind == CODEC and arguments.board is not None:
         print("codegen init: --board says nothing about a codec: it runs on all of them", file=sys.stderr)
@@ -58,13 +65,13 @@ def run(arguments: argparse.Namespace) -> int:
     wish = Wish(arguments.kind, os.path.abspath(arguments.folder), arguments.board, arguments.dialect)
     report = Report()
     files = start_files(wish, report)
-    schemas = {} if wish.kind == CODEC else _schemas()
+    schemas = {} if wish.kind == CODEC else schemas_for_editors()
     if files:
         report_existing(wish.folder, {**files, **{f"generated/{path}": "" for path in schemas}}, report)
     if not report.has_errors and (wish.board or wish.dialect) and schemas:
-        _check(wish, files, report)
+        check_wish(wish, files, report)
     if not report.has_errors:
-        _write(wish.folder, files, schemas, report)
+        write_project(wish.folder, files, schemas, report)
     print_findings(report)
     if report.has_errors:
         print("codegen init: nothing was written", file=sys.stderr)
@@ -73,58 +80,8 @@ def run(arguments: argparse.Namespace) -> int:
     return report.exit_code
 
 
-def _schemas() -> dict[str, str]:
-    from codegen.schemas import schema_texts
-
-    return {f"schemas/{name}": text for name, text in schema_texts().items()}
-
-
-def _check(wish: "Wish", files: dict[str, str], report: "Report") -> None:
-    """Report what does not fit the board or the dialect that were chosen, at the places that the files will have."""
-    import tempfile
-    from dataclasses import replace
-
-    from codegen import pipeline
-    from codegen.diagnostics import Report
-    from codegen.source import Place
-
-    found = Report()
-    with tempfile.TemporaryDirectory(prefix="codegen-init-") as folder:
-        trial = os.path.realpath(folder)
-        _write_files(trial, files, found)
-        project = os.path.join(trial, "specs", "codegen.yaml")
-        systems = pipeline.read_systems(project, found)
-        pipeline.check_scenarios(project, systems, found)
-
-        def moved(place: Place) -> Place:
-            inside = place.file.startswith(trial + os.sep)
-            return place._replace(file=wish.folder + place.file[len(trial) :]) if inside else place
-
-        for finding in found:
-            related = tuple((moved(place), text) for place, text in finding.related)
-            report.extend([replace(finding, place=moved(finding.place), related=related)])
-
-
-def _write(folder: str, files: dict[str, str], schemas: dict[str, str], report: "Report") -> None:
-    """The files, and the schemas where a build will have them: an editor checks from the start."""
-    from codegen.emit.plan import plan_output
-    from codegen.emit.write import write_output
-
-    _write_files(folder, files, report)
-    plan = plan_output(schemas, os.path.join(folder, "generated"), report) if schemas else None
-    if plan is not None and not report.has_errors:
-        write_output(plan, report)
-
-
-def _write_files(folder: str, files: dict[str, str], report: "Report") -> None:
-    from codegen.emit.file import write_file
-
-    for path, text in files.items():
-        write_file(os.path.join(folder, path), text, report)
-
-
 def _say_what_is_next(written: str, wish: "Wish", count: int) -> None:
-    from codegen.start import CODEC
+    from codegen.commands.init import CODEC
 
     where = "here" if os.path.normpath(written) == "." else f"in {written}"
     into = "" if where == "here" else f"cd {written} && "

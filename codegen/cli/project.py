@@ -4,7 +4,7 @@ import argparse
 import os
 import sys
 
-from codegen.project_files import PROJECT_FILES, nearest_project, project_in
+from codegen.project import PROJECT_FILES, nearest_project, project_in
 
 
 def project_file(arguments: argparse.Namespace) -> str | None:

@@ -111,11 +111,12 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         raise UsageError("the simulation runs on Linux and macOS; under Windows, in its Linux (WSL)")
     speed = _speed(arguments.speed)
     duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
-    from codegen import outputs, pipeline
     from codegen.cli.progress import working
+    from codegen.commands.build import stale_firmware
+    from codegen.project.systems import output_folder, read_systems
 
     with working("reading the specification"):
-        systems = pipeline.read_systems(project, report)
+        systems = read_systems(project, report)
     if not systems or report.has_errors:
         return None
     scenarios = _scenarios(arguments, systems, report)
@@ -127,7 +128,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     scenario = _chosen(arguments.scenario, scenarios)
     names = {"", *(beside.program for beside in scenario.beside)}
     cast = [system for system in systems if system.spec.program in names]
-    folders = {system.spec.program: _generated(pipeline.output_folder(system)) for system in cast}
+    folders = {system.spec.program: _generated(output_folder(system)) for system in cast}
     if arguments.duration is None:
         duration_ms = scenario.duration_ms
     from codegen.sim.address import AddressError, parse_address
@@ -146,7 +147,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     _check_files(arguments)
     code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     with working("comparing the firmware with the specification"):
-        stale = [module for system in cast for module in outputs.stale_firmware(system)]
+        stale = [module for system in cast for module in stale_firmware(system)]
     _warn_of_stale(stale)
     return Simulation(
         scenario=scenario,
@@ -173,7 +174,7 @@ def _speed(text: str) -> float:
 
 
 def _duration_ms(text: str) -> int:
-    from codegen.model.unit import read_measure, unit_named
+    from codegen.model.units.unit import read_measure, unit_named
 
     measure = read_measure(text) or read_measure(f"{text} s")
     milliseconds = None if measure is None else measure.in_unit(unit_named("ms"))
@@ -186,15 +187,11 @@ def _scenarios(
     arguments: argparse.Namespace, systems: "Sequence[System]", report: "Report"
 ) -> "dict[str, Scenario] | None":
     """The scenarios of the project, or of the file that the user names; None after findings."""
-    from codegen import pipeline
+    from codegen.project.systems import read_own_scenarios, read_scenarios
 
     path, _ = _file_and_name(arguments.scenario)
     project = systems[0].spec.project.place.file
-    scenarios = (
-        pipeline.read_own_scenarios(project, systems, report)
-        if path is None
-        else pipeline.read_scenarios(path, systems, report)
-    )
+    scenarios = read_own_scenarios(project, systems, report) if path is None else read_scenarios(path, systems, report)
     return None if report.has_errors else scenarios
 
 
@@ -208,7 +205,7 @@ def _file_and_name(given: str) -> tuple[str | None, str | None]:
 
 
 def _chosen(given: str, scenarios: "dict[str, Scenario]") -> "Scenario":
-    from codegen.resolve.scenario import unknown_scenario
+    from codegen.resolve.scenarios.scenario import unknown_scenario
 
     path, name = _file_and_name(given)
     if name is None and len(scenarios) == 1:
@@ -233,11 +230,11 @@ def _generated(folder: str) -> str:
 
 def _own_code(system: "System") -> str | None:
     """The file with the user's code in the folder of the project; None where there is none."""
-    from codegen import pipeline
+    from codegen.project.systems import project_folder
 
     if system.program is None:
         return None
-    path = os.path.join(pipeline.project_folder([system]), f"{system.program.module}.py")
+    path = os.path.join(project_folder([system]), f"{system.program.module}.py")
     return path if os.path.isfile(path) else None
 
 

@@ -100,12 +100,12 @@ def run(arguments: argparse.Namespace) -> int:
     project = project_file(arguments)
     if project is None:
         return report_no_project()
-    from codegen import pipeline
     from codegen.cli.progress import working
+    from codegen.project.systems import read_systems
 
     reading = Report()
     with working("reading the specification"):
-        systems = pipeline.read_systems(project, reading)
+        systems = read_systems(project, reading)
     if not systems or reading.has_errors:
         print_findings(reading, arguments.format if arguments.format in OF_FINDINGS else "text")
         return reading.exit_code or 2

@@ -4,16 +4,16 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from codegen import pipeline
 from codegen.cli.findings import print_findings
 from codegen.cli.trace_report import chosen_names
+from codegen.commands.trace import read_trace, trace_lock_path
 from codegen.decode.reach import folders_of
 from codegen.decode.trace_lock import decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.load.confined import confined
+from codegen.model.spec.trace_lock import TraceLockSpec
 from codegen.model.system import System
-from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.source import Place, shown_path
 from codegen.trace.graph import Trace
 from codegen.trace.link import Link, chosen_link, suspects
@@ -33,14 +33,14 @@ from codegen.trace.lock import (
 def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
     """Write the lock file, all other entries as they are, and return the exit code."""
     report = Report()
-    path = pipeline.trace_lock_path(project)
+    path = trace_lock_path(project)
     with confined(folders_of(project)):
         written = read_trace_lock_text(path, report)
     lock = None if written is None else decode_trace_lock(written, path, report)
     if report.has_errors:
         print_findings(report)
         return report.exit_code
-    trace = pipeline.read_trace(systems, Report())
+    trace = read_trace(systems, Report())
     dropped = list(gone(trace, lock))
     names = _names(arguments.names[1:], trace, dropped)
     if names is None:

@@ -4,41 +4,38 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from codegen import pipeline
-from codegen.bench import bench_inputs_of
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.cli.progress import working
-from codegen.decode.bench_record import decode_bench
-from codegen.decode.junit import decode_junit
+from codegen.commands.trace import read_trace, read_trace_lock
 from codegen.diagnostics import Report, did_you_mean
 from codegen.emit.file import write_file
 from codegen.model.system import System
-from codegen.model.test_record import TestResult
-from codegen.source import Place, shown_path
-from codegen.trace.bench import check_conditions, with_bench
+from codegen.project.systems import project_folder
+from codegen.source import shown_path
 from codegen.trace.coverage import coverage_of
 from codegen.trace.exchange import exchange_of
-from codegen.trace.findings import UNRELATED_RESULTS, told_of_hand_written, trace_findings
-from codegen.trace.generated_tests import inputs_of
+from codegen.trace.findings import trace_findings
 from codegen.trace.graph import Trace
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
 from codegen.trace.page import trace_markdown, trace_report
 from codegen.trace.reqif import NEVER, reqif_xml
-from codegen.trace.results import Results, results_of, unrelated, with_links_of
+from codegen.trace.results import with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
 
 
 def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
     """Print or write the report, then the findings where there is room for them; return the exit code."""
+    from codegen.commands.results import with_results
+
     report = Report()
     with working("reading documents and tests"):
-        trace = pipeline.read_trace(systems, report)
-    lock = pipeline.read_trace_lock(project, report)
+        trace = read_trace(systems, report)
+    lock = read_trace_lock(project, report)
     suspect = suspects(trace, lock)  # links that only results tell cannot be accepted, as accept knows no results
-    trace, results = _results(arguments.results, trace, systems, report)
+    trace, results = with_results(arguments.results, trace, systems, report)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
         print_findings(report)
         return report.exit_code
@@ -51,7 +48,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     about = chosen if arguments.names else None
     report.extend(trace_findings(trace, coverage, gone(trace, lock), arguments.fail_on, about))
     files = None if arguments.results is None else [shown_path(path) for path in arguments.results]
-    folder = pipeline.project_folder(systems)
+    folder = project_folder(systems)
     view = trace_view(systems[0].spec.project.project, folder, trace, coverage, report, files)
     view = view if about is None else only(view, about)
     text = _text(arguments.format, view, report, is_tree=about is not None, changed=arguments.last_change)
@@ -95,30 +92,3 @@ def chosen_names(names: Sequence[str], trace: Trace) -> set[str] | None:
             return None
         chosen |= {one for one in trace.criteria if one == called or one.startswith(f"{called}.")}
     return chosen
-
-
-def _results(
-    files: Sequence[str] | None, trace: Trace, systems: Sequence[System], report: Report
-) -> tuple[Trace, Results | None]:
-    """The results of all files, and the trace with boards as tests; what cannot be read leaves a finding."""
-    if files is None:
-        return trace, None
-    by_file: dict[str, Sequence[TestResult]] = {}
-    records = []
-    for path in files:
-        if path.endswith(".json"):
-            records.append(decode_bench(path, report))
-            continue
-        decoded = decode_junit(path, report)
-        if decoded is not None and unrelated(decoded, trace):
-            report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
-        by_file[path] = decoded or ()
-    measured: Sequence[TestResult] = ()
-    if records:
-        check_conditions(trace.requirements, report)
-        trace, measured = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
-    found = [each for listed in by_file.values() for each in listed]
-    results = results_of([*found, *measured], trace.tests, inputs_of(systems))
-    for path, listed in by_file.items():
-        report.extend(told_of_hand_written(path, listed, results, trace))
-    return trace, results

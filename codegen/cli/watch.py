@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from codegen.output_files import MANIFEST
+from codegen.emit.folder import MANIFEST
 
 if TYPE_CHECKING:
     import subprocess
@@ -121,7 +121,7 @@ def named_files(project: str) -> frozenset[str]:
     """The absolute paths of the project file, and of the files that it names wherever they lie."""
     from codegen.decode.record_file import decode_record_file
     from codegen.diagnostics import Report
-    from codegen.model.spec import Project
+    from codegen.model.spec.spec import Project
 
     found = decode_record_file(project, Project, Report())
     if found is None:

@@ -7,11 +7,11 @@ import json
 from collections.abc import Callable
 from typing import TypeVar, cast
 
-from codegen.cache import entry, keep, keep_object, kept, kept_object, pickled
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.load.text import found_at, noting
-from codegen.tool import tool_digest
+from codegen.tool.cache import entry, keep, keep_object, kept, kept_object, pickled
+from codegen.tool.digest import tool_digest
 
 _Stated = TypeVar("_Stated")
 

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import cast
 
-from codegen.cache import entry, keep_object, kept_object
 from codegen.decode.decoded import decoded
 from codegen.diagnostics import Report
 from codegen.load.marked_tests import files_of_tests, has_marks, marked_tests
 from codegen.load.text import read_bytes
 from codegen.load.trees import version_of
 from codegen.model.test_record import MarkedTest
-from codegen.tool import tool_digest
+from codegen.tool.cache import entry, keep_object, kept_object
+from codegen.tool.digest import tool_digest
 
 
 def read_tests_below(folders: Sequence[str], report: Report) -> list[MarkedTest]:

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.trees import file_names, is_file
-from codegen.model.spec import Correction, Project
-from codegen.model.state_spec import StateSpec
+from codegen.model.spec.spec import Correction, Project
+from codegen.model.spec.state import StateSpec
 from codegen.source import Written
 
 UNKNOWN_OVERLAY = Rule(

@@ -10,7 +10,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
 from codegen.load.text import read_bytes
 from codegen.load.trees import exists
-from codegen.model.spec import ProgramProject, Project
+from codegen.model.spec.spec import ProgramProject, Project
 from codegen.source import Place, shown_path
 
 PROGRAM_ALONE = Rule(

@@ -9,7 +9,7 @@ from codegen.decode.shipped_corrections import FOLDER as CORRECTIONS
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_folders
 from codegen.load.text import decode_text, read_bytes
-from codegen.model.spec import Project
+from codegen.model.spec.spec import Project
 
 
 def folders_of(project_file: str) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from typing import Any, Generic, TypeVar
 from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mismatch, read_scalar, shortened
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
-from codegen.model.shape import (
+from codegen.model.spec.shape import (
     AnyScalar,
     Group,
     ListOf,
@@ -23,7 +23,7 @@ from codegen.model.shape import (
     rest,
     short_forms,
 )
-from codegen.model.source_spec import OwnSourceSpec
+from codegen.model.spec.source import OwnSourceSpec
 from codegen.source import Place, Written
 
 HINTED = 100

@@ -16,7 +16,7 @@ from codegen.decode.criterion_dependency import dependencies_of
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.frozen import dataclass
 from codegen.load.markdown import Document, Item, Section
-from codegen.model.spec import Criterion, HostLimit, Requirement
+from codegen.model.spec.spec import Criterion, HostLimit, Requirement
 from codegen.source import Place
 
 REQUIREMENT_TITLE = Rule(

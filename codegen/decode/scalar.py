@@ -7,7 +7,7 @@ from typing import assert_never
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
-from codegen.model.shape import (
+from codegen.model.spec.shape import (
     AnyScalar,
     Choice,
     ListOf,

@@ -4,7 +4,7 @@ import os
 
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
-from codegen.model.scenario_spec import ScenariosSpec
+from codegen.model.spec.scenario import ScenariosSpec
 
 SCENARIOS = "scenarios.yaml"
 """The scenarios of a project, beside its project file."""

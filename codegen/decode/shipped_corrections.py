@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
 from codegen.load.shipped import is_shipped
-from codegen.model.dialect import DialectFile
-from codegen.model.spec import ShippedCorrection, ShippedCorrectionsSpec
+from codegen.model.dialect.dialect import DialectFile
+from codegen.model.spec.spec import ShippedCorrection, ShippedCorrectionsSpec
 
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "corrections")
 """The absolute path of the folder that they lie in, each file called as its dialect."""

@@ -21,15 +21,15 @@ from codegen.load.text import FILE_NOT_READABLE, decode_text, is_refused, read_b
 from codegen.load.trees import exists, file_names, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
-from codegen.model.board_spec import BoardSpec
-from codegen.model.command_spec import CommandsSpec
-from codegen.model.driver_spec import DriverSpec, OwnDriver
-from codegen.model.population_spec import PopulationSpec
-from codegen.model.program_spec import VehicleSpec
-from codegen.model.receive_spec import ReceiveSpec
-from codegen.model.receiver_spec import ReceiverSpec
-from codegen.model.source_spec import OwnSourceSpec
-from codegen.model.spec import (
+from codegen.model.spec.board import BoardSpec
+from codegen.model.spec.command import CommandsSpec
+from codegen.model.spec.driver import DriverSpec, OwnDriver
+from codegen.model.spec.population import PopulationSpec
+from codegen.model.spec.program import VehicleSpec
+from codegen.model.spec.receive import ReceiveSpec
+from codegen.model.spec.receiver import ReceiverSpec
+from codegen.model.spec.source import OwnSourceSpec
+from codegen.model.spec.spec import (
     Correction,
     CorrectionsSpec,
     ParametersSpec,
@@ -40,7 +40,7 @@ from codegen.model.spec import (
     Spec,
     StreamsSpec,
 )
-from codegen.model.state_spec import StateSpec
+from codegen.model.spec.state import StateSpec
 from codegen.source import Place, Written, shown_path
 
 NO_MESSAGES = Rule(

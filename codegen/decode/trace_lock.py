@@ -4,7 +4,7 @@ from codegen.decode.record_file import decode_record_text
 from codegen.diagnostics import Report
 from codegen.load.text import read_text
 from codegen.load.trees import exists
-from codegen.model.trace_lock_spec import TraceLockSpec
+from codegen.model.spec.trace_lock import TraceLockSpec
 
 TRACE_LOCK = "trace.lock.yaml"
 """The lock file of a project, beside its project file."""

@@ -4,7 +4,7 @@ import os
 
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
-from codegen.model.waiver_spec import SeveritySpec, WaiverSpec, WaiversSpec
+from codegen.model.spec.waiver import SeveritySpec, WaiverSpec, WaiversSpec
 
 WAIVERS = "waivers.yaml"
 """The waivers of a project, beside its project file."""

@@ -12,7 +12,7 @@ from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.bench_record import MEASURES, BenchRecord
 from codegen.source import Place
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 NOT_DEPLOYED = Rule(
     "not-deployed",

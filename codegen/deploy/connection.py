@@ -21,7 +21,7 @@ from codegen.deploy.findings import (
     SEVERAL_BOARDS,
     BoardFaultError,
 )
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 ANSWER_S = 10.0
 """How long the board may say nothing before it counts as gone."""

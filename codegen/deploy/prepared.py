@@ -16,9 +16,9 @@ from codegen.deploy.findings import (
 from codegen.deploy.plan import Owned, Plan, is_room, plan
 from codegen.deploy.transfer import digests_of, found_files, owned_files
 from codegen.diagnostics import Report
+from codegen.emit.mpy import BYTECODE, emitted_version, has_machine_code
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.mpy import BYTECODE, emitted_version, has_machine_code
 from codegen.source import Place
 
 

@@ -1,7 +1,7 @@
 """Where the values of quantities come from, a module for each kind: all that is known of it stands there.
 
-``codegen/model/derivation.py`` says what the stages ask a derivation, ``codegen/model/derivation_spec.py`` has the keys
-of ``state.yaml`` that it is written with.
+``codegen/model/quantities/derivation.py`` says what the stages ask a derivation, ``codegen/model/spec/derivation.py``
+has the keys of ``state.yaml`` that it is written with.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,8 +22,8 @@ from codegen.derivations.sourced import resolve_sourced
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.derivations.trend import resolve_trend
 from codegen.derivations.while_known import resolve_while_known
-from codegen.model.derivation import Derivation
-from codegen.model.derivation_spec import (
+from codegen.model.quantities.derivation import Derivation
+from codegen.model.spec.derivation import (
     CountsReturnsSpec,
     DerivationSpec,
     EnabledBySpec,

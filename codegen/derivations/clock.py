@@ -5,13 +5,13 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.clock import BOOT, CLOCK, UNIX
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.state_spec import ComponentSpec, QuantitySpec
-from codegen.model.step import Step
-from codegen.model.storage import Storage
-from codegen.model.trust import Trust
-from codegen.model.unit import unit_named
+from codegen.model.answers.step import Step
+from codegen.model.code.clock import BOOT, CLOCK, UNIX
+from codegen.model.code.storage import Storage
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.trust import Trust
+from codegen.model.spec.state import ComponentSpec, QuantitySpec
+from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind
 from codegen.source import Place
 

@@ -8,8 +8,8 @@ from codegen.derivations.follows import steps_of
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import (
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.derivation import (
     CountsReturnsSpec,
     EstimateSpec,
     FollowsSpec,
@@ -18,7 +18,7 @@ from codegen.model.derivation_spec import (
     LeftSpec,
     MeasuredSpec,
 )
-from codegen.model.unit import NUMBER
+from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import Quantity, QuantityKind
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from codegen.derivations.surroundings import MOST_COUNTED, Surroundings
 from codegen.diagnostics import Rule
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 
 BAD_ELEMENTS = Rule(
     "bad-elements",

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import EnabledBySpec
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.derivation import EnabledBySpec
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.board_spec import CurveSpec
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import EstimateSpec, MeasuredSpec
-from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.board import CurveSpec
+from codegen.model.spec.derivation import EstimateSpec, MeasuredSpec
+from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure
 from codegen.model.vehicle import Instance, Quantity
 
 if TYPE_CHECKING:

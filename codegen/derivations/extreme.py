@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import HighestSpec, LowestSpec
-from codegen.model.unit import Unit, ratio
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.derivation import HighestSpec, LowestSpec
+from codegen.model.units.unit import Unit, ratio
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:

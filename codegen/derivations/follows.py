@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import FollowsSpec
-from codegen.model.known import Known, Stored
-from codegen.model.payload_code import UNKNOWN
-from codegen.model.state_spec import QuantitySpec
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure
+from codegen.model.answers.known import Known, Stored
+from codegen.model.code.payload_code import UNKNOWN
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.derivation import FollowsSpec
+from codegen.model.spec.state import QuantitySpec
+from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import IntegralSpec, MeasuredSpec, SourcedSpec
-from codegen.model.step import Step
-from codegen.model.summed import RADIX, Sum, whole
-from codegen.model.unit import Unit, ratio
+from codegen.model.answers.step import Step
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.summed import RADIX, Sum, whole
+from codegen.model.spec.derivation import IntegralSpec, MeasuredSpec, SourcedSpec
+from codegen.model.units.unit import Unit, ratio
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:

@@ -13,13 +13,13 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import BAD_AMOUNT, UNIT_MISMATCH
-from codegen.model.conversion import Constant, Conversion, Factor, factors_by_instance
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import MeasuredSpec
-from codegen.model.simulated import SimulatedInput
-from codegen.model.step import Step
-from codegen.model.trust import Threshold
-from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
+from codegen.model.answers.step import Step
+from codegen.model.quantities.conversion import Constant, Conversion, Factor, factors_by_instance
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.simulated import SimulatedInput
+from codegen.model.quantities.trust import Threshold
+from codegen.model.spec.derivation import MeasuredSpec
+from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
 from codegen.model.vehicle import Parameter, Quantity, Represented, by_instance
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import SET_TWICE, Surroundings
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:

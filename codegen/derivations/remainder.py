@@ -8,10 +8,10 @@ from codegen.derivations.integral import is_sensed, kept_unit
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import IntegralSpec, LastsSpec, LeftSpec, MeasuredSpec
-from codegen.model.summed import Lasting, Rest, whole
-from codegen.model.unit import Unit, ratio, unit_named
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.summed import Lasting, Rest, whole
+from codegen.model.spec.derivation import IntegralSpec, LastsSpec, LeftSpec, MeasuredSpec
+from codegen.model.units.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.simulated import SimulatedInput
-from codegen.model.step import Step
+from codegen.model.answers.step import Step
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.vehicle import Quantity, QuantityKind
 
 if TYPE_CHECKING:

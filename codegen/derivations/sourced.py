@@ -8,13 +8,13 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import SourcedSpec
-from codegen.model.simulated import SimulatedInput
-from codegen.model.source_kind import Output, Source
-from codegen.model.step import Step
-from codegen.model.storage import Storage
-from codegen.model.unit import decimal, ratio
+from codegen.model.answers.step import Step
+from codegen.model.code.storage import Storage
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.quantities.simulated import SimulatedInput
+from codegen.model.quantities.source_kind import Output, Source
+from codegen.model.spec.derivation import SourcedSpec
+from codegen.model.units.unit import decimal, ratio
 from codegen.model.vehicle import Quantity, QuantityKind
 
 if TYPE_CHECKING:

@@ -7,14 +7,14 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import read_time
-from codegen.model.derivation_spec import SourcedSpec
-from codegen.model.dialect import Dialect, WireField
-from codegen.model.receive_spec import ReceiveSpec
-from codegen.model.source_kind import Output, Source
-from codegen.model.spec import Spec
-from codegen.model.state_spec import QuantitySpec
-from codegen.model.storage import Storage
-from codegen.model.unit import Unit, unit_named
+from codegen.model.code.storage import Storage
+from codegen.model.dialect.dialect import Dialect, WireField
+from codegen.model.quantities.source_kind import Output, Source
+from codegen.model.spec.derivation import SourcedSpec
+from codegen.model.spec.receive import ReceiveSpec
+from codegen.model.spec.spec import Spec
+from codegen.model.spec.state import QuantitySpec
+from codegen.model.units.unit import Unit, unit_named
 from codegen.model.vehicle import AdcChannel, Instance, Parameter, QuantityKind
 from codegen.source import Place
 

@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import UNKNOWN_QUANTITY, Kept, Surroundings
 from codegen.frozen import dataclass
-from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import WhileKnownSpec
-from codegen.model.known import Known, Stored
-from codegen.model.payload_code import UNKNOWN
+from codegen.model.answers.known import Known, Stored
+from codegen.model.code.payload_code import UNKNOWN
+from codegen.model.quantities.derivation import Derivation, DerivationFact
+from codegen.model.spec.derivation import WhileKnownSpec
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:

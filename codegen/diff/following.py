@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from codegen.diff import behaviour_rules, wire_rules
 from codegen.diff.change import Area, Change, ChangeRule, Notice
-from codegen.diff.grouping import Group
+from codegen.diff.dialect import wire_rules
+from codegen.diff.report.grouping import Group
+from codegen.diff.system import behaviour_rules
 
 Carried = Mapping[str, tuple[str, ...]]
 """What takes numbers from parameters, ADC channels, quantities and facts of the board, by their names."""

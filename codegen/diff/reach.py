@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from codegen.diff.carrying import carried_on
 from codegen.diff.change import Area, Change, Reach, joined
+from codegen.diff.system.carrying import carried_on
 from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.trace.graph import Trace, reached

@@ -2,8 +2,9 @@
 
 from collections.abc import Mapping
 
-from codegen.diff import behaviour_rules, trace_rules, wire_rules
 from codegen.diff.change import ChangeRule
+from codegen.diff.dialect import wire_rules
+from codegen.diff.system import behaviour_rules, trace_rules
 
 CHANGE_RULES: Mapping[str, ChangeRule] = {
     rule.id: rule

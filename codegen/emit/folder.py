@@ -3,7 +3,12 @@
 import os
 from collections.abc import Collection
 
-from codegen.output_files import OWN_FOLDER
+MANIFEST = "manifest.json"
+"""The file that says which others codegen wrote there."""
+
+OWN_FOLDER = ".codegen"
+"""The folder that git and the comparison with what is generated leave out."""
+
 
 UNFINISHED = (".codegen-", ".tmp")
 """How the name of a file begins and ends while it is being written."""

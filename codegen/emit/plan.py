@@ -6,10 +6,9 @@ from collections.abc import Iterable, Mapping
 from enum import Enum
 
 from codegen.diagnostics import Report, Rule
-from codegen.emit.folder import leads_outside, other_files
+from codegen.emit.folder import MANIFEST, leads_outside, other_files
+from codegen.emit.manifest import Manifest, read_manifest, sha256, stays_inside, with_lf
 from codegen.frozen import dataclass
-from codegen.manifest import Manifest, read_manifest, sha256, stays_inside, with_lf
-from codegen.output_files import MANIFEST
 from codegen.source import Place
 
 OUTPUT_BLOCKED = Rule(

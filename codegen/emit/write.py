@@ -6,11 +6,10 @@ from contextlib import suppress
 
 from codegen.diagnostics import Report, Rule
 from codegen.emit.file import replace_file
-from codegen.emit.folder import leads_outside
+from codegen.emit.folder import MANIFEST, leads_outside
+from codegen.emit.manifest import Manifest, sha256
 from codegen.emit.plan import Change, Plan
 from codegen.frozen import dataclass
-from codegen.manifest import Manifest, sha256
-from codegen.output_files import MANIFEST
 
 OUTPUT_UNWRITABLE = Rule(
     "output-unwritable",

@@ -7,9 +7,9 @@ from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
 from codegen.load.yaml_tree import parse_yaml
-from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.unit import Unit
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireField, WireMessage
+from codegen.model.spec.population import FieldAnswer
+from codegen.model.units.unit import Unit
 from codegen.source import Place
 
 

@@ -10,10 +10,10 @@ from codegen.frozen import dataclass
 from codegen.importing.answer import Sources, Target, field_answer
 from codegen.importing.proposal import Proposal, ReadAnswer
 from codegen.measure import read_amount, read_real
-from codegen.model.dialect import Kind, WireField, WireMessage
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.wire_unit import wire_unit
-from codegen.resolve.elements import answered_ranges
+from codegen.model.dialect.dialect import Kind, WireField, WireMessage
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.spec.population import FieldAnswer
+from codegen.resolve.population.elements import answered_ranges
 from codegen.source import Place
 
 Number = int | float

@@ -8,8 +8,8 @@ from codegen.importing.columns import Role
 from codegen.importing.number import stated_number
 from codegen.importing.stated import StatedField
 from codegen.load.markdown_table import Cell
-from codegen.model.literals import same_number
-from codegen.model.wire_types import WIRE_TYPES
+from codegen.model.dialect.literals import same_number
+from codegen.model.dialect.wire_types import WIRE_TYPES
 
 DOCUMENT_TYPE = Rule("document-type", "A document states another type for a field than the dialect.")
 DOCUMENT_UNIT = Rule("document-unit", "A document states another unit for a field than the dialect.")

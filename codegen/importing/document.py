@@ -9,7 +9,7 @@ from codegen.importing.columns import Role
 from codegen.importing.stated import FieldList, StatedFields, stated_fields
 from codegen.importing.subject import is_about, is_example, lookalikes, subjects
 from codegen.load.markdown_blocks import BlockKind, parse_blocks
-from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.source import Place
 
 DOCUMENT_WITHOUT_FIELDS = Rule(

@@ -9,10 +9,10 @@ from codegen.importing.answer import Target
 from codegen.importing.comparison import TableAnswer, table_answers
 from codegen.importing.of_system import answers_of
 from codegen.load.yaml_tree import parse_yaml
-from codegen.model.dialect import WireMessage
-from codegen.model.population_spec import FieldAnswer, PopulationSpec
+from codegen.model.dialect.dialect import WireMessage
+from codegen.model.spec.population import FieldAnswer, PopulationSpec
 from codegen.model.system import PopulatedMessage, System
-from codegen.resolve.elements import other_ranges
+from codegen.resolve.population.elements import other_ranges
 
 MERGE_MESSAGE = Rule("merge-message", "A population table is to be merged with a document about another message.")
 

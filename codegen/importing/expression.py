@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.wire_types import SPELLINGS
+from codegen.model.dialect.wire_types import SPELLINGS
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d{1,15}(?:_\d{1,12})*(?:\.\d{0,15})?(?:[eE][-+]?\d{1,2})?)"

@@ -8,7 +8,7 @@ from codegen.frozen import dataclass
 from codegen.importing.comparison import Compared, Verdict
 from codegen.importing.table_text import answer_line
 from codegen.load.yaml_tree import MappingNode, ScalarNode, YamlNode, parse_yaml
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
 MERGE_FORM = Rule(

@@ -7,10 +7,10 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean, shortened_list
 from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.load.markdown_table import Cell
-from codegen.model.dialect import EnumDefinition, EnumEntry, Kind
-from codegen.model.literals import LIMITS, same_number
-from codegen.model.population_spec import FieldAnswer
-from codegen.model.unit import decimal
+from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, Kind
+from codegen.model.dialect.literals import LIMITS, same_number
+from codegen.model.spec.population import FieldAnswer
+from codegen.model.units.unit import decimal
 from codegen.source import Place
 
 DOCUMENT_ENTRY = Rule(

@@ -5,7 +5,7 @@ import re
 
 from codegen.importing.answer import Sources, Target
 from codegen.importing.comparison import Number, TableAnswer, table_answers
-from codegen.model.dialect import Dialect
+from codegen.model.dialect.dialect import Dialect
 from codegen.model.system import PopulatedMessage, System
 
 

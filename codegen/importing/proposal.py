@@ -10,7 +10,7 @@ from codegen.importing.declared import check_declared
 from codegen.importing.quantity import spills
 from codegen.importing.stated import FieldList, StatedField
 from codegen.importing.value import read_value
-from codegen.model.dialect import Kind, WireField, WireMessage
+from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.source import Place
 
 DOCUMENT_FIELD = Rule(

@@ -6,11 +6,11 @@ from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.importing.expression import Product
 from codegen.load.markdown_table import Cell
-from codegen.model.literals import LIMITS
-from codegen.model.unit import Unit, decimal, ratio, symbols, unit_named
-from codegen.model.unit_table import SCALED, SHOWN
-from codegen.model.wire_types import WIRE_TYPES
-from codegen.model.wire_unit import wire_unit
+from codegen.model.dialect.literals import LIMITS
+from codegen.model.dialect.wire_types import WIRE_TYPES
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.units.unit import Unit, decimal, ratio, symbols, unit_named
+from codegen.model.units.unit_table import SCALED, SHOWN
 
 DOCUMENT_QUANTITY = Rule(
     "document-quantity", "A document names a quantity that the state of the project does not have."

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from codegen.importing.stated import FieldList
-from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.dialect.dialect import Dialect, WireMessage
 
 _NAME = re.compile(r"\b[A-Z][A-Z0-9_]{2,}\b")
 _NUMBER = re.compile(r"#(\d{1,8})\b")

@@ -9,8 +9,8 @@ from codegen.importing.expression import read_product
 from codegen.importing.number import has_entries, read_entry, read_number, unknown_answer
 from codegen.importing.quantity import likely_quantity, read_quantity
 from codegen.load.markdown_table import Cell
-from codegen.model.dialect import Kind
-from codegen.model.unit import read_measure
+from codegen.model.dialect.dialect import Kind
+from codegen.model.units.unit import read_measure
 
 DOCUMENT_EMPTY = Rule("document-empty", "A document names a field and says nothing about its value.")
 DOCUMENT_AMBIGUOUS = Rule(

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.loop.budget import LoopBudget, Slot, Took
 from codegen.loop.jobs import Job
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 
 NOT_COUNTED = (
     "Messages are due all at once at the start, when a ground station appears, and where their periods meet.",

@@ -1,7 +1,7 @@
 """What ground stations ask about that a vehicle may not have, and what answers that: missions, logs, modes."""
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
-from codegen.model.access_spec import AccessSpec
+from codegen.model.spec.access import AccessSpec
 from codegen.model.vehicle import Cited
 
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
-from codegen.model.described import Amount, Verbatim, described
+from codegen.model.spec.described import Amount, Verbatim, described
 from codegen.source import Written
 
 MOST_BITS = 12

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
-from codegen.model.described import Amount, described
+from codegen.model.spec.described import Amount, described
 from codegen.source import Written
 
 

@@ -4,11 +4,11 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.affine import AffineMap
-from codegen.model.command_spec import CommandParamSpec, CommandSpec
-from codegen.model.dialect import EnumDefinition
-from codegen.model.program_spec import ModeSpec
-from codegen.model.unit import Unit
+from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.spec.command import CommandParamSpec, CommandSpec
+from codegen.model.spec.program import ModeSpec
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import Unit
 from codegen.model.vehicle import Citation, Cited, Quantity
 
 

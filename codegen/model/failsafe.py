@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from enum import Enum
 
 from codegen.frozen import dataclass
-from codegen.model.failsafe_spec import ConditionSpec, FailsafeLevelSpec, FailsafeSpec
-from codegen.model.program_spec import ActionSpec
-from codegen.model.unit import Unit, decimal
+from codegen.model.spec.failsafe import ConditionSpec, FailsafeLevelSpec, FailsafeSpec
+from codegen.model.spec.program import ActionSpec
+from codegen.model.units.unit import Unit, decimal
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity
 
 

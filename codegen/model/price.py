@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.program import BoardLink, LinkKind
-from codegen.model.spec import Generation
+from codegen.model.spec.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.vehicle import Component, by_instance
 from codegen.once import once

@@ -7,13 +7,13 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.absence import Absence
 from codegen.model.access import Access
-from codegen.model.access_spec import SETUP_SIGNING
-from codegen.model.board_spec import LinkSpec
-from codegen.model.clock import SYSTEM_TIME
+from codegen.model.code.clock import SYSTEM_TIME
 from codegen.model.command import BUILT_IN, BuiltInCommand, Command, Mode, Needs
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.failsafe import Failsafe
-from codegen.model.program_spec import ActionSpec, VehicleSpec
+from codegen.model.spec.access import SETUP_SIGNING
+from codegen.model.spec.board import LinkSpec
+from codegen.model.spec.program import ActionSpec, VehicleSpec
 from codegen.model.vehicle import Citation
 from codegen.model.watchdog import Watchdog
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.receiver_spec import ReceiverSpec
+from codegen.model.spec.receiver import ReceiverSpec
 from codegen.model.vehicle import Citation, Component
 
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ import math
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import Kind, SentinelForm, WireField, WireMessage
-from codegen.model.receive_spec import ReceivedFieldSpec, ReceiveSpec
-from codegen.model.scaling import rounded
+from codegen.model.answers.scaling import rounded
+from codegen.model.dialect.dialect import Kind, SentinelForm, WireField, WireMessage
+from codegen.model.spec.receive import ReceivedFieldSpec, ReceiveSpec
 from codegen.model.vehicle import Citation, Cited, Quantity, QuantityKind
 
 SYSTEM_FIELDS = ("target_system", "target")

@@ -5,7 +5,7 @@ from dataclasses import field
 from typing import Any, TypeGuard
 
 from codegen.frozen import dataclass
-from codegen.model.simulated import SimulatedInput
+from codegen.model.quantities.simulated import SimulatedInput
 
 Truth = float | bool | str | None
 """What is true of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.unit import Unit
+from codegen.model.units.unit import Unit
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,16 +8,16 @@ from dataclasses import field
 from enum import Enum
 
 from codegen.frozen import dataclass
-from codegen.model.answer import Answer
+from codegen.model.answers.answer import Answer
 from codegen.model.board_model import BoardModel
-from codegen.model.conversion import Conversion
-from codegen.model.dialect import Dialect, WireMessage
-from codegen.model.population_spec import PopulationSpec
+from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.model.program import BoardLink, Program
+from codegen.model.quantities.conversion import Conversion
+from codegen.model.quantities.source_kind import Source
 from codegen.model.receiver import Receiver
 from codegen.model.reception import Reception
-from codegen.model.source_kind import Source
-from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
+from codegen.model.spec.population import PopulationSpec
+from codegen.model.spec.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Reading, Stream
 
 

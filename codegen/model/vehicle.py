@@ -8,19 +8,19 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.basis import Basis
-from codegen.model.board_spec import AdcSpec
-from codegen.model.derivation import Derivation
-from codegen.model.dialect import EnumDefinition
-from codegen.model.letters import words_of
-from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
-from codegen.model.state_spec import ComponentSpec, QuantitySpec
-from codegen.model.storage import Storage
-from codegen.model.trust import Trust
-from codegen.model.unit import Unit
+from codegen.model.code.letters import words_of
+from codegen.model.code.storage import Storage
+from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.quantities.basis import Basis
+from codegen.model.quantities.derivation import Derivation
+from codegen.model.quantities.trust import Trust
+from codegen.model.spec.board import AdcSpec
+from codegen.model.spec.spec import Criterion, ParameterSpec, Requirement, StreamSpec
+from codegen.model.spec.state import ComponentSpec, QuantitySpec
+from codegen.model.units.unit import Unit
 
 if TYPE_CHECKING:
-    from codegen.model.conversion import Conversion
+    from codegen.model.quantities.conversion import Conversion
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,13 +136,12 @@ class Represented:
 class Quantity(Cited):
     """A quantity of the vehicle state, kept in ``stored`` units, as an integer or a float: ``storage`` says how.
 
-    ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
-    units; without a limit in the table they are what the storage holds, or the fields carry. They are whole numbers
-    where integers are kept. ``initial`` is None where the quantity starts unknown and may become unknown again; else
-    the value that stands in for unknown.
-    Of a text the words have the bytes in UTF-8, two in each, and there are no limits; see codegen/model/letters.py.
-    With ``elements`` it is a list of such numbers, each of which can be None; they are counted for each instance.
-    ``derivation`` is where the value comes from, ``trust`` how long it is believed.
+    ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored units;
+    without a limit in the table they are what the storage holds, or the fields carry. They are whole numbers where
+    integers are kept. ``initial`` is None where the quantity starts unknown and may become unknown again; else the
+    value that stands in for unknown. Of a text the words have the bytes in UTF-8, two in each, and there are no limits;
+    see codegen/model/code/letters.py. With ``elements`` it is a list of such numbers, each of which can be None; they
+    are counted for each instance. ``derivation`` is where the value comes from, ``trust`` how long it is believed.
     """
 
     component: str

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import Requirement
+from codegen.model.spec.spec import Requirement
 from codegen.model.vehicle import Citation
 from codegen.source import Place
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.spec import ParameterSpec, Spec
+from codegen.model.spec.spec import ParameterSpec, Spec
 from codegen.model.vehicle import Instance, Parameter
 from codegen.resolve.instances import BAD_INSTANCES
 from codegen.source import Place

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import Spec
+from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Component, Instance
 from codegen.source import Place
 

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from codegen.answers.scope import Scope
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.dialect import EnumDefinition
-from codegen.model.spec import Spec
+from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.resolve.instances import known_facts
-from codegen.resolve.kept import UNKNOWN_ENTRY, UNKNOWN_ENUM
-from codegen.resolve.state import find_quantity
+from codegen.resolve.quantities.kept import UNKNOWN_ENTRY, UNKNOWN_ENUM
+from codegen.resolve.quantities.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
 

@@ -4,28 +4,28 @@ import os
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.dialect import Dialect
-from codegen.model.population_spec import Clock
-from codegen.model.spec import Spec
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.population import Clock
+from codegen.model.spec.spec import Spec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
-from codegen.resolve.access import resolve_access
-from codegen.resolve.board_model import resolve_board_model
+from codegen.resolve.board.links import resolve_links
+from codegen.resolve.board.model import resolve_board_model
+from codegen.resolve.board.sources import resolve_sources
 from codegen.resolve.citation import index_requirements
-from codegen.resolve.commands import NO_PROGRAM_FOR_COMMANDS
+from codegen.resolve.commands.commands import NO_PROGRAM_FOR_COMMANDS
 from codegen.resolve.families import ParameterFamilies
-from codegen.resolve.generations import resolve_generations
 from codegen.resolve.instances import resolve_instances
-from codegen.resolve.kept import UNKNOWN_ENTRY
-from codegen.resolve.links import resolve_links
-from codegen.resolve.population import Parts, resolve_message
-from codegen.resolve.program import resolve_program
-from codegen.resolve.receiver import resolve_receiver
-from codegen.resolve.receives import resolve_reception
-from codegen.resolve.sources import resolve_sources
-from codegen.resolve.state import resolve_components
+from codegen.resolve.population.generations import resolve_generations
+from codegen.resolve.population.population import Parts, resolve_message
+from codegen.resolve.program.access import resolve_access
+from codegen.resolve.program.program import resolve_program
+from codegen.resolve.program.receiver import resolve_receiver
+from codegen.resolve.program.watchdog import resolve_watchdog
+from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
+from codegen.resolve.quantities.state import resolve_components
+from codegen.resolve.receptions.receives import resolve_reception
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
-from codegen.resolve.watchdog import resolve_watchdog
 from codegen.source import Place
 
 BAD_PROJECT = Rule(

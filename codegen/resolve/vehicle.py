@@ -7,11 +7,11 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 from codegen.model.board_model import BoardModel, shown_pins
-from codegen.model.board_spec import AdcSpec, BoardSpec
-from codegen.model.dialect import Dialect
-from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import decimal, unit_named
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.board import AdcSpec, BoardSpec
+from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
+from codegen.model.units.unit import decimal, unit_named
 from codegen.model.vehicle import AdcChannel, Citation, Parameter, Stream
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies

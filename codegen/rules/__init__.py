@@ -5,9 +5,9 @@ A module with a function ``check`` that lies here is run; nothing lists it.
 
 from collections.abc import Iterator
 
-from codegen.checks import checks_in
 from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
+from codegen.rules.checks import checks_in
 
 
 def check_system(system: System) -> Iterator[Diagnostic]:

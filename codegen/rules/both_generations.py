@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.price import price
-from codegen.model.spec import Generation
+from codegen.model.spec.spec import Generation
 from codegen.model.system import System
 
 RULE = Rule(

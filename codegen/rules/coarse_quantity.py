@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.answer import Answer
+from codegen.model.answers.answer import Answer
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity, QuantityKind
 

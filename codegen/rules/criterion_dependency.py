@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
-from codegen.model.spec import Criterion, Requirement
+from codegen.model.spec.spec import Criterion, Requirement
 from codegen.model.system import System
 
 RULE = Rule(

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.answer import Answer
+from codegen.model.answers.answer import Answer
 from codegen.model.system import PopulatedMessage, System
 from codegen.source import Place
 

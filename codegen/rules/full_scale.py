@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.conversion import factors_by_instance
-from codegen.model.full_scale import largest, most_in_use
+from codegen.model.quantities.conversion import factors_by_instance
+from codegen.model.quantities.full_scale import largest, most_in_use
 from codegen.model.system import System
 
 RULE = Rule(

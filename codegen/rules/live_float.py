@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
+from codegen.model.answers.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
 from codegen.model.system import System
 
 SMALLEST = 126

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.dialect import Standing
+from codegen.model.dialect.dialect import Standing
 from codegen.model.system import System
 
 RULE = Rule(

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.dialect import WireField
-from codegen.model.literals import named_number, same_number
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import named_number, same_number
 from codegen.model.system import System
 
 RULE = Rule(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic
 from codegen.measure import unknown_field_unit
 from codegen.model.system import System
-from codegen.model.unit import Unit
+from codegen.model.units.unit import Unit
 
 
 def check(system: System) -> Iterator[Diagnostic]:

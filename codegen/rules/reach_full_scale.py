@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.conversion import Conversion, factors_by_instance
-from codegen.model.full_scale import largest, most_in_use
+from codegen.model.quantities.conversion import Conversion, factors_by_instance
+from codegen.model.quantities.full_scale import largest, most_in_use
 from codegen.model.system import System
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Instance, Parameter, Quantity
 from codegen.source import Place
 

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.conversion import Conversion, factors_by_instance
-from codegen.model.reach import Reach, reaches
+from codegen.model.quantities.conversion import Conversion, factors_by_instance
+from codegen.model.quantities.reach import Reach, reaches
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity
 

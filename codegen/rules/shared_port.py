@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.source_kind import Source
+from codegen.model.quantities.source_kind import Source
 from codegen.model.system import System
 from codegen.source import Place
 

@@ -4,11 +4,11 @@ import math
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.answer import Answer
-from codegen.model.basis import Basis
-from codegen.model.conversion import Conversion, factors_by_instance
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.summed import RADIX, SMOOTH_STEPS
+from codegen.model.answers.answer import Answer
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.quantities.basis import Basis
+from codegen.model.quantities.conversion import Conversion, factors_by_instance
+from codegen.model.quantities.summed import RADIX, SMOOTH_STEPS
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter, Quantity
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.population_spec import Rounding
-from codegen.model.reach import reaches
-from codegen.model.scaling import rounded
+from codegen.model.answers.scaling import rounded
+from codegen.model.quantities.reach import reaches
+from codegen.model.spec.population import Rounding
 from codegen.model.system import System
 
 RULE = Rule(

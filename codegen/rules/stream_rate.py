@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 
 RULE = Rule(
     "rate-above-update",

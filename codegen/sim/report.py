@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.render import render_page
+from codegen.render.templates import render_page
 from codegen.sim.amount import amount, digits_of, seconds
 from codegen.sim.chart import NARROW, WIDE, Chart, draw_chart, is_marked
 from codegen.sim.expected import unmet

@@ -4,8 +4,8 @@ import struct
 from collections.abc import Iterator, Mapping, Sequence
 
 from codegen.frozen import dataclass
-from codegen.model.answer import Answer
-from codegen.model.dialect import Kind
+from codegen.model.answers.answer import Answer
+from codegen.model.dialect.dialect import Kind
 from codegen.model.system import PopulatedMessage, System
 
 _NEW = 0xFD

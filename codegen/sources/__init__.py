@@ -1,12 +1,12 @@
 """Kinds of sensors, a folder for each: its keys, how it is resolved, its driver, its mock and its page.
 
-``codegen/model/source_kind.py`` says what the stages ask a sensor. A folder has ``kind.py``, and MicroPython in
-``firmware`` (drivers) and ``mocks``, which is copied where a project has such a sensor. To add a kind, list it here.
+``codegen/model/quantities/source_kind.py`` says what the stages ask a sensor. A folder has ``kind.py``, and MicroPython
+in ``firmware`` (drivers) and ``mocks``, which is copied where a project has such a sensor. To add a kind, list it here.
 """
 
 from collections.abc import Mapping
 
-from codegen.model.source_spec import SourceSpec
+from codegen.model.spec.source import SourceSpec
 from codegen.sources.adc.spec import AdcSourceSpec
 from codegen.sources.ina219.kind import INA219
 from codegen.sources.ina226.kind import INA226

@@ -5,10 +5,10 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
-from codegen.model.driver_spec import OutputSpec
-from codegen.model.source_kind import Output
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import ratio
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.quantities.source_kind import Output
+from codegen.model.spec.driver import OutputSpec
+from codegen.model.units.unit import ratio
 from codegen.sources.kind import BAD_SOURCE, Around
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*")

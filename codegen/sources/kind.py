@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 
 from codegen.diagnostics import Report, Rule
 from codegen.model.board_model import BoardModel, shown_pins
-from codegen.model.source_kind import Polling, Source
-from codegen.model.source_spec import SourceSpec
-from codegen.model.spec import Spec
+from codegen.model.quantities.source_kind import Polling, Source
+from codegen.model.spec.source import SourceSpec
+from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Parameter
 from codegen.source import Place
 

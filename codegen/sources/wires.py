@@ -5,7 +5,7 @@ from typing import Protocol
 
 from codegen.frozen import dataclass
 from codegen.model.board_model import shown_pins
-from codegen.model.source_kind import PinUse
+from codegen.model.quantities.source_kind import PinUse
 from codegen.sources.kind import Around
 
 

@@ -6,13 +6,13 @@ TARGETS are rendered for the project and for each of its further programs, PROJE
 from collections.abc import Callable
 
 from codegen.model.system import System
-from codegen.targets.documents import render_documents
+from codegen.targets.documents.files import render_documents
 from codegen.targets.firmware import render_firmware
 from codegen.targets.mocks import render_mocks
 from codegen.targets.pages import render_pages
 from codegen.targets.receiver import render_receiver
-from codegen.targets.schema_files import render_schemas
-from codegen.targets.suite import render_suite
+from codegen.targets.schemas.files import render_schemas
+from codegen.targets.suite.files import render_suite
 
 TARGETS: tuple[Callable[[System], dict[str, str]], ...] = (
     render_firmware,

@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 from codegen.model.system import System
-from codegen.targets.firmware.board import board_view
+from codegen.render.rendered import rendered
+from codegen.targets.firmware.readings.board import board_view
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
-from codegen.targets.rendered import rendered
 from codegen.targets.source_files import mock_paths, module_name, source_files
 
 

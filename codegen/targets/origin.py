@@ -7,12 +7,12 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 
 if TYPE_CHECKING:
     from codegen.model.system import System
 from codegen.targets.naming import prose
-from codegen.template_files import copied, plain_files
+from codegen.tool.template_files import copied, plain_files
 
 _OPEN = "\0"
 """What stands for a digest: no name of a file has that character."""

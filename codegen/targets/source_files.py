@@ -2,10 +2,10 @@
 
 import os
 
-from codegen.model.clock import CLOCK
+from codegen.model.code.clock import CLOCK
 from codegen.model.system import System
 from codegen.targets.origin import headed, origin_of, origin_of_text
-from codegen.template_files import driver_text
+from codegen.tool.template_files import driver_text
 
 
 def module_name(path: str) -> str:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.bench_record import MEASURES, BenchRecord
-from codegen.model.spec import HostLimit, Requirement
+from codegen.model.spec.spec import HostLimit, Requirement
 from codegen.model.test_record import Outcome, TestResult
 from codegen.source import shown_path
 from codegen.trace.findings import UNRELATED_RESULTS

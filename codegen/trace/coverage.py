@@ -5,7 +5,7 @@ from dataclasses import replace
 from enum import StrEnum
 
 from codegen.frozen import dataclass
-from codegen.model.spec import Criterion, HostLimit, Requirement
+from codegen.model.spec.spec import Criterion, HostLimit, Requirement
 from codegen.trace.graph import Row, Test, Trace, is_decision
 from codegen.trace.link import Link
 from codegen.trace.lock import Review

@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.model.spec.trace_lock import ReviewedSpec
 from codegen.model.test_record import TestResult
-from codegen.model.trace_lock_spec import ReviewedSpec
 from codegen.source import Place
 from codegen.trace.coverage import Coverage, Verdict
 from codegen.trace.graph import Trace

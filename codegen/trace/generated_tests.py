@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from codegen.model.system import System
 from codegen.model.test_record import specification_hash
-from codegen.targets.behaviour_checks import checks_of_behaviour
-from codegen.targets.cases import conversion_cases, message_cases
-from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
 from codegen.targets.receiver.suite import shown_by_receiver_tests
-from codegen.targets.reception_cases import reception_cases
-from codegen.targets.source_suite import source_checks
-from codegen.targets.suite import suite_origin
+from codegen.targets.suite.behaviour import checks_of_behaviour
+from codegen.targets.suite.cases.messages import conversion_cases, message_cases
+from codegen.targets.suite.cases.receptions import reception_cases
+from codegen.targets.suite.files import suite_origin
+from codegen.targets.suite.program_checks import ONLY_MICROPYTHON, program_checks
+from codegen.targets.suite.sources import source_checks
 from codegen.trace.graph import Test
 
 INTERPRETERS = ("cpython", "micropython")

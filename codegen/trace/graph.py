@@ -10,7 +10,7 @@ from enum import StrEnum
 from typing import ClassVar, NamedTuple
 
 from codegen.frozen import dataclass
-from codegen.model.spec import Criterion, Requirement
+from codegen.model.spec.spec import Criterion, Requirement
 from codegen.model.test_record import MarkedTest
 from codegen.source import Place
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.trace_lock_spec import TraceLockSpec
+from codegen.model.spec.trace_lock import TraceLockSpec
 from codegen.source import Place
 from codegen.trace.graph import Row, Test, Trace
 from codegen.trace.lock import Review, reviews, text_fingerprint

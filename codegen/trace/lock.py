@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterable, Mapping
 from enum import StrEnum
 
 from codegen.diagnostics import Rule
-from codegen.fingerprint import LENGTH, normalised
-from codegen.model.trace_lock_spec import ReviewedSpec, TraceLockSpec
+from codegen.findings.fingerprint import LENGTH, normalised
+from codegen.model.spec.trace_lock import ReviewedSpec, TraceLockSpec
 from codegen.trace.graph import Trace, is_decision
 
 LOCK_FORM = Rule(

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from codegen.comment import fitting
+from codegen.findings.comment import fitting
 from codegen.frozen import dataclass
 from codegen.model.system import System
+from codegen.render.rendered import rendered_page
 from codegen.targets.origin import Origin, origin_of
 from codegen.targets.pages.navigation import TRACE_PAGE, Navigation, navigation
-from codegen.targets.rendered import rendered_page
 from codegen.trace.view import TraceView
 
 
@@ -22,14 +22,14 @@ class TracePage:
 
 def trace_report(view: TraceView) -> str:
     """One file of HTML with the matrix of all criteria, to be filtered; it needs nothing beside it."""
-    from codegen.render import render_page  # noqa: PLC0415  a build that finds the page in the cache has no use for Jinja
+    from codegen.render.templates import render_page  # noqa: PLC0415  a build that finds the page in the cache has no use for Jinja
 
     return render_page("trace/trace.html.j2", TracePage(view, None, None))
 
 
 def trace_markdown(view: TraceView) -> str:
     """The same as Markdown, for a pull request or a review: what needs attention first, and no more than one takes."""
-    from codegen.render import render_template  # noqa: PLC0415
+    from codegen.render.templates import render_template  # noqa: PLC0415
 
     where = "`codegen trace --format html --out trace.html` writes a page with all."
     return fitting(render_template("trace/trace.md.j2", view), "criteria", where)

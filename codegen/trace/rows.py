@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from codegen.model.clock import CLOCK
+from codegen.model.code.clock import CLOCK
 from codegen.model.system import System
 from codegen.model.vehicle import Citation, Cited, Parameter
 from codegen.source import Place, Written

@@ -7,15 +7,15 @@ attribute of the state and, with a unit, a property for people.
 from collections.abc import Iterable, Iterator
 
 from codegen.frozen import dataclass
-from codegen.model.answer import Answer
+from codegen.model.answers.answer import Answer
 from codegen.model.command import Command
 from codegen.model.failsafe import Failsafe
 from codegen.model.program import BoardLink, LinkKind
+from codegen.model.quantities.source_kind import Source
 from codegen.model.reception import ReceivedField, Reception
-from codegen.model.source_kind import Source
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Stream
-from codegen.targets.firmware.receiving import call_name
+from codegen.targets.firmware.messages.receiving import call_name
 from codegen.targets.naming import (
     builder_name,
     class_names,

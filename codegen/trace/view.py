@@ -7,9 +7,9 @@ from functools import cache
 
 from codegen.diagnostics import Diagnostic, Severity
 from codegen.frozen import dataclass
-from codegen.model.spec import Requirement
+from codegen.model.spec.spec import Requirement
 from codegen.source import Place
-from codegen.targets.table import in_table
+from codegen.summaries.fields import in_table
 from codegen.trace.coverage import Coverage, Tested, Verdict
 from codegen.trace.findings import counted_text, unmet_text
 from codegen.trace.graph import Row, Symbol, Trace

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
-from codegen.pipeline import read_systems
+from codegen.diff.system.system import compare_systems
+from codegen.project.systems import read_systems
 
 SPECS = Path(__file__).resolve().parents[1] / "projects" / "guarded" / "specs"
 

@@ -20,8 +20,8 @@ PARTS = re.compile(r"[A-Z]?[a-z]+\d?|[A-Z]+(?![a-z])\d?")
 """The words of a name, however they are joined: batt_volt, BatteryState, BATT2_MONITOR."""
 
 ALLOWED = {
-    "codegen/model/unit_table.py": ({"voltage"}, "the dimension that is measured in V: physics"),
-    "codegen/diff/words.py": (
+    "codegen/model/units/unit_table.py": ({"voltage"}, "the dimension that is measured in V: physics"),
+    "codegen/diff/judging/words.py": (
         {"voltage", "battery", "batt", "discharge"},
         "English in the dialects' own descriptions: abbreviations, and words that exclude each other",
     ),
@@ -32,7 +32,7 @@ ALLOWED = {
             *("codegen/claims/cast.py", "codegen/claims/field_notes.py", "codegen/claims/sentinel.py"),
             *("codegen/claims/columns.py", "codegen/claims/number_columns.py", "codegen/claims/parameters.py"),
             *("codegen/claims/structure.py", "codegen/claims/worked/examples.py"),
-            *("codegen/explain.py", "codegen/explained_receptions.py", "codegen/explained_text.py"),
+            *("codegen/explain/story.py", "codegen/explain/receptions.py", "codegen/explain/text.py"),
             *("codegen/importing/answer.py", "codegen/importing/columns.py", "codegen/importing/comparison.py"),
             *("codegen/importing/declared.py", "codegen/importing/number.py", "codegen/importing/proposal.py"),
             *("codegen/importing/quantity.py", "codegen/importing/stated.py", "codegen/importing/value.py"),

@@ -13,8 +13,8 @@ from codegen.decode.board_model import FOLDER
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
 from codegen.model.board_model import BoardModel, BoardModelSpec, shown_pins
-from codegen.pipeline import read_system
-from codegen.resolve.board_model import resolve_board_model
+from codegen.project.systems import read_system
+from codegen.resolve.board.model import resolve_board_model
 from codegen.targets.firmware import render_firmware
 from codegen.targets.mocks import render_mocks
 

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from codegen import cache, tool
-from codegen.cache import entry, keep, keep_object, kept, kept_object, pickled, write_new
+from codegen.tool import cache
+from codegen.tool import digest as tool
+from codegen.tool.cache import entry, keep, keep_object, kept, kept_object, pickled, write_new
 
 
 def later_run() -> None:

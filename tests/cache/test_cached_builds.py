@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen import tool
+from codegen.tool import digest as tool
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -11,11 +11,14 @@ from typing import Any
 
 import pytest
 
-from codegen import cache, catalogue, document_findings, documents, tool
 from codegen.cli import main
+from codegen.commands import document_findings, documents
 from codegen.decode import decoded
 from codegen.diagnostics import Diagnostic, Rule
+from codegen.findings import catalogue
 from codegen.source import Place, shown_path
+from codegen.tool import cache
+from codegen.tool import digest as tool
 
 ROOT = Path(__file__).resolve().parents[2]
 

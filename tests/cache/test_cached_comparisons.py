@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from codegen import cache
 from codegen.cli import main
+from codegen.tool import cache
 
 ROOT = Path(__file__).resolve().parents[2]
 MARKED = 'import pytest\n\n\n@pytest.mark.requirement("FR-00068.3")\ndef test_it() -> None: ...\n'

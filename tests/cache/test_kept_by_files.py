@@ -5,14 +5,15 @@ from pathlib import Path
 
 import pytest
 
-from codegen import cache, catalogue
-from codegen.catalogue import rule_catalogue, rule_ids
 from codegen.decode import decoded, marked_tests
 from codegen.decode.decoded import with_files_read
 from codegen.decode.marked_tests import read_tests_below
 from codegen.diagnostics import Report
+from codegen.findings import catalogue
+from codegen.findings.catalogue import rule_catalogue, rule_ids
 from codegen.load.text import asked_once, noting, read_text
 from codegen.load.trees import hung
+from codegen.tool import cache
 
 
 def later_run() -> None:

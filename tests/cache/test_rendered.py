@@ -6,16 +6,22 @@ from pathlib import Path
 
 import pytest
 
-from codegen import cache, outputs, pipeline, render
-from codegen.cache import write_new
+from codegen.commands.build import render_systems
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
-from codegen.model.dialect import Dialect
+from codegen.model.dialect.dialect import Dialect
 from codegen.model.system import PopulatedMessage, System
-from codegen.targets import documents, firmware, mocks, pages, program_suite, receiver, suite
-from codegen.targets import rendered as kept_texts
+from codegen.project.systems import read_systems
+from codegen.render import rendered as kept_texts
+from codegen.render import templates as render
+from codegen.render.rendered import rendered, rendered_page
+from codegen.targets import firmware, mocks, pages, receiver
+from codegen.targets.documents import files as documents
 from codegen.targets.origin import Origin
-from codegen.targets.rendered import rendered, rendered_page
+from codegen.targets.suite import files as suite
+from codegen.targets.suite import program as program_suite
+from codegen.tool import cache
+from codegen.tool.cache import write_new
 from codegen.trace import page
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -116,8 +122,8 @@ def test_views_are_data_that_says_the_same_in_every_run(monkeypatch: pytest.Monk
     for module in (documents, firmware, mocks, pages, program_suite, receiver, suite, page):
         for name in {"rendered", "rendered_page"} & vars(module).keys():
             monkeypatch.setattr(module, name, noted)
-    systems = pipeline.read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
-    outputs.render_systems(systems)
+    systems = read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
+    render_systems(systems)
     assert len(views) > 15
     kinds = {(template, kind) for template, view in views.items() for kind in _kinds(view)}
     plain = (str, int, float, type(None), tuple, list, dict)

@@ -7,9 +7,9 @@ import pytest
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reference, read_document
-from codegen.codec import read_codec_dialect
+from codegen.commands.codec import read_codec_dialect
+from codegen.commands.documents import with_other_dialects
 from codegen.diagnostics import Diagnostic, Report
-from codegen.documents import with_other_dialects
 
 PATH = "/documents/notes.md"
 

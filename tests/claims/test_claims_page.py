@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from codegen import pipeline
-from codegen.catalogue import rule_catalogue
 from codegen.claims.reading import Reference
 from codegen.cli import main
+from codegen.commands.documents import found_claims, project_reference
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Report
-from codegen.documents import found_claims, project_reference
+from codegen.findings.catalogue import rule_catalogue
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "claims.md").read_text()
@@ -62,7 +62,7 @@ def test_the_page_lists_every_rule() -> None:
 @pytest.fixture(scope="module")
 def own() -> Reference:
     """What the project says, with the messages that its overlays add."""
-    found = project_reference(pipeline.read_systems(str(ROOT / "specs" / "codegen.yaml"), Report()))
+    found = project_reference(read_systems(str(ROOT / "specs" / "codegen.yaml"), Report()))
     assert found is not None
     return found
 

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from codegen import claims
-from codegen.checks import checks_in
 from codegen.claims import LIKELY
 from codegen.cli import main
 from codegen.diagnostics import Rule, Severity
+from codegen.rules.checks import checks_in
 
 PAGE = Path(__file__).parents[2] / "docs/claims.md"
 

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
 from codegen.claims import check_claims
 from codegen.claims.reading import Reference, read_document
 from codegen.claims.worked.amount import amounts
 from codegen.cli import main
+from codegen.commands.document_findings import project_documents
+from codegen.commands.documents import example_numbers, project_reference
 from codegen.diagnostics import Report
-from codegen.document_findings import project_documents
-from codegen.documents import example_numbers, project_reference
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAD = "# Notes\n\n## Worked Examples\n\n"
@@ -24,7 +24,7 @@ Check = Callable[[str], list[str]]
 @pytest.fixture(scope="module")
 def own() -> tuple[Reference, list[str]]:
     """What the shipped specification says, and its documents."""
-    systems = pipeline.read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
+    systems = read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
     found = project_reference(systems)
     assert found is not None
     return found, project_documents(systems)

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Rule
+from codegen.findings.catalogue import rule_catalogue
 
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ROOT / "tests" / "projects" / "minimal" / "specs"

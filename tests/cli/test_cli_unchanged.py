@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen import stamp
+from codegen.emit import stamp
 
 
 def build(folder: Path, *options: str) -> str:

@@ -9,8 +9,8 @@ import pytest
 from codegen.cli import main
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.findings.waivers import LookedAt, apply_waivers
 from codegen.source import Place
-from codegen.waivers import LookedAt, apply_waivers
 
 SIZE = Rule("claim-size", "It is wrong.")
 DOCUMENT = "/project/docs/notes.md"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from codegen.fingerprint import fingerprint
+from codegen.findings.fingerprint import fingerprint
 
 CLAIM = "`BATTERY_STATUS` is **41 bytes**, 0xFF"
 BEFORE = fingerprint("claim-size", "/a/b/notes.md", CLAIM)

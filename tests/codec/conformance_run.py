@@ -15,7 +15,7 @@ from typing import Any
 from conformance_cases import write_cases
 from conformance_oracle import Dialect, Message
 
-from codegen.codec import codec_files
+from codegen.commands.codec import codec_files
 from codegen.diagnostics import Report
 
 FORMS = ("viper", "plain")

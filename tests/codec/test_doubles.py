@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 from conformance_run import MICROPYTHON, MICROPYTHON32, SINGLE_FLOATS
 
-from codegen.codec import codec_files
+from codegen.commands.codec import codec_files
 from codegen.diagnostics import Report
 from codegen.targets.codec.runtime import runtime_files, with_doubles
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 CHECKS = Path(__file__).with_name("doubles_checks.py")
 LARGEST = Fraction(sys.float_info.max)

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
+from codegen.commands.build import firmware_modules
 from codegen.diagnostics import Report
-from codegen.mpy import BYTECODE, compiled
+from codegen.emit.mpy import BYTECODE, compiled
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 OWN = """from words import number
@@ -41,10 +42,10 @@ def board(tmp_path: Path) -> Path:
     table = tmp_path / "project" / "specs" / "codegen.yaml"
     table.write_text(table.read_text() + "machine_code: false\n")
     report = Report()
-    system = pipeline.read_systems(str(table), report)[0]
+    system = read_systems(str(table), report)[0]
     assert system is not None
     assert not report.has_errors
-    texts = pipeline.firmware_modules(system, BYTECODE)
+    texts = firmware_modules(system, BYTECODE)
     folder = tmp_path / "board"
     folder.mkdir()
     for path, content in compiled({**texts, "rover.py": OWN}, BYTECODE, report, unnumbered=texts).items():

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from codegen.model.dialect import FieldDefinition, MessageDefinition
+from codegen.model.dialect.dialect import FieldDefinition, MessageDefinition
 
 _LIMIT = r"U?INT(?:8|16|32|64)_M(?:AX|IN)|\bNaN\b|\b(?:255|65535|32767|4294967295)\b|\b0xff+\b"
 _UNKNOWN = (

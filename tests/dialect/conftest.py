@@ -6,11 +6,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
+from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_path
-from codegen.model.dialect import Dialect, DialectFile
-from codegen.resolve.dialect import resolve_dialect
+from codegen.model.dialect.dialect import Dialect, DialectFile
+from codegen.resolve.dialect.dialect import resolve_dialect
 
 
 @pytest.fixture

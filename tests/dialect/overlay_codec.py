@@ -10,12 +10,12 @@ from types import ModuleType, SimpleNamespace
 
 import yaml
 
-from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
+from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_path
-from codegen.model.dialect import Dialect
-from codegen.model.spec import Correction
-from codegen.resolve.dialect import resolve_dialect
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.spec.spec import Correction
+from codegen.resolve.dialect.dialect import resolve_dialect
 from codegen.source import Place
 from codegen.targets.codec import render_codec
 

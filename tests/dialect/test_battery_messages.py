@@ -7,12 +7,12 @@ from types import SimpleNamespace
 import pytest
 from overlay_codec import overlaid
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_path
-from codegen.model.dialect import Dialect
-from codegen.resolve.dialect import resolve_dialect
-from codegen.resolve.wire import crc_mcrf4xx
+from codegen.model.dialect.dialect import Dialect
+from codegen.resolve.dialect.dialect import resolve_dialect
+from codegen.resolve.dialect.wire import crc_mcrf4xx
 
 DIALECTS = Path(__file__).parents[2] / "specs" / "dialects"
 

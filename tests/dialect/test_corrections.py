@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 
 from codegen.diagnostics import Severity
-from codegen.model.dialect import SentinelForm
-from codegen.model.spec import Correction
+from codegen.model.dialect.dialect import SentinelForm
+from codegen.model.spec.spec import Correction
 from codegen.source import Place
 
 Read = Callable[..., SimpleNamespace]

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_path, shipped_in
+from codegen.project.systems import read_systems
 
 INSTALLED = f"pymavlink {metadata.version('pymavlink')}"
 
@@ -25,7 +25,7 @@ def project(tmp_path: Path) -> Path:
 def found(project: Path, stated: str) -> list[tuple[str, str, str | None]]:
     project.write_text(f"project: boat\ndialect: ardupilotmega\ndialect_version: {stated}\n")
     report = Report()
-    pipeline.read_systems(str(project), report)
+    read_systems(str(project), report)
     return [(one.rule.id, one.message, one.hint) for one in report]
 
 

@@ -17,7 +17,7 @@ from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 
 HERE = Path(__file__).parent
 DIALECTS = HERE.parents[1] / "specs" / "dialects"

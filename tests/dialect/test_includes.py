@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.load.text import noting

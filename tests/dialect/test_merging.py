@@ -7,7 +7,7 @@ import pytest
 from pymavlink.generator import mavparse
 
 from codegen.diagnostics import Report
-from codegen.resolve.dialect import resolve_dialect
+from codegen.resolve.dialect.dialect import resolve_dialect
 
 Read = Callable[..., SimpleNamespace]
 Write = Callable[..., str]

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from overlay_codec import codec, oracle, overlaid
 
-from codegen.model.dialect import Dialect, Kind, WireField
+from codegen.model.dialect.dialect import Dialect, Kind, WireField
 
 UPSTREAM, INFO, DRAFT = "battery_upstream.xml", "battery_info_upstream.xml", "battery_rfc_0018.xml"
 CELLS, FAULTS = "battery_cell_voltages_rfc_0018.xml", "battery_cell_faults_rfc_0018.xml"

@@ -7,11 +7,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from codegen.decode.dialect_files import decode_dialect_files
-from codegen.decode.known_dialects import taken_elsewhere
+from codegen.decode.dialect.files import decode_dialect_files
+from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.model.dialect import Dialect, KnownMessage
+from codegen.model.dialect.dialect import Dialect, KnownMessage
 from codegen.model.system import System
 from codegen.rules import overlay_flag, overlay_id, overlay_text
 from codegen.source import Place

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names
-from codegen.model.dialect import (
+from codegen.model.dialect.dialect import (
     Dialect,
     EnumDefinition,
     EnumEntry,
@@ -19,8 +19,8 @@ from codegen.model.dialect import (
     Sentinel,
     SentinelForm,
 )
-from codegen.resolve.sentinel import sentinel_of
-from codegen.resolve.wire import WIRE_TYPES
+from codegen.resolve.dialect.sentinel import sentinel_of
+from codegen.resolve.dialect.wire import WIRE_TYPES
 from codegen.source import Place
 
 HERE = Place("/d.xml", 7, 3)

@@ -11,19 +11,19 @@ from types import SimpleNamespace
 import pytest
 import yaml
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect.files import decode_dialect_files
 from codegen.decode.shipped_corrections import FOLDER, shipped_corrections
 from codegen.diagnostics import Report
-from codegen.explain import explain
-from codegen.explained_corrections import line_of
+from codegen.explain.corrections import line_of
+from codegen.explain.story import explain
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path, shipped_in
-from codegen.model.dialect import Dialect, DialectFile, FieldCorrection, SentinelForm, Standing
-from codegen.model.literals import LIMITS
-from codegen.model.spec import Correction, Refusal, ShippedCorrection
-from codegen.model.unit import Unit
-from codegen.pipeline import read_system
-from codegen.resolve.dialect import resolve_dialect
-from codegen.resolve.patterns import matching
+from codegen.model.dialect.dialect import Dialect, DialectFile, FieldCorrection, SentinelForm, Standing
+from codegen.model.dialect.literals import LIMITS
+from codegen.model.spec.spec import Correction, Refusal, ShippedCorrection
+from codegen.model.units.unit import Unit
+from codegen.project.systems import read_system
+from codegen.resolve.dialect.dialect import resolve_dialect
+from codegen.resolve.dialect.patterns import matching
 from codegen.source import Place
 from tests.dialect.candidate_phrases import candidates
 

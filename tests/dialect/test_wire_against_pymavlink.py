@@ -10,7 +10,7 @@ from pymavlink.generator import mavparse
 
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names
-from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.dialect.dialect import Dialect, WireMessage
 
 Shipped = Callable[[str], tuple[Dialect, Report]]
 

@@ -10,10 +10,10 @@ import pytest
 from pymavlink.generator import mavparse
 
 from codegen.diff.change import Change
-from codegen.diff.dialect import dialect_changes
+from codegen.diff.dialect.dialect import dialect_changes
+from codegen.diff.sides import Around, Side, opened
 from codegen.load.shipped import shipped_dialect_path
-from codegen.pipeline import read_systems
-from codegen.sides import Around, Side, opened
+from codegen.project.systems import read_systems
 
 DIALECTS = ("common", "ardupilotmega", "all", "storm32")
 

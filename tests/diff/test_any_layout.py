@@ -7,10 +7,10 @@ from pathlib import Path
 from pymavlink.generator import mavparse
 
 from codegen.diff.change import Change, Notice
-from codegen.diff.dialect import dialect_changes
-from codegen.model.dialect import Dialect
-from codegen.pipeline import read_systems
-from codegen.sides import Around, Side, opened
+from codegen.diff.dialect.dialect import dialect_changes
+from codegen.diff.sides import Around, Side, opened
+from codegen.model.dialect.dialect import Dialect
+from codegen.project.systems import read_systems
 
 TYPES = ("uint8_t", "int8_t", "uint16_t", "int16_t", "uint32_t", "float", "double", "char", "char[4]", "uint16_t[2]")
 UNITS = ("m", "cm", "V")

@@ -8,9 +8,9 @@ import pytest
 from test_every_attribute_of_a_system import mutants, siblings_of
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
+from codegen.diff.system.system import compare_systems
 from codegen.model.system import System
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 
 SPECS = Path(__file__).resolve().parents[1] / "projects" / "commanded" / "specs"
 FOUND_BY = {"Command.name", "Mode.number", "CommandParam.number"}

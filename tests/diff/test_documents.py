@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from codegen.catalogue import rule_catalogue
 from codegen.cli import main
 from codegen.diff.change import ChangeRule
+from codegen.findings.catalogue import rule_catalogue
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs" / "diff.md").read_text()

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
-from codegen.diff.dialect import dialect_changes
+from codegen.diff.dialect.dialect import dialect_changes
 from codegen.load.shipped import shipped_dialect_path
-from codegen.model.dialect import (
+from codegen.model.dialect.dialect import (
     CommandParameter,
     Dialect,
     EnumDefinition,
@@ -24,8 +24,8 @@ from codegen.model.dialect import (
     WireField,
     WireMessage,
 )
-from codegen.model.wire_types import WIRE_TYPES
-from codegen.resolve.dialect import resolve_dialect
+from codegen.model.dialect.wire_types import WIRE_TYPES
+from codegen.resolve.dialect.dialect import resolve_dialect
 from codegen.source import Place
 
 ELSEWHERE = Place("/elsewhere.xml", 7, 3)

@@ -10,16 +10,17 @@ from typing import Any
 import pytest
 
 from codegen.answers.live import LiveAnswer
+from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
 from codegen.diff.change import Notice
 from codegen.diff.reach import traces, with_reach
-from codegen.diff.system import compare_systems
-from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
+from codegen.diff.system.system import compare_systems
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import Unit, unit_named
+from codegen.model.units.unit import Unit, unit_named
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
-from codegen.pipeline import read_systems, read_trace
+from codegen.project.systems import read_systems
 from codegen.source import Written
 
 ROOT = Path(__file__).resolve().parents[2]

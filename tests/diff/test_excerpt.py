@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from codegen.diff.excerpt import difference
+from codegen.diff.report.excerpt import difference
 
 LONG = " ".join(f"word{number}" for number in range(80))
 

@@ -7,13 +7,14 @@ from pathlib import Path
 
 import pytest
 
+from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
 from codegen.diff.reach import traces, with_reach
-from codegen.diff.review import Review, as_finding, fails, review
-from codegen.diff.system import compare_systems
+from codegen.diff.report.review import Review, as_finding, fails, review
+from codegen.diff.system.system import compare_systems
 from codegen.findings.text import finding_text
 from codegen.model.system import System
-from codegen.pipeline import read_systems, read_trace
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from codegen.diff.change import Weight
-from codegen.diff.quantities import unit_in_words
-from codegen.diff.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
+from codegen.diff.judging.quantities import unit_in_words
+from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
 
 CORPUS = Path(__file__).parent / "corpus"
 

@@ -9,14 +9,14 @@ from xml.etree import ElementTree
 import pytest
 
 from codegen.cli import main
-from codegen.comment import MOST_CHARACTERS
 from codegen.diff.change import Change, changed
-from codegen.diff.markdown import code, plain, review_markdown
-from codegen.diff.page import review_page
-from codegen.diff.review import Review, review
-from codegen.diff.system import Comparison
-from codegen.diff.trace_rules import DOC, REQUIREMENT_TEXT
-from codegen.diff.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
+from codegen.diff.dialect.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
+from codegen.diff.report.markdown import code, plain, review_markdown
+from codegen.diff.report.page import review_page
+from codegen.diff.report.review import Review, review
+from codegen.diff.system.system import Comparison
+from codegen.diff.system.trace_rules import DOC, REQUIREMENT_TEXT
+from codegen.findings.comment import MOST_CHARACTERS
 from codegen.source import Place
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from codegen.cli import main
-from codegen.diff.severities import version_of
+from codegen.diff.judging.severities import version_of
 
 Run = Callable[..., tuple[int, str, str]]
 

@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 from codegen.diff.change import BOTH, Change, Notice, Victim
-from codegen.diff.dialect import dialect_changes
-from codegen.model.dialect import Dialect
-from codegen.pipeline import read_systems
-from codegen.sides import Around, Side, opened
+from codegen.diff.dialect.dialect import dialect_changes
+from codegen.diff.sides import Around, Side, opened
+from codegen.model.dialect.dialect import Dialect
+from codegen.project.systems import read_systems
 
 EXTENSIONS = "<extensions/>"
 

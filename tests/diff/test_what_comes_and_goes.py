@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_dialects, compare_systems
-from codegen.model.spec import ParameterType, Requirement
+from codegen.diff.system.system import compare_dialects, compare_systems
+from codegen.model.spec.spec import ParameterType, Requirement
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 
 ROOT = Path(__file__).resolve().parents[2]
 

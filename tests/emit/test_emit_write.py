@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 from codegen.diagnostics import Report
+from codegen.emit.manifest import Manifest
 from codegen.emit.plan import plan_output
 from codegen.emit.write import write_output
-from codegen.manifest import Manifest
 
 FILES = {"firmware/state.py": "a = 1\n", "docs/battery.md": "# Battery\n", "firmware/mavlink.py": "b = 2\n"}
 

@@ -9,8 +9,8 @@ from pymavlink.dialects.v20 import common
 
 from codegen.diagnostics import Report
 from codegen.model.absence import ABSENCE_FIELDS
-from codegen.pipeline import read_system
-from codegen.resolve.services import SERVICE_FIELDS, Uses, service_messages
+from codegen.project.systems import read_system
+from codegen.resolve.program.services import SERVICE_FIELDS, Uses, service_messages
 from codegen.targets.firmware.numbers import with_numbers
 
 PROGRAM = Path(__file__).resolve().parents[2] / "templates" / "firmware" / "program"

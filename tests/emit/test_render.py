@@ -6,9 +6,10 @@ from types import SimpleNamespace
 import pytest
 from jinja2 import UndefinedError
 
-from codegen import render, template_files
-from codegen.render import render_template
-from codegen.template_files import copied, filled, templates_folder
+from codegen.render import templates as render
+from codegen.render.templates import render_template
+from codegen.tool import template_files
+from codegen.tool.template_files import copied, filled, templates_folder
 
 FOLDER = Path(templates_folder())
 TEMPLATES = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.j2"))

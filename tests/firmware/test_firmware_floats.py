@@ -21,9 +21,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from stated_units import STATED
 
-from codegen.model.scaling import FLOAT_DIVISOR_MAX
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import ratio, unit_named
+from codegen.model.answers.scaling import FLOAT_DIVISOR_MAX
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.units.unit import ratio, unit_named
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates" / "firmware"
 

@@ -18,11 +18,11 @@ import pytest
 from firmware_runs import tool
 from test_firmware_floats import UNITS, nearest
 
-from codegen.model.answer import Elements
-from codegen.model.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
-from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import ratio
-from codegen.targets.firmware.payload import real_about
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.units.unit import ratio
+from codegen.targets.firmware.messages.payload import real_about
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates" / "firmware"
 STEPS = (Fraction(1), Fraction(1, 20), Fraction(1, 10000))  # those of parameters

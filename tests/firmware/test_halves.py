@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from codegen.answers.halves import float_within, next_float
-from codegen.model.halves import above, below, equal
-from codegen.model.population_spec import Rounding
-from codegen.model.scaling import Scaling
-from codegen.model.storage import Storage, storage_of
+from codegen.model.answers.scaling import Scaling
+from codegen.model.code.halves import above, below, equal
+from codegen.model.code.storage import Storage, storage_of
+from codegen.model.spec.population import Rounding
 
 INTEGERS = (Storage.INT32, Storage.UINT32, Storage.INT64, Storage.UINT64)
 FLOATS = (Storage.BINARY32, Storage.BINARY64)

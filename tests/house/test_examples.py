@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from codegen.cli.parser import parser_for
-from codegen.model.divider import divider, ohms
+from codegen.model.quantities.divider import divider, ohms
 
 ROOT = Path(__file__).parents[2]
 WORKFLOWS = sorted((ROOT / "examples").glob("*.yml"))

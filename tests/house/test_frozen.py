@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from codegen.catalogue import rule_catalogue
+from codegen.findings.catalogue import rule_catalogue
 from codegen.frozen import _FEW, _own_slots, _slots, dataclass
 
 

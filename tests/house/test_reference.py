@@ -3,8 +3,8 @@
 import json
 from pathlib import Path
 
-from codegen.key_reference import FILES, reference_page
-from codegen.schemas import SCHEMA_MODELS, schema_texts
+from codegen.targets.schemas.reference import FILES, reference_page
+from codegen.targets.schemas.texts import SCHEMA_MODELS, schema_texts
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -9,8 +9,8 @@ import pytest
 from rule_reach import Constant, reported, sources
 
 import codegen
-from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Rule
+from codegen.findings.catalogue import rule_catalogue
 
 
 def declared() -> dict[Constant, Rule]:

@@ -4,8 +4,8 @@ from pathlib import Path
 
 from stated_units import STATED
 
-from codegen.model.unit import Unit, symbols, unit_named
-from codegen.model.unit_table import BASES, ONLY_WITH_PREFIX, PREFIXES, SYMBOLS, ZEROS
+from codegen.model.units.unit import Unit, symbols, unit_named
+from codegen.model.units.unit_table import BASES, ONLY_WITH_PREFIX, PREFIXES, SYMBOLS, ZEROS
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "units.md"
 

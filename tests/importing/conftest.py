@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
-from codegen.codec import read_codec_dialect
+from codegen.commands.codec import read_codec_dialect
 from codegen.diagnostics import Report
 from codegen.importing.answer import Reading, Sources, Target
 from codegen.importing.of_system import sources_of
 from codegen.importing.value import read_value
 from codegen.load.markdown_table import Cell, parse_tables
 from codegen.model.system import System
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).parents[2]
 
@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 @pytest.fixture(scope="session")
 def system() -> System:
     """The shipped project."""
-    return pipeline.read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())[0]
+    return read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())[0]
 
 
 @pytest.fixture(scope="session")

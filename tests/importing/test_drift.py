@@ -8,7 +8,7 @@ from codegen.diagnostics import Report
 from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 
 DOCUMENT = Path(__file__).parents[2] / "specs" / "requirements" / "FR-00068-battery-status-telemetry.md"
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from codegen.importing.answer import Sources
-from codegen.model.unit import NUMBER, unit_named
+from codegen.model.units.unit import NUMBER, unit_named
 
 
 @pytest.fixture

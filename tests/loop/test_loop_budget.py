@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from codegen.commands.build import render_systems
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
+from codegen.diff.system.system import compare_systems
 from codegen.loop.budget import LoopBudget, Slot, loop_budget, why_not_predicted
 from codegen.loop.costs import measured_costs
 from codegen.loop.frames import FRAMES_OF_A_PASS, HEARD_IN_A_PASS, due_work, streamed
@@ -19,7 +20,7 @@ from codegen.loop.load import traffic_load
 from codegen.loop.parts import Part, Work
 from codegen.loop.shares import GROUPS, shares
 from codegen.model.system import System
-from codegen.pipeline import read_systems, render_systems
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 ROVER = ROOT / "specs"

@@ -7,10 +7,10 @@ from pathlib import Path, PurePosixPath
 
 from lxml import html
 
+from codegen.commands.build import render_systems
 from codegen.diagnostics import Report
 from codegen.model.system import System
-from codegen.outputs import render_systems
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).parents[2]
 PROJECTS = {

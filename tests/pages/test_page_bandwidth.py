@@ -8,7 +8,7 @@ from lxml import html
 from rendered import Program
 
 from codegen.model.price import Range, frame_size, message_price, price
-from codegen.model.spec import Generation
+from codegen.model.spec.spec import Generation
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.pages.bars import Amount, chart
 

@@ -14,12 +14,12 @@ from rendered import ROOT, Program
 
 from codegen.model.price import frame_size
 from codegen.model.system import PopulatedMessage
-from codegen.targets.expected import Wire, expected_fields
+from codegen.summaries.fields import field_rows
 from codegen.targets.pages.example_state import ExampleState, example_states
 from codegen.targets.pages.frame import sent_frame
 from codegen.targets.pages.navigation import message_path
 from codegen.targets.pages.value_text import is_unknown
-from codegen.targets.table import field_rows
+from codegen.targets.suite.expected import Wire, expected_fields
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import pytest
 from lxml import etree
 from rendered import PROJECTS, Program, programs_of
 
-from codegen.model.divider import E24, divider, ohms
+from codegen.model.quantities.divider import E24, divider, ohms
 
 SENSORS = Path(__file__).resolve().parents[1] / "projects" / "sensors" / "specs"
 

@@ -18,8 +18,8 @@ from population.whole import KNOWN, LARGEST, batches, included, unlisted
 from pymavlink.dialects.v20 import ardupilotmega
 
 from codegen.answers.limits import Bounds
-from codegen.model.population_spec import Rounding
-from codegen.model.statements import scaled
+from codegen.model.code.statements import scaled
+from codegen.model.spec.population import Rounding
 
 PARTS = 4
 
@@ -89,13 +89,13 @@ def code(target: str, instead: Any) -> Callable[[pytest.MonkeyPatch], None]:
 
 
 def without_multiplier(patch: pytest.MonkeyPatch) -> None:
-    from codegen.model import wire_unit  # noqa: PLC0415 - only this fault needs it
+    from codegen.model.dialect import wire_unit  # noqa: PLC0415 - only this fault needs it
 
     def wrong(field: Any) -> Any:
         return wire_unit.Unit.parse(field.definition.units) if field.definition.units else wire_unit.NUMBER
 
     patch.setattr("codegen.answers.fitting.wire_unit", wrong)
-    patch.setattr("codegen.resolve.kept.wire_unit", wrong)
+    patch.setattr("codegen.resolve.quantities.kept.wire_unit", wrong)
 
 
 def one_less(bounds: Bounds) -> tuple[Fraction, Fraction]:

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from codegen import stamp
 from codegen.diagnostics import Report, Severity
+from codegen.emit import stamp
 from codegen.model.system import System
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -15,7 +15,7 @@ import pytest
 from pymavlink.dialects.v20 import common
 
 from codegen.diagnostics import Report
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 
 HERE = Path(__file__).resolve().parent
 SPECS = HERE / "rows" / "specs"

@@ -12,10 +12,10 @@ from codegen.answers.each.answer import EachAnswer
 from codegen.answers.page import PageAnswer
 from codegen.answers.split import SplitAnswer
 from codegen.diagnostics import Report
-from codegen.model.answer import Answer, Elements
-from codegen.model.scaling import Scaling
+from codegen.model.answers.answer import Answer, Elements
+from codegen.model.answers.scaling import Scaling
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 
 
 @pytest.mark.requirement("FR-00075.1")

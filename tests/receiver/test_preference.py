@@ -7,7 +7,7 @@ import pytest
 
 from codegen.diagnostics import Report
 from codegen.model.system import Generations, System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 from codegen.targets.receiver.view import receiver_view
 
 ROOT = Path(__file__).resolve().parents[2]

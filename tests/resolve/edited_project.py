@@ -4,7 +4,7 @@ from pathlib import Path
 
 from codegen.diagnostics import Diagnostic, Report
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 
 
 def system_of(folder: Path, report: Report) -> System:

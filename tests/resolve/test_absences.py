@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.model.dialect import Dialect
-from codegen.pipeline import read_system
-from codegen.resolve.absences import AUTOPILOT, resolve_absences
+from codegen.model.dialect.dialect import Dialect
+from codegen.project.systems import read_system
+from codegen.resolve.program.absences import AUTOPILOT, resolve_absences
 
 ROVER = Path(__file__).resolve().parents[2] / "specs" / "codegen.yaml"
 MISSIONS = {"MISSION_REQUEST_LIST", "MISSION_COUNT", "MISSION_CLEAR_ALL", "MISSION_REQUEST", "MISSION_REQUEST_INT"}

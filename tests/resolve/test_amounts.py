@@ -7,7 +7,7 @@ import pytest
 
 from codegen.diagnostics import Report
 from codegen.measure import obstacle, read_amount, read_real, read_time
-from codegen.model.unit import unit_named
+from codegen.model.units.unit import unit_named
 from codegen.source import Place
 
 HERE = Place("table.yaml", 3, 7)

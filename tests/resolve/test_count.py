@@ -6,18 +6,18 @@ import pytest
 from edited_project import edited, system_of
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
+from codegen.diff.system.system import compare_systems
 from codegen.importing.comparison import Verdict, compare
 from codegen.importing.document import find_fields
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import propose
-from codegen.model.answer import Answer
-from codegen.model.receiver_spec import RolesSpec
+from codegen.model.answers.answer import Answer
+from codegen.model.spec.receiver import RolesSpec
 from codegen.model.system import System
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 from codegen.source import Place
-from codegen.targets.expected import expected_fields
 from codegen.targets.receiver.readings import readings_of
+from codegen.targets.suite.expected import expected_fields
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "three_cameras" / "specs"
 TABLE, BOARD = "messages/video_stream_information.yaml", "board.yaml"

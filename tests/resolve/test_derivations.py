@@ -9,11 +9,11 @@ from codegen.derivations import KINDS
 from codegen.derivations.follows import Follows
 from codegen.derivations.while_known import WhileKnown
 from codegen.diagnostics import Report
-from codegen.model.derivation_spec import FollowsSpec, WrittenDerivation
-from codegen.model.shape import keys_of
-from codegen.model.state_spec import QuantitySpec
+from codegen.model.spec.derivation import FollowsSpec, WrittenDerivation
+from codegen.model.spec.shape import keys_of
+from codegen.model.spec.state import QuantitySpec
 from codegen.model.system import System
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 from codegen.source import Place
 
 ROOT = Path(__file__).resolve().parents[2]

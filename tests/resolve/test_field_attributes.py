@@ -15,13 +15,13 @@ import pytest
 from codegen.answers.limits import Bounds, dialect_bounds
 from codegen.cli import main
 from codegen.diagnostics import Report
-from codegen.explain import explain
+from codegen.explain.story import explain
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.model.dialect import Dialect, WireField
-from codegen.model.literals import exact_number
-from codegen.model.unit import NUMBER, Unit, ratio
-from codegen.model.wire_unit import wire_unit
-from codegen.pipeline import read_system
+from codegen.model.dialect.dialect import Dialect, WireField
+from codegen.model.dialect.literals import exact_number
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.units.unit import NUMBER, Unit, ratio
+from codegen.project.systems import read_system
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.page import page_text
 from codegen.targets.pages.value_text import value_text

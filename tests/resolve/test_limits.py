@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 from codegen.answers.limits import EMPTY_LIMITS, Bounds, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.diagnostics import Report
-from codegen.model.answer import Elements
-from codegen.model.dialect import FieldDefinition, WireField
-from codegen.model.population_spec import FieldAnswer, Rounding
-from codegen.model.scaling import rounded
-from codegen.model.unit import NUMBER
+from codegen.model.answers.answer import Elements
+from codegen.model.answers.scaling import rounded
+from codegen.model.dialect.dialect import FieldDefinition, WireField
+from codegen.model.dialect.wire_types import WIRE_TYPES
+from codegen.model.spec.population import FieldAnswer, Rounding
+from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import Citation, Parameter
-from codegen.model.wire_types import WIRE_TYPES
 from codegen.source import Place
 
 PLACE = Place("table.yaml")

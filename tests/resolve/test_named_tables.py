@@ -8,13 +8,14 @@ from pathlib import Path
 import pytest
 from edited_project import system_of
 
+from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
 from codegen.diff.change import Change
-from codegen.diff.system import compare_systems
-from codegen.explain import explain
+from codegen.diff.system.system import compare_systems
+from codegen.explain.story import explain
 from codegen.importing.existing import populated
 from codegen.model.system import System
-from codegen.pipeline import read_systems, read_trace
+from codegen.project.systems import read_systems
 
 POSITION = "messages/global_position_int.yaml"
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"

@@ -5,8 +5,8 @@ from pathlib import Path
 from edited_project import edited
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
-from codegen.explain import explain
+from codegen.diff.system.system import compare_systems
+from codegen.explain.story import explain
 from codegen.importing.comparison import Verdict, compare, comparison_text
 from codegen.importing.document import find_fields
 from codegen.importing.drift import drift
@@ -15,7 +15,7 @@ from codegen.importing.of_system import sources_of
 from codegen.importing.proposal import propose
 from codegen.importing.stated import stated_fields
 from codegen.model.system import PopulatedMessage, System
-from codegen.targets.expected import expected_fields
+from codegen.targets.suite.expected import expected_fields
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 BOW = "messages/bow.yaml"

@@ -9,8 +9,8 @@ import pytest
 from lxml import etree
 from stated_units import STATED
 
-from codegen.model.affine import AffineMap
-from codegen.model.unit import Unit, conversion, unit_named
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import Unit, conversion, unit_named
 
 FOLDER = Path(pymavlink.__file__).parent
 SCHEMA = FOLDER / "generator" / "mavschema.xsd"

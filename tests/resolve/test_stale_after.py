@@ -6,10 +6,10 @@ import pytest
 from edited_project import edited
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
-from codegen.explain import explain
-from codegen.targets.behaviour_checks import checks_of_behaviour
+from codegen.diff.system.system import compare_systems
+from codegen.explain.story import explain
 from codegen.targets.firmware.words import word_layout
+from codegen.targets.suite.behaviour import checks_of_behaviour
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 ALTITUDE = "stored: mm, stale_after: 2 s"

@@ -8,12 +8,12 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from stated_units import STATED
 
-from codegen.model.affine import AffineMap, pi_between
-from codegen.model.nearest_unit import nearest_unit
-from codegen.model.population_spec import Rounding
-from codegen.model.scaling import rounded
-from codegen.model.unit import Unit, conversion, decimal, map_words, ratio, read_measure, symbols, unit_named
-from codegen.model.unit_table import SCALED, SHOWN, WORDS
+from codegen.model.answers.scaling import rounded
+from codegen.model.spec.population import Rounding
+from codegen.model.units.affine import AffineMap, pi_between
+from codegen.model.units.nearest_unit import nearest_unit
+from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio, read_measure, symbols, unit_named
+from codegen.model.units.unit_table import SCALED, SHOWN, WORDS
 
 ALL = sorted({*STATED, *symbols(), *SHOWN, *SCALED})
 PI_100 = Fraction(

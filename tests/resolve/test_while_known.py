@@ -6,14 +6,14 @@ import pytest
 from edited_project import edited
 
 from codegen.diagnostics import Report
-from codegen.diff.system import compare_systems
-from codegen.explain import explain
-from codegen.model.known import Known
+from codegen.diff.system.system import compare_systems
+from codegen.explain.story import explain
+from codegen.model.answers.known import Known
 from codegen.model.price import message_price
 from codegen.model.system import PopulatedMessage, System
-from codegen.targets.cases import message_cases
-from codegen.targets.expected import expected_fields
 from codegen.targets.pages.example_state import example_states
+from codegen.targets.suite.cases.messages import message_cases
+from codegen.targets.suite.expected import expected_fields
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 TABLE = "messages/global_position_int.yaml"

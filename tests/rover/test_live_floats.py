@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.pipeline import read_systems
+from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"

@@ -4,9 +4,9 @@ from pathlib import Path
 from typing import Any
 
 from codegen.diagnostics import Report
+from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import Course, Point, Scenario
-from codegen.model.simulated import SimulatedInput
-from codegen.pipeline import read_system
+from codegen.project.systems import read_system
 from codegen.sim.guards import guards
 from codegen.sim.line import lines_of, watched
 from codegen.sim.program import SimulatedProgram

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from packs import FULL, pack
 
+from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import Course, Fault, Point, course_data, event_data
-from codegen.model.simulated import SimulatedInput
 from codegen.sim.process import Runtime, find_interpreter
 
 MOCKS = Path(__file__).resolve().parents[2] / "templates" / "mocks"

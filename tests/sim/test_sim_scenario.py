@@ -8,6 +8,7 @@ from packs import SYSTEM
 
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
+from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import (
     Arming,
     Course,
@@ -19,9 +20,8 @@ from codegen.model.scenario import (
     course_data,
     event_data,
 )
-from codegen.model.simulated import SimulatedInput
-from codegen.pipeline import read_scenarios, read_systems
-from codegen.resolve.scenario import resolve_scenarios
+from codegen.project.systems import read_scenarios, read_systems
+from codegen.resolve.scenarios.scenario import resolve_scenarios
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAD = "scenarios:\n  a:\n    doc: d\n    duration: 10 s\n"

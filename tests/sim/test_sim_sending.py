@@ -16,7 +16,7 @@ from codegen.cli import main
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
 from codegen.model.scenario import Sending, event_data
-from codegen.resolve.scenario import resolve_scenarios
+from codegen.resolve.scenarios.scenario import resolve_scenarios
 from codegen.sim.process import Runtime, find_interpreter
 
 MOCKS = ROOT / "templates" / "mocks"

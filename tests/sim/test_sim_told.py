@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import ardupilotmega, common
 
 from codegen.diagnostics import Report
 from codegen.model.system import System
-from codegen.pipeline import read_system, read_systems
+from codegen.project.systems import read_system, read_systems
 from codegen.sim.told import Telling, told_paths
 
 PROJECTS = Path(__file__).resolve().parents[1] / "projects"

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
 from codegen.diagnostics import Report
 from codegen.model.system import System
+from codegen.project.systems import read_system
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "power_monitor"
 CHANNELS = """adc:
@@ -28,7 +28,7 @@ def project(tmp_path: Path) -> Path:
 def read(project: Path) -> tuple[System | None, list[str]]:
     """The system, and what is found, with its place."""
     report = Report()
-    system = pipeline.read_system(str(project / "specs" / "codegen.yaml"), report)
+    system = read_system(str(project / "specs" / "codegen.yaml"), report)
     return system, [f"{each.place.shown(str(project))} {each.message}" for each in report]
 
 
@@ -87,7 +87,7 @@ def test_both_forms_are_the_same(project: Path) -> None:
 def test_a_mistake_is_found_where_it_stands(project: Path, file: str, old: str, new: str, said: str) -> None:
     change(project, file, old, new)
     report = Report()
-    pipeline.read_system(str(project / "specs" / "codegen.yaml"), report)
+    read_system(str(project / "specs" / "codegen.yaml"), report)
     assert report.has_errors
     shown = [f"{each.place.shown(str(project))} {each.message} {each.hint}" for each in report]
     assert any(said in each for each in shown), shown

@@ -188,5 +188,5 @@ def test_tests_that_lie_outside(project: Path, capsys: pytest.CaptureFixture[str
 def test_no_stamp_is_looked_for_outside(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Before the build says that the output may not lie there."""
     edit(project / "specs" / "codegen.yaml", "output: ../../made\n")
-    monkeypatch.setattr("codegen.stamp._kept", lambda folder: pytest.fail(f"{folder} was looked into"))
+    monkeypatch.setattr("codegen.emit.stamp._kept", lambda folder: pytest.fail(f"{folder} was looked into"))
     assert main(["build"]) == 1

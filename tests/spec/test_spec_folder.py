@@ -11,7 +11,7 @@ from spec_examples import GOOD
 from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Severity
-from codegen.model.spec import Spec
+from codegen.model.spec.spec import Spec
 from codegen.source import Place
 
 RECEIVED = "receive: HEARTBEAT\nrequirement: FR-1.1\nfields:\n  custom_mode: {state: tank.level}\n"

@@ -13,15 +13,15 @@ from codegen.decode.record import decode_record
 from codegen.decode.record_file import decode_record_text
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
-from codegen.model.derivation_spec import MeasuredSpec, WhileKnownSpec
-from codegen.model.driver_spec import DriverSpec
-from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
-from codegen.model.program_spec import VehicleSpec
-from codegen.model.receiver_spec import ReceiverSpec
-from codegen.model.scenario_spec import ScenariosSpec
-from codegen.model.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, StreamsSpec
-from codegen.model.state_spec import QuantitySpec, StateSpec
-from codegen.model.waiver_spec import WaiversSpec
+from codegen.model.spec.derivation import MeasuredSpec, WhileKnownSpec
+from codegen.model.spec.driver import DriverSpec
+from codegen.model.spec.population import FieldAnswer, PopulationSpec, Rounding
+from codegen.model.spec.program import VehicleSpec
+from codegen.model.spec.receiver import ReceiverSpec
+from codegen.model.spec.scenario import ScenariosSpec
+from codegen.model.spec.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, StreamsSpec
+from codegen.model.spec.state import QuantitySpec, StateSpec
+from codegen.model.spec.waiver import WaiversSpec
 from codegen.source import Place, Written
 
 FILE = "/specs/a.yaml"

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.diagnostics import Report
 from codegen.load.markdown import parse_markdown
-from codegen.model.spec import Requirement
+from codegen.model.spec.spec import Requirement
 from codegen.source import Place
 
 FILE = "/specs/requirements/FR-00001.md"

@@ -13,8 +13,8 @@ from spec_examples import BROKEN, GOOD
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
-from codegen.model.spec import StreamsSpec
-from codegen.schemas import SCHEMA_MODELS, schema_texts
+from codegen.model.spec.spec import StreamsSpec
+from codegen.targets.schemas.texts import SCHEMA_MODELS, schema_texts
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
 NAMES = ("codegen", "state", "board", "parameters", "streams", "vehicle", "receiver", "scenarios", "waivers")

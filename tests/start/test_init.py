@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
 from codegen.cli import main
 from codegen.cli.init import start_kinds
+from codegen.commands.init import boards
 from codegen.diagnostics import Report
-from codegen.start import boards
-from codegen.template_files import templates_folder
+from codegen.project.systems import check_scenarios, read_systems
+from codegen.tool.template_files import templates_folder
 
 KINDS = start_kinds()
 BOARDS = [name for name, _ in boards()]
@@ -28,8 +28,8 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def findings(project: Path) -> list[str]:
     """What is wrong with a project, as its author is told."""
     report = Report()
-    systems = pipeline.read_systems(str(project), report)
-    pipeline.check_scenarios(str(project), systems, report)
+    systems = read_systems(str(project), report)
+    check_scenarios(str(project), systems, report)
     return [f"{finding.place.shown()} {finding.message}" for finding in report]
 
 

@@ -11,19 +11,19 @@ from pathlib import Path
 
 import pytest
 
-from codegen import pipeline
 from codegen.diagnostics import Report
-from codegen.model.access_spec import AccessSpec
-from codegen.model.board_spec import AdcSpec
-from codegen.model.command_spec import CommandSpec
-from codegen.model.population_spec import PopulationSpec
-from codegen.model.program_spec import ArmingSpec, ControlSpec, FailsafeSpec, ServicesSpec, StorageSpec
-from codegen.model.receiver_spec import ReceiverSpec
-from codegen.model.spec import GenerationsSpec
-from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.spec.access import AccessSpec
+from codegen.model.spec.board import AdcSpec
+from codegen.model.spec.command import CommandSpec
+from codegen.model.spec.population import PopulationSpec
+from codegen.model.spec.program import ArmingSpec, ControlSpec, FailsafeSpec, ServicesSpec, StorageSpec
+from codegen.model.spec.receiver import ReceiverSpec
+from codegen.model.spec.spec import GenerationsSpec
+from codegen.model.spec.state import ComponentSpec, QuantitySpec
 from codegen.model.system import System
-from codegen.targets.program_checks import checked_aspects
+from codegen.project.systems import read_systems
 from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.suite.program_checks import checked_aspects
 from codegen.trace import generated_tests
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -70,7 +70,7 @@ OF_THEIR_OWN = {
 
 def _systems(folder: Path) -> tuple[System, ...]:
     report = Report()
-    systems = pipeline.read_systems(str(folder / "specs" / "codegen.yaml"), report)
+    systems = read_systems(str(folder / "specs" / "codegen.yaml"), report)
     assert not report.has_errors
     return tuple(systems)
 
@@ -125,7 +125,7 @@ def _shown_by_the_program(system: System) -> dict[str, tuple[str, ...]]:
 
 def test_templates_know_no_document() -> None:
     """No script of the suites, and no module that lists its checks, has the number of a document in its code."""
-    for path in [*(ROOT / "templates" / "tests").rglob("*.py"), ROOT / "codegen" / "targets" / "check_criteria.py"]:
+    for path in [*(ROOT / "templates" / "tests").rglob("*.py"), ROOT / "codegen" / "targets" / "suite" / "criteria.py"]:
         constants = [node.value for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Constant)]
         cited = [each for each in constants if isinstance(each, str) and re.fullmatch(r"N?FR-\d+(\.\d+)?", each)]
         assert cited == [], path

@@ -9,8 +9,8 @@ import pytest
 from generated_suite import ALONE
 from trace_project import Project
 
-from codegen.built_specification import built_specification
 from codegen.cli import main
+from codegen.project.built_specification import built_specification
 from codegen.trace.generated_tests import inputs_of
 
 Junit = Callable[..., str]

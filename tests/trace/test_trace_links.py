@@ -5,9 +5,11 @@ import re
 import pytest
 from trace_project import Project
 
-from codegen import pipeline
 from codegen.cli import main
+from codegen.commands.build import render_systems
+from codegen.commands.trace import read_trace_lock
 from codegen.diagnostics import Report
+from codegen.project.systems import read_systems
 from codegen.trace.link import Link, chosen_link, suspects
 from codegen.trace.lock import Review, reviews, text_fingerprint
 
@@ -29,13 +31,13 @@ def changed(project: Project) -> Project:
 
 def suspect(project: Project) -> dict[str, tuple[str, ...]]:
     """The names of the suspect links by criterion."""
-    lock = pipeline.read_trace_lock(project.file, Report())
+    lock = read_trace_lock(project.file, Report())
     return {name: tuple(each.name for each in links) for name, links in suspects(project.trace()[0], lock).items()}
 
 
 def review(project: Project) -> dict[str, Review]:
     """What the lock says of each criterion."""
-    return dict(reviews(project.trace()[0], pipeline.read_trace_lock(project.file, Report())))
+    return dict(reviews(project.trace()[0], read_trace_lock(project.file, Report())))
 
 
 def test_exactly_its_links_are_suspect(changed: Project, capsys: pytest.CaptureFixture[str]) -> None:
@@ -64,7 +66,7 @@ def test_one_by_one(changed: Project, capsys: pytest.CaptureFixture[str]) -> Non
     after = changed.lock.read_text().splitlines()
     assert len(after) == len(before)
     assert [line for line in after if line not in before] == [line for line in after if line.startswith("  FR-1.1:")]
-    lock = pipeline.read_trace_lock(changed.file, Report())
+    lock = read_trace_lock(changed.file, Report())
     assert lock is not None
     kept = lock.criteria["FR-1.1"]
     assert kept.text == text_fingerprint("It beats twice a second.")
@@ -147,7 +149,7 @@ def test_reports_mark_what_is_suspect(changed: Project, capsys: pytest.CaptureFi
 
 def test_the_page_of_a_build_marks_rows(changed: Project) -> None:
     """It knows the lock and nothing of tests by hand."""
-    text = pipeline.render_systems(pipeline.read_systems(changed.file, Report()))["docs/trace.html"]
+    text = render_systems(read_systems(changed.file, Report()))["docs/trace.html"]
     assert text.count('<span class="bad">suspect</span>') == len(ALL) - 1
     assert "test_beats" not in text
 

@@ -3,7 +3,7 @@
 import pytest
 from trace_project import Project
 
-from codegen import pipeline
+from codegen.commands.trace import read_trace_lock
 from codegen.diagnostics import Report
 from codegen.trace.lock import HEAD, Review, accepted, lock_line, reviews, text_fingerprint
 
@@ -11,7 +11,7 @@ from codegen.trace.lock import HEAD, Review, accepted, lock_line, reviews, text_
 def review(project: Project) -> dict[str, str]:
     trace, _ = project.trace()
     report = Report()
-    lock = pipeline.read_trace_lock(project.file, report)
+    lock = read_trace_lock(project.file, report)
     assert list(report) == []
     return {name: each.name for name, each in reviews(trace, lock).items()}
 
@@ -177,7 +177,7 @@ def test_wherever_one_begins(start: str | None) -> None:
 def test_any_reason_is_read_as_it_was_given(project: Project) -> None:
     reason = 'a "b" \\ # {c}: é, \t- y'
     assert project.run("accept", "FR-1.1", "--reason", reason) == 0
-    lock = pipeline.read_trace_lock(project.file, Report())
+    lock = read_trace_lock(project.file, Report())
     assert lock is not None
     assert lock.criteria["FR-1.1"].reason == " ".join(reason.split())
     assert lock.criteria["FR-1.1"].text == text_fingerprint("It beats once a second.")

@@ -11,10 +11,11 @@ import pytest
 from generated_suite import ALONE
 from trace_project import Project
 
-from codegen import outputs, pipeline
 from codegen.cli import main
-from codegen.comment import MOST_CHARACTERS, fitting
+from codegen.commands.build import render_systems
 from codegen.diagnostics import Report
+from codegen.findings.comment import MOST_CHARACTERS, fitting
+from codegen.project.systems import files_read, read_systems
 from codegen.trace.needs import need_id
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -108,17 +109,17 @@ def test_the_page(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     """It says what was reviewed, but knows of no test by hand, no result and no path of this machine."""
     project.run("accept", "--all", "--reason", "x")
-    systems = pipeline.read_systems(project.file, Report())
-    first, second = (outputs.render_systems(systems)["docs/trace.html"] for _ in range(2))
+    systems = read_systems(project.file, Report())
+    first, second = (render_systems(systems)["docs/trace.html"] for _ in range(2))
     assert first == second
     assert "test_seven" not in first
     assert "trace-uncovered" not in first
     assert re.search(r'warn">2</span> no generated test', first)
     assert "reviewed" in first
     assert str(project.folder) not in first
-    assert str(project.lock) in pipeline.files_read(systems)
+    assert str(project.lock) in files_read(systems)
     project.tests.unlink()
-    assert outputs.render_systems(systems)["docs/trace.html"] == first
+    assert render_systems(systems)["docs/trace.html"] == first
 
 
 def test_markdown(project: Project, capsys: pytest.CaptureFixture[str]) -> None:

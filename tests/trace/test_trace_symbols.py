@@ -10,8 +10,10 @@ from pathlib import Path
 import pytest
 from generated_suite import ALONE
 
-from codegen import outputs, pipeline
+from codegen.commands.build import render_systems
+from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
+from codegen.project.systems import read_systems
 from codegen.trace.graph import Trace, reached
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -23,9 +25,9 @@ PROJECTS = [folder for folder in PROJECTS if (folder / "specs").is_dir()]
 def project(folder: Path) -> tuple[Trace, dict[str, str]]:
     """The graph of a project and what is generated for it."""
     report = Report()
-    systems = pipeline.read_systems(str(folder / "specs" / "codegen.yaml"), report)
+    systems = read_systems(str(folder / "specs" / "codegen.yaml"), report)
     assert not report.has_errors
-    return pipeline.read_trace(systems, report), outputs.render_systems(systems)
+    return read_trace(systems, report), render_systems(systems)
 
 
 def names_of(text: str) -> set[str]:

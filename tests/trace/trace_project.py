@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from codegen import pipeline
 from codegen.cli import main
+from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
 from codegen.model.system import System
+from codegen.project.systems import read_systems
 from codegen.trace.graph import Trace
 
 MINIMAL = Path(__file__).resolve().parents[1] / "projects" / "minimal" / "specs"
@@ -77,9 +78,9 @@ class Project:
     def trace(self) -> tuple[Trace, tuple[System, ...]]:
         """The graph, and what it was made of."""
         report = Report()
-        systems = pipeline.read_systems(self.file, report)
+        systems = read_systems(self.file, report)
         assert not report.has_errors, [found.message for found in report]
-        return pipeline.read_trace(systems, report), systems
+        return read_trace(systems, report), systems
 
     def run(self, *arguments: str) -> int:
         """The exit code of codegen trace."""

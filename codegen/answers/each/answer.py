@@ -13,14 +13,14 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.answers.split import SplitAnswer
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
-from codegen.model.answer import Answer, Elements
-from codegen.model.known import Known, Stored, Value
-from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.reading import Reading
-from codegen.model.scaling import Scaling
-from codegen.model.step import Step
+from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
+from codegen.model.answers.answer import Answer, Elements
+from codegen.model.answers.known import Known, Stored, Value
+from codegen.model.answers.scaling import Scaling
+from codegen.model.answers.step import Step
+from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.reading import Reading
+from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Quantity
 
 

@@ -3,9 +3,9 @@
 from codegen.answers.fitting import NO_SENTINEL
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
-from codegen.model.answer import Elements
-from codegen.model.dialect import Kind
-from codegen.model.population_spec import Send
+from codegen.model.answers.answer import Elements
+from codegen.model.dialect.dialect import Kind
+from codegen.model.spec.population import Send
 from codegen.model.vehicle import Quantity
 
 BAD_EACH = Rule(

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 from codegen.answers.page import PageAnswer
 from codegen.answers.scaled import to_unit
-from codegen.model.answer import Answer
-from codegen.model.reading import Reading, scaled
-from codegen.model.unit import decimal
+from codegen.model.answers.answer import Answer
+from codegen.model.code.reading import Reading, scaled
+from codegen.model.units.unit import decimal
 
 if TYPE_CHECKING:
     from codegen.answers.each.answer import EachAnswer

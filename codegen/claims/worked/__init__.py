@@ -7,10 +7,10 @@ findings. A number is judged only where its row or its sentence says what it is 
 
 from collections.abc import Iterator
 
-from codegen.checks import checks_in
 from codegen.claims.reading import Reading
 from codegen.claims.worked.examples import read_examples
 from codegen.diagnostics import Diagnostic
+from codegen.rules.checks import checks_in
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

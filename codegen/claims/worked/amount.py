@@ -6,8 +6,8 @@ from fractions import Fraction
 from functools import cache
 
 from codegen.frozen import dataclass
-from codegen.model.nearest_unit import worded_unit
-from codegen.model.unit import NUMBER, Unit, ratio, unit_named
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import NUMBER, Unit, ratio, unit_named
 
 _AMOUNT = re.compile(
     r"(?<![\w.^/#])(?<!\w-)(?<!\w\[)(?P<number>[-\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|(?:2|10)\^\d{1,2}"

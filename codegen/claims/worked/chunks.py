@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.examples import Examples, Table
 from codegen.claims.worked.sizes import text_start
 from codegen.diagnostics import Diagnostic
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V2
 
 _MESSAGE, _NUMBER, _PLACE = "STATUSTEXT", "id", "chunk_seq"

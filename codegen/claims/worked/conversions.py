@@ -9,7 +9,7 @@ from math import prod
 from codegen.claims.worked.amount import Amount
 from codegen.claims.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
-from codegen.model.nearest_unit import worded_unit
+from codegen.model.units.nearest_unit import worded_unit
 
 _FLOAT = re.compile(r"\bas a float of 32 bits$")
 _VALUE = re.compile(r"value|result", re.IGNORECASE)

@@ -9,7 +9,7 @@ from codegen.claims.worked.examples import Examples, Row, Statement, Table
 from codegen.claims.worked.readings import Measured, factor_names, measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
-from codegen.model.unit import Unit
+from codegen.model.units.unit import Unit
 
 _COUNT = re.compile(r"(?:ADC )?counts?", re.IGNORECASE)
 _NEAREST = re.compile(r"nearest (?:ADC )?count", re.IGNORECASE)

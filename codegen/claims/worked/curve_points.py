@@ -7,8 +7,8 @@ from fractions import Fraction
 from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.board_spec import CurveSpec
-from codegen.model.unit import read_measure
+from codegen.model.spec.board import CurveSpec
+from codegen.model.units.unit import read_measure
 
 _POINTS = re.compile(r"[\d.]+: [\d.]+(?: and [\d.]+: [\d.]+)?")
 _BEYOND = re.compile(r"(?P<side>above|below) (?=\d)")

@@ -8,7 +8,7 @@ from codegen.claims.worked.amount import Amount, of_unit
 from codegen.claims.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.model.unit import Unit, unit_named
+from codegen.model.units.unit import Unit, unit_named
 
 SECOND, HERTZ, PERCENT = (unit_named(name) for name in ("s", "Hz", "%"))
 _DAY = Fraction(86400)

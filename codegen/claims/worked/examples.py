@@ -12,7 +12,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.system import System
-from codegen.model.unit import Unit
+from codegen.model.units.unit import Unit
 
 EXAMPLE = Rule(
     "claim-example",

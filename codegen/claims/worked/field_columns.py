@@ -7,9 +7,9 @@ from fractions import Fraction
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.model.answer import Answer
-from codegen.model.dialect import WireField
-from codegen.model.known import Known
+from codegen.model.answers.answer import Answer
+from codegen.model.answers.known import Known
+from codegen.model.dialect.dialect import WireField
 from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Quantity, QuantityKind
 

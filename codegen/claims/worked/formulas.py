@@ -11,7 +11,7 @@ from codegen.claims.worked.examples import Examples, Statement
 from codegen.claims.worked.readings import measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 
 _FORMULA = re.compile(r"(?P<name>[A-Za-z_]\w*) = (?P<expression>[\w\s.*/+()-]{3,200})")
 _MOST = 50

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.amount import of_unit
 from codegen.claims.worked.examples import Entry, Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.unit import unit_named
+from codegen.model.units.unit import unit_named
 
 _SECOND, _HERTZ = unit_named("s"), unit_named("Hz")
 _INTERVAL = re.compile(r"MESSAGE_INTERVAL\b")

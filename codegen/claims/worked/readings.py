@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.conversion import Conversion, Factor, factors_by_instance
+from codegen.model.quantities.conversion import Conversion, Factor, factors_by_instance
 from codegen.model.system import System
-from codegen.model.unit import Unit, ratio, unit_named
+from codegen.model.units.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Parameter, Quantity
 
 _VOLT = unit_named("V")

@@ -8,7 +8,7 @@ from codegen.claims.worked.amount import Amount
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 _NAME = re.compile(r"(?P<name>[A-Z][A-Z0-9_]{2,60})(?=$|,| \()")

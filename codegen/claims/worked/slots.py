@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.amount import Amount, of_unit
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.unit import unit_named
+from codegen.model.units.unit import unit_named
 
 _SECOND = unit_named("s")
 _SLOT, _TIME = re.compile(r"slot", re.IGNORECASE), re.compile(r"time", re.IGNORECASE)

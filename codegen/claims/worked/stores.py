@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.unit import Unit, unit_named
+from codegen.model.units.unit import Unit, unit_named
 
 _LEFT = re.compile(r"\b(?:left|remaining|rest)\b", re.IGNORECASE)
 _PERCENT, _SECOND = unit_named("%"), unit_named("s")

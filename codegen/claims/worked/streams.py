@@ -13,7 +13,7 @@ from codegen.claims.worked.sizes import Frame, is_v1, possible_frames, stated_fr
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.price import BITS_OF_A_BYTE, HEAD_V1, HEAD_V2, frame_size
-from codegen.model.unit import unit_named
+from codegen.model.units.unit import unit_named
 
 BYTES, PER_SECOND, HERTZ, SECOND = (unit_named(name) for name in ("bytes", "bytes/s", "Hz", "s"))
 _PARAMETERS = re.compile(r"\b(?:all|list of(?: the)?) (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)

@@ -7,7 +7,7 @@ from math import floor
 
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.unit import unit_named
+from codegen.model.units.unit import unit_named
 
 _FEWEST = 3
 """Numbers of one entry that make a list of samples."""

@@ -8,7 +8,7 @@ from codegen.claims.worked.amount import Amount, amounts, of_unit
 from codegen.claims.worked.examples import Examples, Row, Statement, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.model.unit import Unit, unit_named
+from codegen.model.units.unit import Unit, unit_named
 
 _SECOND = unit_named("s")
 _TREND = re.compile(r"trend\b.*", re.IGNORECASE)

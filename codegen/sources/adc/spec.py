@@ -5,9 +5,9 @@ from fractions import Fraction
 from typing import ClassVar
 
 from codegen.frozen import dataclass
-from codegen.model.board_spec import AdcSpec
-from codegen.model.described import Amount, Verbatim, described
-from codegen.model.source_spec import SourceSpec
+from codegen.model.spec.board import AdcSpec
+from codegen.model.spec.described import Amount, Verbatim, described
+from codegen.model.spec.source import SourceSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.source_kind import Polling
+from codegen.model.quantities.source_kind import Polling
 from codegen.sources.i2c.monitor import Chip, Monitor, MonitorSpec, resolve_monitor
 from codegen.sources.kind import Around, KindOfSource
 

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.measure import read_time
-from codegen.model.described import Amount, described
-from codegen.model.simulated import SimulatedInput
-from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
-from codegen.model.source_spec import SourceSpec
-from codegen.model.unit import NUMBER, unit_named
+from codegen.model.quantities.simulated import SimulatedInput
+from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.spec.described import Amount, described
+from codegen.model.spec.source import SourceSpec
+from codegen.model.units.unit import NUMBER, unit_named
 from codegen.sources.kind import Around, KindOfSource
 from codegen.sources.wires import Serial, serial
 

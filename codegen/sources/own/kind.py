@@ -8,10 +8,10 @@ from fractions import Fraction
 
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.described import Verbatim
-from codegen.model.driver_spec import BusKind, DriverKeySpec, KeyKind, OwnDriver
-from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
-from codegen.model.source_spec import OwnSourceSpec
+from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.spec.described import Verbatim
+from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OwnDriver
+from codegen.model.spec.source import OwnSourceSpec
 from codegen.sources.declared import declared_output
 from codegen.sources.kind import BAD_SOURCE, Around
 from codegen.sources.wires import Bus, Serial, bus, serial

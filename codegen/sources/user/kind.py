@@ -5,10 +5,10 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.described import described
-from codegen.model.driver_spec import OutputSpec
-from codegen.model.source_kind import Output, Polling, Source, SourceFact
-from codegen.model.source_spec import SourceSpec
+from codegen.model.quantities.source_kind import Output, Polling, Source, SourceFact
+from codegen.model.spec.described import described
+from codegen.model.spec.driver import OutputSpec
+from codegen.model.spec.source import SourceSpec
 from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.targets.codec.enums import enums_text
 from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.page import page_text

@@ -3,8 +3,8 @@
 import keyword
 from collections.abc import Iterable
 
-from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
-from codegen.template_files import filled
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
+from codegen.tool.template_files import filled
 
 WIDTH = 118
 """Columns of a line with its comment."""

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Iterable
 
-from codegen.model.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
-from codegen.model.wire_types import VERSION_TYPE
+from codegen.model.dialect.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
+from codegen.model.dialect.wire_types import VERSION_TYPE
 from codegen.targets.naming import class_names, prose
 from codegen.targets.origin import Origin, headed
-from codegen.template_files import filled
+from codegen.tool.template_files import filled
 
 WIDTH = 104
 """Columns of a literal with field words, without indentation and quotes."""

@@ -4,9 +4,9 @@ import keyword
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from codegen.model.dialect import Kind, WireField, WireMessage
+from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.targets.naming import class_names
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 STUBS = ("mavlink", "message", "receiver", "sender", "signing")
 """Modules that have a stub which is the same for each dialect."""

@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from codegen.model.dialect import EnumDefinition, Kind, WireField, WireMessage
+from codegen.model.dialect.dialect import EnumDefinition, Kind, WireField, WireMessage
 from codegen.targets.codec.layout import type_text, unknown_text
 from codegen.targets.codec.runtime import has_doubles
 from codegen.targets.naming import class_names
-from codegen.template_files import filled
+from codegen.tool.template_files import filled
 
 
 def page_text(dialect: str, messages: Sequence[WireMessage], enums: Sequence[EnumDefinition]) -> str:

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable
 
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.targets.origin import headed, origin_of_text
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 MODULES = (
     *("checksum", "fields", "frames", "frames_plain", "live_fields", "mavlink", "message", "nearest", "receiver"),

@@ -1,32 +1,32 @@
 """The MicroPython firmware: what the specification decides is rendered, the rest is copied as it is."""
 
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.model.program import Program
 from codegen.model.system import System
+from codegen.render.rendered import rendered
 from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
-from codegen.targets.firmware.absences import absences_view
-from codegen.targets.firmware.attribute import VIEWS
-from codegen.targets.firmware.board import board_view
-from codegen.targets.firmware.commands import command_table_view
-from codegen.targets.firmware.failsafe import failsafe_views
-from codegen.targets.firmware.further import further_module_view
-from codegen.targets.firmware.message_function import functions_view
+from codegen.targets.firmware.failsafes.failsafe import failsafe_views
+from codegen.targets.firmware.messages.message_function import functions_view
+from codegen.targets.firmware.messages.receiving import receiving_view
+from codegen.targets.firmware.messages.streams import streams_view
+from codegen.targets.firmware.messages.telemetry import telemetry_view
 from codegen.targets.firmware.numbers import places, with_numbers
-from codegen.targets.firmware.parameters import parameter_views
-from codegen.targets.firmware.program import dialect_text, program_view
-from codegen.targets.firmware.reading_view import readings_view
-from codegen.targets.firmware.receiving import receiving_view
-from codegen.targets.firmware.sources import sources_view
-from codegen.targets.firmware.state import state_view
-from codegen.targets.firmware.streams import streams_view
-from codegen.targets.firmware.telemetry import telemetry_view
+from codegen.targets.firmware.program.absences import absences_view
+from codegen.targets.firmware.program.commands import command_table_view
+from codegen.targets.firmware.program.parameters import parameter_views
+from codegen.targets.firmware.program.program import dialect_text, program_view
+from codegen.targets.firmware.readings.board import board_view
+from codegen.targets.firmware.readings.further import further_module_view
+from codegen.targets.firmware.readings.reading_view import readings_view
+from codegen.targets.firmware.readings.sources import sources_view
+from codegen.targets.firmware.state.attribute import VIEWS
+from codegen.targets.firmware.state.state import state_view
 from codegen.targets.firmware.words import Layout, word_layout
 from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
-from codegen.targets.rendered import rendered
 from codegen.targets.source_files import source_files
-from codegen.template_files import copied, plain_files
+from codegen.tool.template_files import copied, plain_files
 
 _PROGRAM = "firmware/program"
 

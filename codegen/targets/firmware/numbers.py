@@ -10,7 +10,7 @@ used, while names that modules share stay on the heap.
 import re
 from collections.abc import Iterable, Mapping
 
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect.dialect import WireMessage
 
 _USE = re.compile(r"\bdialect\.([A-Z][A-Z0-9_]*)")
 _IMPORTS = re.compile(r"^(?:(?:import|from) [^(\n]*(?:\([^)]*\))?\n|\n(?=import|from))+", re.MULTILINE)

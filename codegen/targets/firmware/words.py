@@ -2,18 +2,18 @@
 
 A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
 largest magnitude that 32-bit boards read without allocating. What a small integer does not hold takes a word for every
-16 bits, the low ones first (codegen/model/storage.py); while it is unknown, the first of them is -2 ** 30. A quantity
-with elements takes the words of each, one element behind the other, last of all.
+16 bits, the low ones first (codegen/model/code/storage.py); while it is unknown, the first of them is -2 ** 30. A
+quantity with elements takes the words of each, one element behind the other, last of all.
 """
 
 from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
-from codegen.model.conversion import Factor
-from codegen.model.set_together import set_together
+from codegen.model.quantities.conversion import Factor
+from codegen.model.quantities.set_together import set_together
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading
-from codegen.targets.firmware.sum_words import sum_words
+from codegen.targets.firmware.readings.sum_words import sum_words
 
 
 @dataclass(frozen=True, slots=True)

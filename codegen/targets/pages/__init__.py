@@ -1,6 +1,7 @@
 """Pages for reviewers: what is sent byte by byte, where it comes from, what it costs. Each opens from disk alone."""
 
 from codegen.model.system import System
+from codegen.render.rendered import rendered_page
 from codegen.targets.origin import origin_of, specification_file
 from codegen.targets.pages.bandwidth import bandwidth_page
 from codegen.targets.pages.message import message_page
@@ -15,7 +16,6 @@ from codegen.targets.pages.navigation import (
 from codegen.targets.pages.overview import overview_page
 from codegen.targets.pages.program import program_page
 from codegen.targets.pages.wiring import wiring_view
-from codegen.targets.rendered import rendered_page
 
 
 def render_pages(system: System) -> dict[str, str]:

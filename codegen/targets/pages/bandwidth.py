@@ -6,10 +6,10 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.price import Range, capacity, frame_size, sent_messages, total
 from codegen.model.program import BoardLink
-from codegen.model.spec import Generation
+from codegen.model.spec.spec import Generation
 from codegen.model.system import System
-from codegen.model.unit import decimal
-from codegen.targets.generation_table import COUNTED, COUNTED_V1
+from codegen.model.units.unit import decimal
+from codegen.summaries.generations import COUNTED, COUNTED_V1
 from codegen.targets.origin import Origin
 from codegen.targets.pages.bars import Amount, Chart, chart
 from codegen.targets.pages.budget import Cost, beyond_version_1, costs, whole_at_default

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.price import Price, Range, default_rate, price_at, sent_messages, total
-from codegen.model.spec import Generation
+from codegen.model.spec.spec import Generation
 from codegen.model.system import PopulatedMessage, System
 
 

@@ -6,12 +6,12 @@ Coordinates are in the units of a drawing, which are CSS pixels: it is not scale
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import EnumDefinition, WireField
+from codegen.model.dialect.dialect import EnumDefinition, WireField
 from codegen.model.system import PopulatedMessage, System
-from codegen.targets.expected import expected_fields
 from codegen.targets.pages.example_state import ExampleState
 from codegen.targets.pages.frame import SIGNATURE, Part, SentFrame, packed, sent_frame
 from codegen.targets.pages.value_text import elements_of, is_unknown, kind_of, type_code, value_text
+from codegen.targets.suite.expected import expected_fields
 
 CELL = 30
 """Width of a byte."""

@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.conversion import Conversion
-from codegen.model.known import Known, Stored
+from codegen.model.answers.known import Known, Stored
+from codegen.model.quantities.conversion import Conversion
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Quantity
-from codegen.targets.cases import used_quantities
-from codegen.targets.expected import converted, is_withheld, nominal_values
+from codegen.targets.suite.cases.messages import used_quantities
+from codegen.targets.suite.expected import converted, is_withheld, nominal_values
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,10 +4,10 @@ import struct
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import WireField
+from codegen.model.dialect.dialect import WireField
 from codegen.model.system import PopulatedMessage, System
-from codegen.resolve.wire import crc_mcrf4xx
-from codegen.targets.expected import Wire
+from codegen.resolve.dialect.wire import crc_mcrf4xx
+from codegen.targets.suite.expected import Wire
 
 SIGNATURE = (("link", 1), ("timestamp", 6), ("signature", 6))
 """What a signed frame of MAVLink 2 has after its checksum: names and bytes. Source: MAVLink's guide to signing."""

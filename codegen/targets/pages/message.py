@@ -1,19 +1,19 @@
 """The page of one message: its bytes in several states, its fields, and the way of each value to the wire."""
 
 from codegen.frozen import dataclass
-from codegen.model.account import FLAGS
+from codegen.model.answers.account import FLAGS
+from codegen.model.answers.step import Step
 from codegen.model.price import frame_size, message_price
-from codegen.model.step import Step
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import decimal
-from codegen.targets.generation_table import sent_at_once
+from codegen.model.units.unit import decimal
+from codegen.summaries.fields import FieldRow, field_rows, others_of, withheld_of
+from codegen.summaries.generations import sent_at_once
 from codegen.targets.origin import Origin, source_name
 from codegen.targets.pages.byte_map import ByteMap, byte_map
 from codegen.targets.pages.example_state import example_states
 from codegen.targets.pages.navigation import Navigation, message_path, navigation
 from codegen.targets.pages.value_text import kind_of
 from codegen.targets.pages.way import way_of
-from codegen.targets.table import FieldRow, field_rows, others_of, withheld_of
 
 _KINDS = {
     "unsigned": "unsigned integer (u)",

@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator
 from codegen.frozen import dataclass
 from codegen.model.price import frame_size, message_price, sent_messages
 from codegen.model.system import PopulatedMessage, System
-from codegen.targets.documents import ParameterRow, parameter_row
-from codegen.targets.generation_table import sent_at_once
+from codegen.summaries.generations import sent_at_once
+from codegen.targets.documents.files import ParameterRow, parameter_row
+from codegen.targets.documents.program import LinkRow, StreamRow, link_rows, stream_rows
 from codegen.targets.origin import Origin, source_name
 from codegen.targets.pages.budget import whole_at_default
 from codegen.targets.pages.message import rate_text
 from codegen.targets.pages.navigation import TRACE_PAGE, Link, Navigation, message_path, navigation, shared_docs
-from codegen.targets.program_document import LinkRow, StreamRow, link_rows, stream_rows
 
 
 @dataclass(frozen=True, slots=True)

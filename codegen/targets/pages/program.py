@@ -16,14 +16,14 @@ from codegen.loop.words import (
     source_words,
     us_words,
 )
+from codegen.model.quantities.source_kind import hertz
 from codegen.model.reception import Reception
-from codegen.model.source_kind import hertz
 from codegen.model.system import System
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
+from codegen.summaries.receptions import condition_words, received_rows, sender_words
+from codegen.targets.documents.program import program_section
 from codegen.targets.origin import Origin, source_name
 from codegen.targets.pages.navigation import PROGRAM_PAGE, Navigation, navigation
-from codegen.targets.program_document import program_section
-from codegen.targets.reception_table import condition_words, received_rows, sender_words
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,9 @@ import math
 import re
 from collections.abc import Mapping
 
-from codegen.model.dialect import EnumDefinition, Kind, SentinelForm, WireField
-from codegen.model.literals import same_number
-from codegen.targets.expected import Wire
+from codegen.model.dialect.dialect import EnumDefinition, Kind, SentinelForm, WireField
+from codegen.model.dialect.literals import same_number
+from codegen.targets.suite.expected import Wire
 
 _HEXADECIMAL = re.compile(r"0x%0?(\d?)x")
 

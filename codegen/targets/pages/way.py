@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 
 from codegen.frozen import dataclass
-from codegen.model.account import Origins
-from codegen.model.answer import Answer
-from codegen.model.step import Step
+from codegen.model.answers.account import Origins
+from codegen.model.answers.answer import Answer
+from codegen.model.answers.step import Step
 from codegen.model.system import System
-from codegen.model.unit import decimal
+from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.table import FieldRow
+from codegen.summaries.fields import FieldRow
 
 
 def way_of(answer: Answer, row: FieldRow, system: System) -> tuple[Step, ...]:

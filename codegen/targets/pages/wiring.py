@@ -5,11 +5,11 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.connections import Connection, connections
-from codegen.model.conversion import factors_by_instance
-from codegen.model.divider import Divider, divider, ohms
-from codegen.model.full_scale import largest, most_in_use
+from codegen.model.quantities.conversion import factors_by_instance
+from codegen.model.quantities.divider import Divider, divider, ohms
+from codegen.model.quantities.full_scale import largest, most_in_use
 from codegen.model.system import System
-from codegen.model.unit import decimal, ratio, unit_named
+from codegen.model.units.unit import decimal, ratio, unit_named
 from codegen.targets.origin import Origin
 from codegen.targets.pages.navigation import WIRING_PAGE, Navigation, navigation
 

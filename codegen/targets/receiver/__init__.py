@@ -1,13 +1,13 @@
 """The receiver: messages turned back into quantities, for companion computers and ground tools."""
 
 from codegen.model.system import System
+from codegen.render.rendered import rendered
 from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 from codegen.targets.receiver.names import names_view
 from codegen.targets.receiver.suite import render_receiver_suite
 from codegen.targets.receiver.view import receiver_view
-from codegen.targets.rendered import rendered
 
 _FOLDER = "receiver"
 

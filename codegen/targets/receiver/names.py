@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import Dialect, EnumDefinition
+from codegen.model.dialect.dialect import Dialect, EnumDefinition
 
 
 @dataclass(frozen=True, slots=True)

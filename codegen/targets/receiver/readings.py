@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.model.answer import Answer, Elements
-from codegen.model.dialect import Dialect, EnumDefinition, EnumEntry, Kind, WireField
-from codegen.model.reading import Reading, flag_names, scaled
-from codegen.model.receiver_spec import RolesSpec
+from codegen.model.answers.answer import Answer, Elements
+from codegen.model.code.reading import Reading, flag_names, scaled
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry, Kind, WireField
+from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.spec.receiver import RolesSpec
 from codegen.model.system import PopulatedMessage
-from codegen.model.unit import NUMBER, Unit, ratio, shown_units
+from codegen.model.units.unit import NUMBER, Unit, ratio, shown_units
 from codegen.model.vehicle import Component
-from codegen.model.wire_unit import wire_unit
 from codegen.targets.receiver.roles import charging_entry, describes
 
 FACT = "info."

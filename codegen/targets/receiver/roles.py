@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
-from codegen.model.dialect import EnumDefinition, EnumEntry
-from codegen.model.receiver_spec import RolesSpec
+from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
+from codegen.model.spec.receiver import RolesSpec
 
 UNITS: Mapping[str, str] = {"current": "A", "consumed": "Ah", "left": "Ah", "percent": "%", "full": "Ah"}
 """The units in which roles are computed; what is not among them is only compared."""

@@ -9,7 +9,7 @@ from codegen.model.receiver import Receiver
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.origin import copied_files, origin_of, specification_file
 from codegen.targets.receiver.view import ReceiverView
-from codegen.template_files import copied
+from codegen.tool.template_files import copied
 
 _SUITE = "tests/receiver"
 

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.reading import Reading
+from codegen.model.code.reading import Reading
 from codegen.model.receiver import Receiver
-from codegen.model.receiver_spec import RolesSpec
+from codegen.model.spec.receiver import RolesSpec
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import Unit, ratio, unit_named
+from codegen.model.units.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Component
 from codegen.targets.naming import class_name, class_names, prose, quoted
 from codegen.targets.receiver.readings import CHARGING, FACT, readings_of

@@ -13,12 +13,12 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.diff.change import Change, Weight
-from codegen.diff.system import compare_dialects
-from codegen.model.dialect import Dialect
-from codegen.resolve.dialect import resolve_dialect
+from codegen.diff.system.system import compare_dialects
+from codegen.model.dialect.dialect import Dialect
+from codegen.resolve.dialect.dialect import resolve_dialect
 
 CORPUS = Path(__file__).parent
 HELD_OUT = CORPUS / "held_out"

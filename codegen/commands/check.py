@@ -1,0 +1,50 @@
+"""What is wrong with the specification, and with what documents claim about it."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from codegen.claims.reading import Reference
+    from codegen.claims.worked.listing import Number
+    from codegen.diagnostics import Report
+
+
+def check_project(project: str, report: "Report", listed: "list[Number] | None") -> list[str]:
+    """Report on the specification and on its own documents, which are returned; their examples go to ``listed``."""
+    from codegen.commands.document_findings import check_project_documents, project_documents
+    from codegen.commands.trace import read_trace_lock
+    from codegen.project.systems import check_scenarios, read_systems
+
+    systems = read_systems(project, report)
+    check_scenarios(project, systems, report)
+    read_trace_lock(project, report)
+    if report.has_errors or not systems:
+        return []  # what documents say could not be compared with what is meant
+    if listed is not None:
+        from codegen.commands import documents
+
+        own, reference = project_documents(systems), documents.project_reference(systems)
+        listed.extend(documents.example_numbers(own, reference))
+    return check_project_documents(systems, report)
+
+
+def reference_for(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":
+    """What documents are compared with. What is wrong with a project is told only where it cannot be used."""
+    from codegen.commands import documents
+    from codegen.diagnostics import Report
+    from codegen.project.systems import read_systems
+
+    if dialect is not None or project is None:
+        return documents.dialect_reference(dialect or "common", report)
+    found = Report()
+    systems = read_systems(project, found)
+    if not systems:
+        report.extend(found)
+        return None
+    return documents.project_reference(systems)
+
+
+def claim_rules() -> list[str]:
+    """The ids of the rules about claims."""
+    from codegen.findings.catalogue import rule_ids
+
+    return [rule for rule in rule_ids("codegen.claims") if rule.startswith("claim-")]

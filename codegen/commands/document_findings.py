@@ -1,0 +1,103 @@
+"""What is wrong in the documents of a project, kept from one run to the next: most edits leave most documents alone.
+
+What is found in a document depends on its text, on all that the documents are compared with, and on files that are read
+meanwhile, such as dialects that have a message of the same name. While these are as they were, so is what was found.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from codegen.decode.decoded import decoded, with_files_read
+from codegen.diagnostics import Diagnostic, Report
+from codegen.frozen import dataclass
+from codegen.load.text import asked_once, read_text
+from codegen.model.system import System
+from codegen.tool.cache import entry, pickled
+from codegen.tool.digest import tool_digest
+
+if TYPE_CHECKING:
+    from codegen.claims.reading import Reference
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What is wrong in a document: where its tables differ from those of the messages, and in what it claims."""
+
+    drift: tuple[Diagnostic, ...]
+    claims: tuple[Diagnostic, ...]
+
+
+def project_documents(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the requirement documents of a project and its programs, each once."""
+    files = {requirement.place.file for system in systems for requirement in system.spec.requirements}
+    return sorted(files)
+
+
+def check_project_documents(systems: Sequence[System], report: Report) -> list[str]:
+    """Report what is wrong in the documents of a project; returns the absolute paths of those that could be read.
+
+    Of a place that has a finding already, such as a cell that differs from the population table, no claim is reported.
+    """
+    paths = project_documents(systems)
+    systems = _without_texts(systems, paths)
+    compared_with = _digest(systems)
+    seen: dict[str, str] = {}
+    reference = asked_once(lambda: _reference(systems))
+    found: dict[str, Found] = {}
+    for path in paths:
+        text = read_text(path, report)
+        if text is not None:
+            find = _finder(text, path, systems, reference)
+            found[path] = find() if not compared_with else with_files_read((compared_with, path, text), find, seen)
+    for of_document in found.values():
+        report.extend(of_document.drift)
+    told = {finding.place for finding in report}
+    for of_document in found.values():
+        report.extend(finding for finding in of_document.claims if finding.place not in told)
+    return list(found)
+
+
+def _without_texts(systems: Iterable[System], documents: Iterable[str]) -> tuple[System, ...]:
+    """The systems without the hashes of the documents: an edit of one that changes no criterion concerns no other."""
+    left_out = set(documents)
+    kept = []
+    for system in systems:
+        files = {path: found for path, found in system.spec.files.items() if path not in left_out}
+        kept.append(replace(system, spec=replace(system.spec, files=files)))
+    return tuple(kept)
+
+
+def _digest(systems: Iterable[System]) -> str:
+    """The hash of what the documents are compared with; empty where there is none for a dialect.
+
+    Systems are made of their specifications and dialects, and messages may name files as they are called from here.
+    """
+    parts = [(system.spec, system.dialect.digest) for system in systems]
+    if not all(digest for _, digest in parts):
+        return ""
+    return entry("documents", tool_digest(), os.getcwd(), pickled(parts))
+
+
+def _reference(systems: Sequence[System]) -> "Reference":
+    from codegen.commands.documents import project_reference
+
+    return project_reference(systems)
+
+
+def _finder(
+    text: str, path: str, systems: Sequence[System], reference: "Callable[[], Reference]"
+) -> Callable[[], Found]:
+    """What finds what is wrong in a document: it imports all that this needs."""
+
+    def find() -> Found:
+        from codegen.commands.documents import found_claims
+        from codegen.importing.drift import drift
+        from codegen.importing.stated import stated_fields
+
+        stated = decoded("stated fields", text, path, lambda _: stated_fields(text, path), Report())
+        assert stated is not None  # every text is Markdown
+        return Found((*stated.findings, *drift(stated, systems)), tuple(found_claims(text, path, reference())))
+
+    return find

@@ -1,0 +1,134 @@
+"""The way of the data for claims: documents, and the dialect or the project that they are compared with."""
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+
+from codegen.claims import check_claims
+from codegen.claims.overlays import lines_about
+from codegen.claims.reading import Reading, Reference, read_document
+from codegen.claims.unknown_names import unknown_names
+from codegen.claims.worked.listing import Number, numbers
+from codegen.commands.codec import read_codec_dialect
+from codegen.decode.dialect.known import taken_elsewhere
+from codegen.diagnostics import Diagnostic, Report
+from codegen.load.text import asked_once, read_text
+from codegen.model.price import Range, frame_size
+from codegen.model.spec.spec import Spec
+from codegen.model.stated_parameter import StatedParameter
+from codegen.model.system import System
+from codegen.project.dialect import listed_messages
+from codegen.project.other_overlays import other_dialect
+
+
+def dialect_reference(written: str, report: Report) -> Reference | None:
+    """What a dialect says, by its name or the path of its file; None after a diagnostic."""
+    dialect = read_codec_dialect(written, report)
+    return None if dialect is None else Reference(dialect)
+
+
+def project_reference(systems: Sequence[System]) -> Reference:
+    """What a project says, with all its programs, of which there is at least one."""
+    sent: dict[str, Range] = {}
+    for system in systems:
+        protocol = system.spec.project.protocol
+        for message in system.messages:
+            sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
+            name = message.wire.name
+            sizes += [sent[name]] if name in sent else []
+            sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
+    spec = systems[0].spec
+    listed = listed_messages(spec, Report())
+    reference = Reference(
+        systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems), spec.project.overlays
+    )
+    others = {name: asked_once(partial(_with_overlay, reference, spec, name)) for name in spec.other_overlays}
+    return replace(reference, others=others)
+
+
+def _with_overlay(reference: Reference, spec: Spec, overlay: str) -> Reference | None:
+    """What a project would say with an overlay that it does not list; of the messages that differ it sends none."""
+    other = other_dialect(spec, reference.dialect, overlay)
+    if other is None:
+        return None
+    sent = {name: size for name, size in reference.sent.items() if name not in other.messages}
+    rates = {name: rate for name, rate in reference.rates.items() if name not in other.messages}
+    return replace(reference, dialect=other.dialect, sent=sent, rates=rates, systems=())
+
+
+def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
+    """By message the rates in Hz of its streams, until somebody changes them; without those that are never sent."""
+    found: dict[str, set[Fraction]] = {}
+    for system in systems:
+        for message in system.messages:
+            if message.stream is not None and message.stream.default_rate:
+                found.setdefault(message.wire.name, set()).add(message.stream.default_rate)
+    return {name: tuple(sorted(rates)) for name, rates in found.items()}
+
+
+def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, ...]]:
+    """By name what each program says of a parameter, in the order of the programs."""
+    found: dict[str, tuple[StatedParameter, ...]] = {}
+    for system in systems:
+        for index, name in enumerate(sorted(system.parameters)):
+            parameter = system.parameters[name]
+            default, low, high = (
+                step * parameter.step for step in (parameter.default, parameter.minimum, parameter.maximum)
+            )
+            stated = StatedParameter(
+                name=name,
+                unit=parameter.unit,
+                default=default,
+                minimum=low,
+                maximum=high,
+                step=parameter.step,
+                type=parameter.spec.type.value.upper(),
+                index=index,
+                count=len(system.parameters),
+            )
+            found[name] = (*found.get(name, ()), stated)
+    return found
+
+
+def check_documents(paths: Iterable[str], reference: Reference, report: Report) -> list[str]:
+    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
+    read = []
+    for path in dict.fromkeys(os.path.abspath(path) for path in paths):
+        text = read_text(path, report)
+        if text is not None:
+            report.extend(found_claims(text, path, reference))
+            read.append(path)
+    return read
+
+
+def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Number]:
+    """The numbers of the worked examples of documents that can be read, and what is found when each is changed."""
+    for path in dict.fromkeys(os.path.abspath(path) for path in paths):
+        text = read_text(path, Report())
+        if text is not None:
+            yield from numbers(text, with_other_dialects(read_document(text, path, reference)))
+
+
+def found_claims(text: str, path: str, reference: Reference) -> list[Diagnostic]:
+    """What is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
+    reading = read_document(text, path, reference)
+    found: list[Diagnostic] = []
+    elsewhere: set[int] = set()
+    for overlay, lines in lines_about(reading.prose, reference.overlays, reference.others).items():
+        other = reference.others[overlay]()
+        if other is not None:
+            elsewhere |= lines
+            found += check_claims(with_other_dialects(read_document(text, path, other)), lines.__contains__)
+    found += check_claims(with_other_dialects(reading), lambda line: line not in elsewhere)
+    return sorted(found, key=lambda finding: finding.place)
+
+
+def with_other_dialects(reading: Reading) -> Reading:
+    """The reading with the messages of shipped dialects that it names, or that its own ones share an id with."""
+    proposed = [message.definition for message in reading.proposed]
+    reference = reading.reference
+    others = set(unknown_names(reading))
+    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed, others)
+    return replace(reading, reference=replace(reference, listed=taken)) if taken else reading

@@ -1,0 +1,95 @@
+"""What criteria, tables, symbols and tests of a project have to do with one another, and what was reviewed."""
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from codegen.decode.marked_tests import read_tests_below
+from codegen.decode.reach import folders_of
+from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
+from codegen.diagnostics import Report
+from codegen.load.confined import confined
+from codegen.load.text import is_refused
+from codegen.model.spec.spec import Requirement
+from codegen.model.spec.trace_lock import TraceLockSpec
+from codegen.model.system import System
+from codegen.model.test_record import MarkedTest
+from codegen.project.of_systems import of_systems
+from codegen.source import Place
+
+if TYPE_CHECKING:
+    from codegen.trace.graph import Row, Test, Trace
+from codegen.project.systems import project_folder
+
+
+def read_trace(systems: Sequence[System], report: Report) -> "Trace":
+    """What criteria, tables, symbols and tests of a project have to do with one another.
+
+    A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
+    """
+    from codegen.trace.graph import hand_written, linked
+
+    marked = _marked_tests(systems, report)
+    tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
+    return linked(documents_of(systems), rows(systems), tests)
+
+
+def generated_tests(systems: Iterable[System]) -> "Iterator[Test]":
+    """The tests of the suites of a project and of its further programs, one for each criterion that they show."""
+    for system in systems:
+        yield from of_systems(_tests_of, system)
+
+
+def rows(systems: Iterable[System]) -> "tuple[Row, ...]":
+    """The rows of a project and of its further programs in the order of their files."""
+    return of_systems(_rows_of, *systems)
+
+
+def _rows_of(*systems: System) -> "tuple[Row, ...]":
+    from codegen.trace.rows import rows_of
+
+    return rows_of(systems)
+
+
+def _tests_of(system: System) -> "tuple[Test, ...]":
+    from codegen.trace.generated_tests import tests_of
+
+    return tests_of(system)
+
+
+def _marked_tests(systems: Sequence[System], report: Report) -> list[MarkedTest]:
+    """The marked tests in the folders that the project file lists."""
+    if not systems:
+        return []
+    with confined(folders_of(systems[0].spec.project.place.file)):
+        folders = [path for path, place in _folders_of_tests(systems).items() if not is_refused(path, place, report)]
+        return read_tests_below(folders, report)
+
+
+def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
+    """The requirement documents of all programs, each once."""
+    return {each.place: each for system in systems for each in system.requirements.values()}.values()
+
+
+def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
+    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    path = trace_lock_path(project_file)
+    with confined(folders_of(project_file)):
+        text = read_trace_lock_text(path, report)
+    return None if text is None else decode_trace_lock(text, path, report)
+
+
+def trace_lock_path(project_file: str) -> str:
+    """The absolute path of the lock file that belongs to a project file."""
+    return os.path.join(os.path.dirname(os.path.abspath(project_file)), TRACE_LOCK)
+
+
+def _folders_of_tests(systems: Iterable[System]) -> dict[str, Place]:
+    """The absolute paths of the folders with tests that are written by hand, and where they are listed."""
+    projects = [(system.spec.folder, system.spec.project) for system in systems]
+    listed = {
+        os.path.normpath(os.path.join(folder, name)): project.at("tests")
+        for folder, project in projects
+        for name in project.tests
+    }
+    return dict(sorted(listed.items()))

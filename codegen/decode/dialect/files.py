@@ -1,0 +1,88 @@
+"""A dialect file and everything it includes."""
+
+import os
+from dataclasses import replace
+from functools import lru_cache
+
+from codegen.decode.dialect.dialect import decode_dialect_file
+from codegen.diagnostics import Diagnostic, Report
+from codegen.load.shipped import is_shipped, shipped_dialect_path
+from codegen.load.text import read_bytes, real_path
+from codegen.load.xml_tree import parse_xml_bytes
+from codegen.model.dialect.dialect import DialectFile
+from codegen.source import Place
+
+
+def decode_dialect_files(
+    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+) -> tuple[DialectFile, ...]:
+    """The file and all files it includes, over all levels, each once; included files before those that include them.
+
+    Paths of includes are relative to the including file; a plain name of which there is no file is that of a shipped
+    dialect. Files that include each other are read once each, which is
+    no error. A missing or unreadable file is reported at its ``<include>``; for ``path`` itself at ``asked_at``, the
+    place that names it, if there is one. ``known`` are files that were read before and are not read again: those of
+    the dialect, when ``path`` is an overlay.
+    """
+    finished: list[DialectFile] = []
+    seen = {real_path(file.path) for file in known}
+    # A stack of its own instead of recursion: a chain of includes may be as long as it likes.
+    open_files: list[tuple[DialectFile, int]] = []
+
+    def open_file(path: str, asked_at: Place | None) -> None:
+        identity = real_path(path)
+        if identity in seen:
+            return
+        seen.add(identity)
+        data = read_bytes(path, report, asked_at)
+        file, findings = (None, ()) if data is None else _decoded(data, path)
+        report.extend(findings)
+        if file is not None:
+            open_files.append((file, 0))
+
+    open_file(os.path.abspath(path), asked_at)
+    while open_files:
+        file, position = open_files.pop()
+        if position == len(file.includes):
+            finished.append(file)
+            continue
+        open_files.append((file, position + 1))
+        include = file.includes[position]
+        open_file(_included(file.path, include.path), include.place)
+    return tuple(finished)
+
+
+def _included(path: str, written: str) -> str:
+    """The absolute path of what a file includes: what lies there, or else the dialect of that name that is shipped.
+
+    So a dialect of one's own says ``<include>common.xml</include>`` without a copy of it beside it.
+    """
+    beside = os.path.abspath(os.path.join(os.path.dirname(path), written))
+    name, ending = os.path.splitext(written)
+    shipped = shipped_dialect_path(name) if ending == ".xml" else None
+    if shipped is None or read_bytes(beside, Report()) is not None:  # reading notes for the cache that there is none
+        return beside
+    return shipped
+
+
+def decode_overlay(
+    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+) -> tuple[DialectFile, ...]:
+    """As ``decode_dialect_files``, for a file of the project that adds to the dialect: it is marked as an overlay.
+
+    So are the files that it includes, but not pymavlink's.
+    """
+    files = decode_dialect_files(path, report, asked_at, known)
+    return tuple(replace(file, is_overlay=not is_shipped(file.path)) for file in files)
+
+
+@lru_cache(maxsize=64)
+def _decoded(data: bytes, path: str) -> tuple[DialectFile | None, tuple[Diagnostic, ...]]:
+    """What the content of a file defines, and what is wrong with it.
+
+    Kept: whoever reads several specifications mostly finds the same dialect files in them.
+    """
+    found = Report()
+    root = parse_xml_bytes(data, path, found)
+    file = None if root is None else decode_dialect_file(root, path, found)
+    return file, tuple(found)

@@ -1,0 +1,70 @@
+"""Other dialects that receivers know: which of their messages have a name or an id that the project adds, too."""
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from codegen.diagnostics import Report, Rule
+from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.load.text import read_bytes
+from codegen.load.xml_tree import place_of, read_xml
+from codegen.model.dialect.dialect import MAX_MESSAGE_ID, KnownMessage, MessageDefinition
+from codegen.model.dialect.literals import bounded_number, is_identifier
+from codegen.source import Place
+
+KNOWN_MESSAGES = Rule(
+    "known-messages",
+    "A file under known in codegen.yaml is a dialect of which only the names and ids of the messages are looked at: "
+    '<message id="371" name="FUEL_STATUS"/>.',
+)
+
+_MESSAGE = re.compile(rb'<message\s+id="(\d{1,8})"\s+name="(\w+)"')
+
+
+def decode_known_file(path: str, report: Report, asked_at: Place) -> tuple[KnownMessage, ...]:
+    """The messages of a file that the project names under ``known``; it needs to state no more than name and id."""
+    root = read_xml(path, report, asked_at)
+    if root is None:
+        return ()
+    messages = []
+    groups = [child for child in root.children if child.tag == "messages"]
+    for element in (child for group in groups for child in group.children if child.tag == "message"):
+        place = place_of(element, path)
+        number = bounded_number(element.attributes.get("id", ""), MAX_MESSAGE_ID)
+        name = element.attributes.get("name", "")
+        if number is None or not is_identifier(name):
+            report.add(KNOWN_MESSAGES, place, "the message has no usable id and name")
+        else:
+            messages.append(KnownMessage(number, name, place))
+    if not groups:
+        report.add(KNOWN_MESSAGES, place_of(root, path), "the file lists no messages")
+    return tuple(messages)
+
+
+def taken_elsewhere(
+    messages: Iterable[MessageDefinition],
+    read: Collection[str],
+    listed: Iterable[KnownMessage],
+    others: Collection[str] = (),
+) -> tuple[KnownMessage, ...]:
+    """Which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have the name
+    or the id of one of ``messages``, or one of the names ``others``."""
+    messages = tuple(messages)
+    names = {message.name for message in messages} | set(others)
+    ids = {message.id for message in messages}
+    if not names:
+        return ()
+    paths = [path for name in shipped_dialect_names() if (path := shipped_dialect_path(name)) and path not in read]
+    candidates = [*(message for path in paths for message in _scanned(path, names, ids)), *listed]
+    return tuple(message for message in candidates if message.name in names or message.id in ids)
+
+
+def _scanned(path: str, names: set[str], ids: set[int]) -> Iterator[KnownMessage]:
+    """The messages of a shipped file, without parsing it: it is looked through only where a name or an id occurs."""
+    text = read_bytes(path, Report()) or b""
+    wanted = [*(f'name="{name}"' for name in names), *(f'id="{number}"' for number in ids)]
+    if not any(word.encode() in text for word in wanted):
+        return
+    for found in _MESSAGE.finditer(text):
+        start = found.start()
+        line, column = text.count(b"\n", 0, start) + 1, start - text.rfind(b"\n", 0, start)
+        yield KnownMessage(int(found[1]), found[2].decode(), Place(path, line, column))

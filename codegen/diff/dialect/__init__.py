@@ -1,0 +1,1 @@
+"""Changes between two dialects, and what they mean to receivers of the other version."""

@@ -1,0 +1,134 @@
+"""What a number counts: its unit, by attribute or in words, and the range that it has."""
+
+import re
+from collections.abc import Sequence
+from fractions import Fraction
+
+from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.model.dialect.literals import exact_number
+from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio
+
+SAME_NUMBER = "the same value is the same number as before"
+
+_SYMBOLS = {
+    "meter": "m", "metre": "m", "gram": "g", "second": "s", "amp": "A", "ampere": "A", "volt": "V", "degree": "deg",
+    "radian": "rad", "percent": "%", "hertz": "Hz", "minute": "min", "hour": "h", "pascal": "Pa", "watt": "W",
+    "celsius": "degC", "pixel": "pix", "gauss": "gauss", "joule": "J",
+}  # fmt: skip
+_PREFIXES = {"milli": "m", "micro": "u", "nano": "n", "centi": "c", "deci": "d", "kilo": "k", "hecto": "h", "mega": "M"}
+_WORD = rf"(?:{'|'.join(_PREFIXES)})?(?:{'|'.join(_SYMBOLS)})s?"
+_WORDS = re.compile(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
+_NAMED = re.compile(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
+_FACTOR = re.compile(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
+_COUNTED = re.compile(r"[\d.)\]]\s*$")
+_HUNDRED = 100
+_TEN = 10
+
+
+def unit_in_words(text: str) -> str | None:
+    """The one unit that a text states, as dialects write it: of ``in millimeters``, ``(mG)``; not of ``5 seconds``."""
+    found = dict.fromkeys(
+        _symbol(one[1]) + (f"/{_symbol(one[2])}" if one[2] else "") + _factor_after(text, one.end())
+        for one in _WORDS.finditer(text)
+        if not _COUNTED.search(text[: one.start()])
+    )
+    for one in _NAMED.finditer(text):
+        if Unit.parse(one[1]) is not None and one[1] not in ("h", "d"):
+            found[one[1] + _factor_after(text, one.end())] = None
+    return next(iter(found)) if len(found) == 1 else None
+
+
+def _factor_after(text: str, end: int) -> str:
+    """``*100`` where a text goes on so after a unit: the number was multiplied with it."""
+    found = _FACTOR.match(text, end)
+    return f"*{Fraction(found[1]).numerator}" if found is not None else ""
+
+
+def _symbol(word: str) -> str:
+    plain = word.lower().removesuffix("s") if word.lower() not in _SYMBOLS else word.lower()
+    for prefix, letter in _PREFIXES.items():
+        if plain.startswith(prefix) and plain.removeprefix(prefix) in _SYMBOLS:
+            return letter + _SYMBOLS[plain.removeprefix(prefix)]
+    return _SYMBOLS.get(plain, plain)
+
+
+def other_unit(old: str, new: str) -> Judgement:
+    """What comes of another unit; both are written."""
+    before, after = (Unit.parse("".join(text.split())) for text in (old, new))
+    if before is None or after is None:
+        return Judgement(breaks=True, effect="the number is read in another unit")
+    factor = ratio(before, after)
+    if factor == 1:
+        return Judgement(effect=SAME_NUMBER)
+    if factor is not None:
+        word = f"{decimal(factor)} times as large" if factor > 1 else f"{decimal(1 / factor)} times as small"
+        return Judgement(breaks=True, effect=f"the same value is a number {word}")
+    if _is_rate_of(before, after) or _is_rate_of(after, before):
+        effect = f"the number is read in another unit, {old} or {new}"
+        return Judgement(doubt="whether the old unit was a mistake and the numbers are as before", effect=effect)
+    way = conversion(before, after)
+    said = f": {old} {map_words(way)} = {new}" if way else ""
+    return Judgement(breaks=True, effect=f"the number is read in another unit{said}")
+
+
+def _is_rate_of(one: Unit, other: Unit) -> bool:
+    """Whether the units differ by a division by seconds, such as mm and mm/s of a speed: what is then corrected."""
+    powers = dict(one.dimension)
+    powers["s"] = powers.get("s", 0) - 1
+    is_rate = tuple(sorted((base, power) for base, power in powers.items() if power)) == other.dimension
+    return is_rate and one.scale == other.scale and one.pi == other.pi
+
+
+Range = tuple[str | None, str | None]
+"""The smallest and the largest value, as written."""
+
+
+def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
+    """What comes of other limits: more is accepted, less is, or all is on another scale.
+
+    ``is_scaled`` is whether nothing else, such as a unit or a step, says how much one is.
+    """
+    before, after = _limits(old), _limits(new)
+    scale = _scale(before, after) if is_scaled else None
+    if scale is not None:
+        return Judgement(breaks=True, effect=f"the range is {decimal(max(scale, 1 / scale))} times as {_size(scale)}")
+    names = ("smallest", "largest")
+    for index, sign in ((0, 1), (1, -1)):
+        was, now = before[index], after[index]
+        if was is not None and now is not None and sign * now > sign * was:
+            doubt = f"whether values beyond the {names[index]}, now {decimal(now)} and not {decimal(was)}, were sent"
+            return Judgement(doubt=doubt)
+    return HARMLESS
+
+
+def share_for_unit(old: Range, new: Range, unit: str, step: str | None) -> Judgement:
+    """What comes of a unit that is stated for a number that had a range of its own, such as 0 to 1 of full speed."""
+    smallest, largest = _limits(old)
+    known = Unit.parse(unit)
+    if largest is None or old == new or step is not None or (known is not None and known.name == "%"):
+        return HARMLESS
+    if abs(largest) == 1 and smallest in (None, 0, -1):
+        return Judgement(breaks=True, effect=f"it was a share of 1 and is a number of {unit}")
+    if largest == _HUNDRED and smallest in (None, 0, -_HUNDRED):
+        return Judgement(doubt=f"whether what was up to 100 was a share of it or a number of {unit}")
+    return HARMLESS
+
+
+def _limits(written: Range) -> list[Fraction | None]:
+    return [None if text is None else exact_number(text) for text in written]
+
+
+def _scale(before: Sequence[Fraction | None], after: Sequence[Fraction | None]) -> Fraction | None:
+    """The power of ten by which both limits grew or shrank; None where they did not."""
+    if not before[1] or not after[1]:
+        return None
+    found = after[1] / before[1]
+    whole = max(found, 1 / found)
+    while whole >= _TEN:
+        whole /= _TEN
+    smallest = before[0] or Fraction(0), after[0] or Fraction(0)
+    return found if whole == 1 and found != 1 and smallest[0] * found == smallest[1] else None
+
+
+def _size(scale: Fraction) -> str:
+    return "large" if scale > 1 else "small"

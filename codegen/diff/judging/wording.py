@@ -1,0 +1,240 @@
+"""How alike two names or two texts are: a respelling, a better text, or words for something else."""
+
+import re
+from collections.abc import Collection, Iterable
+from enum import StrEnum
+from functools import cache
+
+from codegen.diff.judging.words import (
+    excluding,
+    exclusive_groups,
+    is_negated,
+    is_short_for,
+    is_shortened,
+    is_slip,
+    stem,
+)
+
+_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_WORD = re.compile(r"[a-z]+|\d+(?:\.\d+)?")
+_SIGNED = re.compile(r"[a-z]+|-?\d+")
+_CLAUSE = re.compile(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
+
+_PLACEHOLDERS = frozenset({"empty", "reserved", "unused", "none", "undefined", "unset", "spare", "n/a", "tbd"})
+
+
+def _words(text: str) -> list[str]:
+    return text.split()
+
+
+_IDLE = frozenset(
+    _words(
+        "a an and are as at be by for from if in into is it its of on or that the this to was were where which with "
+        "will can may must should set use used using value values parameter param future"
+    )
+)
+_FILLING = frozenset({"0", "nan", "zero", "send", "all", "remaining", "params", "parameters", "ignored", "yet"})
+_GENERAL = frozenset(_words("mav type mode status state flag id comp kind option enum instance index number"))
+_NEGATING = frozenset({"not", "no", "non", "un", "dis", "in", "never"})
+_TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
+
+
+class Likeness(StrEnum):
+    """How alike two wordings are.
+
+    UNSAID: at least one says nothing. NEAR: most words of one are in the other. VAGUE: some are. OPPOSITE: a word is
+    replaced by one that excludes it; DISPUTED: so it is, but much else is another, too.
+    """
+
+    SAME = "same"
+    NEAR = "near"
+    VAGUE = "vague"
+    UNSAID = "unsaid"
+    OTHER = "other"
+    DISPUTED = "disputed"
+    OPPOSITE = "opposite"
+
+
+def name_likeness(old: str, new: str, whole: str = "") -> Likeness:
+    """How alike two names are, whatever prefix they have; ``whole`` is the name of the enum that they belong to.
+
+    Letters of another case, prefixes, abbreviations, plurals and the order of words are no difference. NEAR is a name
+    that says less or more than the other, or differs by a letter.
+    """
+    around = {*_names(whole), *_GENERAL}
+    before, after = _without(_names(old), around), _without(_names(new), around)
+    texts = [("".join(side), "".join(part)) for side, part in ((before, _names(old)), (after, _names(new)))]
+    if sorted(before) == sorted(after) or any(one == other for one, other in zip(*texts, strict=True)):
+        return Likeness.SAME
+    if _is_opposed(*_unmatched(_names(old), _names(new)), is_text=True):
+        return Likeness.OPPOSITE  # though a word of it may be one of the prefix, too
+    gone, come = _unmatched(before, after)
+    if _is_opposed(gone, come):
+        return Likeness.OPPOSITE
+    if not gone and not come:
+        return Likeness.NEAR  # by abbreviations, which may be other words: auto, autotune
+    if not gone or not come:
+        return Likeness.NEAR if len(before) != len(gone) or len(after) != len(come) else Likeness.OTHER
+    if any(word.isdigit() for word in (*gone, *come)):
+        return Likeness.OTHER
+    if len(gone) == len(come) == 1 and is_slip(gone[0], come[0]):
+        return Likeness.NEAR
+    if set(_names(old)) <= _GENERAL or set(_names(new)) <= _GENERAL:
+        return Likeness.VAGUE
+    shared = [word for word in before if word not in gone and len(word) > 3]
+    return Likeness.VAGUE if shared else Likeness.OTHER
+
+
+def text_likeness(old: str, new: str) -> Likeness:
+    """How alike two texts are, by their words without those that carry nothing."""
+    if is_unsaid(old) or is_unsaid(new):
+        return Likeness.UNSAID
+    before, after = words_of(old), words_of(new)
+    if _are_exchanged(old, new):
+        return Likeness.OPPOSITE
+    if before == after:
+        return Likeness.DISPUTED if _is_reordered(old, new) else Likeness.SAME
+    gone, come = _unmatched(sorted(before - after), sorted(after - before))
+    common = min(len(before) - len(gone), len(after) - len(come))
+    least = min(len(before), len(after))
+    if not least:
+        return Likeness.UNSAID
+    share = common / least
+    if _is_opposed(gone, come, is_text=True):
+        return Likeness.OPPOSITE if share >= 0.5 or least <= 3 else Likeness.DISPUTED
+    if share >= 0.6 and not any(word.isdigit() for word in gone):
+        return Likeness.NEAR
+    return Likeness.VAGUE if share >= 0.3 else Likeness.OTHER
+
+
+def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
+    """Whether both name and text have one word in place of another, and it is the same one in both."""
+    of_names = _unmatched(*(_names(name) for name in names))
+    of_texts = _unmatched(*(sorted(words_of(text)) for text in texts))
+    return all(not set(one).isdisjoint(other) for one, other in zip(of_names, of_texts, strict=True))
+
+
+def other_word(old: str, new: str) -> tuple[str, str] | None:
+    """The one word in which two texts differ, where the second has another word in its place and not a respelling."""
+    before, after = (
+        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in _IDLE] for text in (old, new)
+    )
+    if len(before) != len(after):
+        return None
+    differing = [pair for pair in zip(before, after, strict=True) if stem(pair[0]) != stem(pair[1])]
+    if len(differing) != 1 or any(word.isdigit() for word in differing[0]):
+        return None
+    one, other = (stem(word) for word in differing[0])
+    is_respelt = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
+    return None if is_respelt else differing[0]
+
+
+def _are_exchanged(old: str, new: str) -> bool:
+    """Whether both texts tell of the same things and numbers, but put others of them together.
+
+    ``positive is clockwise, negative is counter-clockwise`` and the reverse have the same words.
+    """
+    sides = [[_telling(clause) for clause in _CLAUSE.split(text.lower())] for text in (old, new)]
+    before, after = ([clause for clause in side if len(clause) > 1] for side in sides)
+    if len(before) < 2 or len(before) != len(after):
+        return False
+    same_words = sorted(word for clause in before for word in clause) == sorted(
+        word for clause in after for word in clause
+    )
+    return same_words and sorted(map(sorted, before)) != sorted(map(sorted, after))
+
+
+def _is_reordered(old: str, new: str) -> bool:
+    """Whether texts of the same words list things of one kind in another order: ``w, x, y, z`` and ``x, y, z, w``."""
+    sides = [[stem(word) for word in _WORD.findall(text.lower())] for text in (old, new)]
+    for group in exclusive_groups():
+        before, after = ([word for word in side if word in group] for side in sides)
+        if len(set(before)) > 2 and before != after and sorted(before) == sorted(after):
+            return True
+    return False
+
+
+def _telling(clause: str) -> tuple[str, ...]:
+    """The numbers of a clause, and its words that exclude others."""
+    words = (stem(word) for word in _SIGNED.findall(clause))
+    return tuple(word for word in words if word.lstrip("-").isdigit() or word in _TURNING or excluding(word))
+
+
+def is_unsaid(text: str) -> bool:
+    """Whether a text says nothing: there is none, or it says that the thing is empty or reserved."""
+    words = _WORD.findall(text.lower())
+    return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | _IDLE | _FILLING for word in words))
+
+
+def says_reserved(name: str) -> bool:
+    """Whether a name says that the number means nothing (yet)."""
+    return not {"reserved", "unused", "spare", "empty"}.isdisjoint(_plain(name))
+
+
+def says_private(name: str, text: str) -> bool:
+    """Whether a number is for anybody's own use."""
+    found = {*_plain(name), *_WORD.findall(text.lower())}
+    return not {"user", "private", "custom", "privately"}.isdisjoint(found)
+
+
+def names_of(text: str, names: Iterable[str]) -> bool:
+    """Whether a text has any of some names as they are written."""
+    return any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in names)
+
+
+def words_of(text: str) -> set[str]:
+    """The words of a text that carry something, in one spelling."""
+    return {stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE}
+
+
+@cache
+def _names(name: str) -> tuple[str, ...]:
+    return tuple(stem(part.lower()) for part in _PARTS.findall(name))
+
+
+def _plain(name: str) -> set[str]:
+    return {part.lower() for part in _PARTS.findall(name)}
+
+
+def _without(words: Iterable[str], around: Collection[str]) -> list[str]:
+    words = list(words)
+    return [word for word in words if word not in around] or words[-1:]
+
+
+def _unmatched(before: Iterable[str], after: Iterable[str]) -> tuple[list[str], list[str]]:
+    """What each side has that the other does not have in any spelling."""
+    gone, come = [], list(after)
+    for word in before:
+        match = next((other for other in come if other == word), None) or next(
+            (other for other in come if is_short_for(word, other)), None
+        )
+        if match is None:
+            gone.append(word)
+        else:
+            come.remove(match)
+    return gone, come
+
+
+def _is_opposed(gone: Collection[str], come: Collection[str], *, is_text: bool = False) -> bool:
+    if any(not excluding(word).isdisjoint(come) for word in gone):
+        return True
+    if is_text:
+        return False
+    for one, other in ((gone, come), (come, gone)):
+        if not one and not _NEGATING.isdisjoint(other):
+            return True
+    return any(is_negated(word, other) or is_negated(other, word) for word in gone for other in come)
+
+
+_LONGEST = 20
+_STATED = re.compile(r"(?<![\w.])(-?\d+)\s*(?:[:=]|means\b|is\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)")
+
+
+def stated_values(text: str) -> dict[int, str]:
+    """What a text says of single numbers: ``0: forward, 1: reverse``."""
+    found: dict[int, str] = {}
+    for one in _STATED.finditer(text):
+        number, words = one[1], one[2].strip()
+        if len(number) < _LONGEST:
+            found[int(number)] = f"{found[int(number)]}, {words}" if int(number) in found else words
+    return found

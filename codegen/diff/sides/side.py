@@ -1,0 +1,95 @@
+"""A side of a comparison: a project, or a dialect alone, with the name that people call it by."""
+
+import os
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from codegen.decode.decoded import with_files_read
+from codegen.diagnostics import Diagnostic, Report
+from codegen.frozen import dataclass
+from codegen.load.trees import Tree, exists, hung
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One side: how people call it, and what there is: the systems of a project, the first its own, or a dialect.
+
+    ``findings`` are the errors that reading it found; what they concern may be missing. ``is_release`` marks a dialect
+    of a pymavlink.
+    """
+
+    label: str
+    systems: tuple[System, ...]
+    dialect: Dialect
+    findings: tuple[Diagnostic, ...]
+    is_release: bool = False
+
+    @property
+    def is_project(self) -> bool:
+        """Whether it has a specification and not only a dialect."""
+        return bool(self.systems)
+
+
+@dataclass(frozen=True, slots=True)
+class Unreadable:
+    """Why there is no side: in words, with a hint, or by what reading it found."""
+
+    message: str
+    hint: str | None = None
+    findings: tuple[Diagnostic, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """What a side is looked for in: the project file that the command works on, if there is one, and options.
+
+    ``dialect`` is the dialect of a release that is meant where none is named; ``pymavlink`` a release whose dialects
+    take the place of the installed ones. ``read_systems`` reads a project: the caller's, since comparing dialects needs
+    nothing of what it does.
+    """
+
+    project: str | None
+    dialect: str
+    read_systems: Callable[[str, Report], tuple[System, ...]]
+    pymavlink: str | None = None
+
+
+def project_side(file: str, label: str, around: Around) -> Side | Unreadable:
+    """A project, as far as it can be read."""
+    report = Report()
+    systems = around.read_systems(file, report)
+    errors = tuple(finding for finding in report if finding.is_error)
+    if not systems or systems[0].spec.program:
+        return Unreadable(f"{label} has no specification that can be read", findings=errors or tuple(report))
+    return Side(label, systems, systems[0].dialect, errors)
+
+
+def dialect_side(path: str, label: str, *, is_release: bool = False) -> Side | Unreadable:
+    """A dialect with what it includes, as far as it can be read."""
+    dialect, errors = with_files_read(("dialect", path), lambda: _read_dialect(path), {})
+    if dialect is None or (errors and not dialect.messages and not dialect.enums):
+        return Unreadable(f"{label} is no dialect that can be read", findings=errors)
+    return Side(label, (), dialect, errors, is_release)
+
+
+def _read_dialect(path: str) -> tuple[Dialect | None, tuple[Diagnostic, ...]]:
+    """The dialect of a file and of what it includes, None where there is nothing, and the errors in it."""
+    from codegen.decode.dialect.files import decode_dialect_files  # noqa: PLC0415  for a dialect that is not known yet
+    from codegen.resolve.dialect.dialect import resolve_dialect  # noqa: PLC0415
+
+    report = Report()
+    files = decode_dialect_files(path, report)
+    name = os.path.splitext(os.path.basename(path))[0]
+    dialect = resolve_dialect(name, files, (), report) if files else None
+    return dialect, tuple(finding for finding in report if finding.is_error)
+
+
+def hang(label: str, tree: Tree, stack: ExitStack) -> str:
+    """The path at which a tree hangs: what lies there is shown as ``label:path``."""
+    root = os.path.join(os.getcwd(), f"{label}:")
+    while exists(root):  # both sides may be of one name
+        root += ":"
+    stack.enter_context(hung(root, tree))
+    return root

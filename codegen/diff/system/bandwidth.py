@@ -1,0 +1,118 @@
+"""What the telemetry takes of the links, before and after: whole frames at the default rates of their streams."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.diff.change import Change, changed
+from codegen.diff.system.behaviour_rules import BANDWIDTH, OVERLOADED
+from codegen.frozen import dataclass
+from codegen.model.price import NOTHING, Range, capacity, message_price, sent_messages, total
+from codegen.model.system import System
+from codegen.source import Place
+
+_ALL = 100
+
+
+@dataclass(frozen=True, slots=True)
+class BandwidthRow:
+    """Bytes per second of a message, or of all: None where it is not sent."""
+
+    name: str
+    old: Range | None
+    new: Range | None
+
+
+@dataclass(frozen=True, slots=True)
+class LinkRow:
+    """A serial link, its capacity in bytes per second, and the largest share of it that the telemetry takes, in %.
+
+    ``share_before`` is that of the old version, None where it had no such link.
+    """
+
+    name: str
+    capacity: int
+    share: Fraction
+    share_before: Fraction | None
+
+    @property
+    def is_overloaded(self) -> bool:
+        """Whether more is sent than it carries, and more of it than before."""
+        return self.share > _ALL and (self.share_before is None or self.share > self.share_before)
+
+
+@dataclass(frozen=True, slots=True)
+class Bandwidth:
+    """The messages that are streamed by default in one of the versions, their sum, and the links of the new one."""
+
+    rows: tuple[BandwidthRow, ...]
+    whole: BandwidthRow
+    links: tuple[LinkRow, ...]
+
+    @property
+    def growth(self) -> Fraction | None:
+        """The change of the largest sum in %; None where nothing was sent before."""
+        assert self.whole.old is not None
+        assert self.whole.new is not None
+        before, after = self.whole.old.high, self.whole.new.high
+        return None if not before else (after - before) * 100 / before
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether any message takes another part."""
+        return any(row.old != row.new for row in self.rows)
+
+
+def compare_bandwidth(old: System, new: System) -> Bandwidth:
+    """Both versions side by side."""
+    before, after = _prices(old), _prices(new)
+    rows = tuple(BandwidthRow(name, before.get(name), after.get(name)) for name in dict.fromkeys((*after, *before)))
+    whole = BandwidthRow("all", total(before.values()), total(after.values()))
+    assert whole.old is not None
+    assert whole.new is not None
+    carried_before = {link.name: int(capacity(link) or 0) for link in old.links}
+    links = []
+    for link in new.links:
+        carried, known = int(capacity(link) or 0), carried_before.get(link.name)
+        if carried:
+            share_before = whole.old.high * _ALL / known if known else None
+            links.append(LinkRow(link.name, carried, whole.new.high * _ALL / carried, share_before))
+    return Bandwidth(rows, whole, tuple(links))
+
+
+def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fraction) -> Iterator[Change]:
+    """One for each link that carries less than is sent; one where the sum grew or fell by ``threshold`` percent."""
+    places = {link.name: link.spec.place for link in new.links}
+    for link in found.links:
+        if link.is_overloaded:
+            before = None if link.share_before is None else f"{float(link.share_before):.1f} % of it"
+            said = f"{float(link.share):.1f} % of it"
+            effect = f"at most {found.whole.new} of {link.capacity} bytes/s: frames come late, or not at all"
+            where = places[link.name]
+            yield changed(OVERLOADED, f"link.{link.name}", before, said, (where, where), effect, rows=(link.name,))
+    growth = found.growth
+    if not found.is_changed or (growth is not None and abs(growth) < threshold):
+        return
+    names = {row.name for row in found.rows if row.old != row.new}
+    words = [f"{row.name} {row.old or 0} -> {row.new or 0}" for row in found.rows if row.old != row.new]
+    shares = [f"{float(link.share):.1f} % of {link.name}" for link in found.links]
+    effect = "; ".join([f"bytes/s: {', '.join(words)}", *([f"now at most {', '.join(shares)}"] if shares else [])])
+    yield changed(
+        BANDWIDTH,
+        "bandwidth",
+        f"{found.whole.old} bytes/s",
+        f"{found.whole.new} bytes/s{'' if growth is None else f' ({float(growth):+.1f} %)'}",
+        (_streams(old), _streams(new)),
+        effect,
+        messages=sorted({table.wire.name for system in (old, new) for table in system.messages if table.name in names}),
+        rows=[row.name for row in found.rows if row.old != row.new],
+    )
+
+
+def _streams(system: System) -> Place:
+    return next((stream.spec.place for stream in system.streams.values()), system.spec.project.place)
+
+
+def _prices(system: System) -> dict[str, Range]:
+    """Bytes per second of what is streamed by default, the chosen generations only."""
+    prices = {message.name: message_price(message, system).whole for message in sent_messages(system)}
+    return {name: price for name, price in prices.items() if price != NOTHING}

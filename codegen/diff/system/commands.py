@@ -1,0 +1,75 @@
+"""What there is to say about the commands that the vehicle is given, and about its modes."""
+
+from collections.abc import Iterator
+
+from codegen.diff.system import behaviour_rules as rules
+from codegen.diff.system.subject import Fact, Subject, amount, cited
+from codegen.diff.system.trace_rules import CITATION, DOC
+from codegen.model.command import BuiltInCommand, Command, CommandParam, Mode
+from codegen.model.program import Program
+from codegen.model.units.unit import map_words
+
+
+def command_subjects(program: Program) -> Iterator[Subject]:
+    """The commands of the project, those that the program answers by itself, and the modes."""
+    yield from (_command(command) for command in program.commands)
+    yield from (_built_in(command, program) for command in program.built_in)
+    yield from (_mode(mode) for mode in program.modes)
+
+
+def _command(command: Command) -> Subject:
+    spec = command.spec
+    citations = ", ".join(f"{name} {citation}" for name, citation in sorted(command.aspects.items()))
+    facts = (
+        Fact("by", f"{spec.method}({', '.join(param.name for param in command.params)})", rules.COMMAND, spec.place),
+        Fact("number", str(command.number), rules.COMMAND, spec.place),
+        Fact("allowed", spec.allowed.value, rules.COMMAND, spec.at("allowed")),
+        Fact("from", spec.sender.value, rules.COMMAND, spec.at("from")),
+        Fact("takes long", "yes" if spec.long else "", rules.COMMAND, spec.at("long")),
+        *(fact for param in command.params for fact in _param(param)),
+        Fact("answers to", str(command.citation or ""), CITATION, spec.at("requirement")),
+        Fact("aspects answer to", citations, CITATION, spec.at("criteria")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    name = command.name
+    says = f"done by {spec.method}()"
+    citation = cited(command.citation, command.aspects)
+    return Subject(name, says, rules.COMMAND_ADDED, rules.COMMAND_REMOVED, spec.place, facts, citation, row=name)
+
+
+def _param(param: CommandParam) -> Iterator[Fact]:
+    spec, at = param.spec, f"parameter {param.number}"
+    accepted = (
+        amount(param.minimum),
+        amount(param.maximum),
+        "whole" if param.is_whole else "",
+        param.enum.name if param.enum else "",
+    )
+    unknown = "" if param.default is None else amount(param.default, param.unit.name)
+    yield Fact(f"{at} accepts", param.limits, rules.COMMAND_RANGE, spec.place)
+    yield Fact(f"{at} on the wire", " ".join(filter(None, accepted)), rules.COMMAND_RANGE, spec.place)
+    yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"))
+    unit = param.wire_unit.name or "a number"
+    position = f", {param.axis.name.lower()}" if param.axis else ""
+    yield Fact(f"{at} in", f"{unit}{position}", rules.COMMAND_UNIT, spec.at("unit"))
+    yield Fact(
+        f"{at} is given as", f"{param.name} {map_words(param.scale)} {param.unit.name}", rules.COMMAND, spec.place
+    )
+    yield Fact(f"{at} doc", spec.doc or "", DOC, spec.at("doc"))
+
+
+def _built_in(command: BuiltInCommand, program: Program) -> Subject:
+    return Subject(command.name, command.doc, rules.COMMAND_ADDED, rules.COMMAND_REMOVED, program.spec.place, ())
+
+
+def _mode(mode: Mode) -> Subject:
+    spec = mode.spec
+    facts = (
+        Fact("name", mode.name, rules.MODE, spec.at("name")),
+        Fact("true in it", ", ".join(quantity.path for quantity in mode.base), rules.MODE, spec.at("base")),
+        Fact("answers to", str(mode.citation or ""), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    citation = cited(mode.citation)
+    added, removed = rules.MODE_ADDED, rules.MODE_REMOVED
+    return Subject(f"mode {mode.number}", mode.name, added, removed, spec.place, facts, citation, row=mode.name)

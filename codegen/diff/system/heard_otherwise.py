@@ -1,0 +1,169 @@
+"""Who hears nothing any more, hears less, or gets other numbers because the specification of a vehicle changed."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from codegen.diagnostics import shortened_list
+from codegen.diff.change import Change, ChangeRule, Victim
+from codegen.diff.system import behaviour_rules as rules
+from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
+from codegen.frozen import dataclass
+from codegen.model.price import default_rate
+from codegen.model.system import PopulatedMessage, System
+from codegen.model.units.unit import decimal
+from codegen.model.vehicle import AdcChannel
+
+_STATION = (Victim.OLD_STATION,)
+_ADDRESSED = ("uart", "baud", "udp", "to", "local_port")
+_WIRED = ("tx", "rx")
+
+
+@dataclass(frozen=True, slots=True)
+class _Sides:
+    """Both versions of a program, and where the numbers of each go."""
+
+    old: System
+    new: System
+    fields: Mapping[str, tuple[str, ...]]
+
+
+def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iterator[Change]:
+    """The changes of a program, those judged that alter what ground stations hear."""
+    sides = _Sides(old, new, {**fields_by_source(old), **fields_by_source(new)})
+    for change in changes:
+        judge = _JUDGES.get(change.rule)
+        yield judge(change, sides) if judge is not None else change
+
+
+def _breaking(change: Change, effect: str) -> Change:
+    return replace(change, effect=_joined(effect, change.effect), breaks=_STATION, doubt="")
+
+
+def _doubtful(change: Change, doubt: str, effect: str = "") -> Change:
+    return replace(change, effect=_joined(effect, change.effect), doubt=doubt)
+
+
+def _joined(*texts: str) -> str:
+    return "; ".join(text for text in texts if text)
+
+
+def _schedule(change: Change, sides: _Sides) -> Change:
+    """A message on another stream, or on none: nothing is heard, or less."""
+    old, new = (_table(side, change.subject) for side in (sides.old, sides.new))
+    if old is None or new is None:
+        return change
+    before, after = default_rate(old), default_rate(new)
+    if before and not after and new.stream is None and not (new.on_connection or new.on_change):
+        return _breaking(change, "who does not ask for it hears nothing")
+    if len(new.withheld_for) > len(old.withheld_for):
+        return _doubtful(change, "whether receivers take its silence for a lost link while something is unknown")
+    return _rates(change, before, after)
+
+
+def _table(system: System, name: str) -> PopulatedMessage | None:
+    return next((message for message in system.messages if message.name == name), None)
+
+
+def _stream_rate(change: Change, sides: _Sides) -> Change:
+    name = change.subject.removeprefix("stream ")
+    if name not in sides.old.streams or name not in sides.new.streams:
+        return change
+    return _rates(change, sides.old.streams[name].default_rate, sides.new.streams[name].default_rate)
+
+
+def _rates(change: Change, before: Fraction, after: Fraction) -> Change:
+    if before and not after:
+        return _breaking(change, "who does not ask for it hears nothing")
+    if after < before:
+        shown = f"{decimal(after)} times a second and no longer {decimal(before)}"
+        return _doubtful(change, f"whether it is heard often enough: {shown}")
+    return change
+
+
+def _default(change: Change, sides: _Sides) -> Change:
+    """A parameter whose default makes numbers: a multiplier, or what goes out itself."""
+    fields = sides.fields.get(change.subject, ())
+    if not fields:
+        return change
+    shown = shortened_list(fields, 3)
+    old, new = (side.parameters.get(change.subject) for side in (sides.old, sides.new))
+    scaled = scaling_parameters(sides.new).get(change.subject)
+    if scaled and old is not None and new is not None and old.default:
+        factor = decimal(Fraction(new.default) * new.step / (old.default * old.step))
+        effect = f"the same reading is {factor} times what it was in {shown}, where no value is stored"
+        return _doubtful(change, "whether what is measured changed with it", effect)
+    return _doubtful(change, f"whether other numbers in {shown} are meant, where no value is stored")
+
+
+def _channel(change: Change, sides: _Sides) -> Change:
+    """An ADC channel with another pin, reference or resolution: the same counts are other numbers."""
+    old, new = (side.channels.get(change.subject.removeprefix("adc.")) for side in (sides.old, sides.new))
+    fields = shortened_list(sides.fields.get(change.subject, ()), 3)
+    if old is not None and new is None:
+        return _breaking(change, f"nothing is measured for {fields}") if fields else change
+    if old is None or new is None or not fields:
+        return change
+    doubt = "whether the board was changed with it"
+    factor = _volts(new) / _volts(old)
+    if factor != 1:
+        return _doubtful(change, doubt, f"the same count is {decimal(factor)} times what it was in {fields}")
+    if (old.gpio, old.pin and old.pin.name) != (new.gpio, new.pin and new.pin.name):
+        return _doubtful(change, doubt, f"{fields} are measured at another pin")
+    return change
+
+
+def _volts(channel: AdcChannel) -> Fraction:
+    """What a count is, in volts."""
+    return channel.reference / channel.full_scale
+
+
+def _link(change: Change, sides: _Sides) -> Change:
+    name = change.subject.removeprefix("link.")
+    old, new = (next((link for link in side.links if link.name == name), None) for side in (sides.old, sides.new))
+    if old is None:
+        return change
+    if new is None or old.kind is not new.kind:
+        return _breaking(change, "who listens on it hears nothing")
+    if any(getattr(old.spec, name) != getattr(new.spec, name) for name in _ADDRESSED):
+        return _breaking(change, "who listens as before hears nothing")
+    if any(getattr(old.spec, name) != getattr(new.spec, name) for name in _WIRED):
+        return _doubtful(change, "whether the wiring was changed with it")
+    return change
+
+
+def _instances(change: Change, sides: _Sides) -> Change:
+    old, new = (side.components.get(change.subject) for side in (sides.old, sides.new))
+    if old is None or new is None or len(new.parts) >= len(old.parts):
+        return change
+    return _breaking(change, f"nothing is told of {len(old.parts) - len(new.parts)} of them")
+
+
+def _fact(change: Change, sides: _Sides) -> Change:
+    """A fact of the board that messages tell."""
+    _, component, fact = change.subject.split(".", 2)
+    fields = told_of_fact(sides.new, component, fact)
+    if not fields or change.old is None or change.new is None:
+        return change
+    shown = shortened_list(fields, 3)
+    return _doubtful(
+        change, f"whether {change.new.removeprefix(fact).strip()} is what receivers are to be told in {shown}"
+    )
+
+
+def _generations(change: Change, sides: _Sides) -> Change:
+    sent = [{name for each in side.generations for name in each.names(each.default)} for side in (sides.old, sides.new)]
+    gone = sorted(sent[0] - sent[1])
+    return _doubtful(change, f"whether anybody still needs {', '.join(gone)}, not sent by default") if gone else change
+
+
+_JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
+    rules.MESSAGE_STREAM: _schedule,
+    rules.STREAM_RATE: _stream_rate,
+    rules.PARAMETER_DEFAULT: _default,
+    rules.CHANNEL: _channel,
+    rules.LINK: _link,
+    rules.INSTANCES: _instances,
+    rules.FACT: _fact,
+    rules.GENERATIONS: _generations,
+}

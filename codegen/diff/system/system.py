@@ -1,0 +1,141 @@
+"""Changes between two versions of a specification, with those of the dialect that concern it."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field, replace
+from fractions import Fraction
+
+from codegen.diff.change import Change, changed
+from codegen.diff.dialect.dialect import dialect_changes
+from codegen.diff.dialect.hearing import dropped, heard_in
+from codegen.diff.dialect.used import used_of
+from codegen.diff.judging.softening import softened
+from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
+from codegen.diff.system.behaviour_rules import PROGRAM
+from codegen.diff.system.board import board_subjects
+from codegen.diff.system.carrying import carried_on, fed_by_facts, written_otherwise
+from codegen.diff.system.heard_otherwise import heard_otherwise
+from codegen.diff.system.population import population_changes
+from codegen.diff.system.program import program_subjects
+from codegen.diff.system.reception import reception_subjects
+from codegen.diff.system.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
+from codegen.diff.system.state import parameter_subjects, state_subjects
+from codegen.diff.system.subject import Subject, cited, subject_changes
+from codegen.diff.system.trace_rules import CITATION
+from codegen.frozen import dataclass
+from codegen.model.dialect.dialect import Dialect
+from codegen.model.system import System
+
+THRESHOLD = Fraction(5)
+"""The growth of the telemetry, in %, from which on it is a change of its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Two versions compared.
+
+    ``changes`` concern what is compared; ``elsewhere`` are those of a project's dialect that touch nothing that the
+    project sends, receives or names. ``bandwidth`` has an entry for each program that both versions have, by its name,
+    which is "" for the project's own. ``carried`` is what takes numbers from parameters, ADC channels and quantities.
+    """
+
+    changes: tuple[Change, ...]
+    elsewhere: tuple[Change, ...] = ()
+    bandwidth: tuple[tuple[str, Bandwidth], ...] = ()
+    carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+
+def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
+    """Two dialects, each on its own."""
+    return Comparison(tuple(softened(dialect_changes(old, new), old)))
+
+
+def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
+    """Two versions of a project with its further programs; the first system of each is the project's own."""
+    used = used_of((*old, *new))
+    of_dialect = dialect_changes(old[0].dialect, new[0].dialect)
+    found: list[Change] = []
+    elsewhere: list[Change] = []
+    for change in of_dialect:
+        (found if used.is_concerned(change) else elsewhere).append(change)
+    before = {system.spec.program: system for system in old}
+    after = {system.spec.program: system for system in new}
+    said_before = {name: _subjects(system) for name, system in before.items()}
+    said_after = {name: _subjects(system) for name, system in after.items()}
+    notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
+    bandwidth = []
+    own_edits: set[str] = set()
+    for name, system in after.items():
+        known = before.get(name)
+        if known is None:
+            found.append(changed(PROGRAM, name, None, _program(system), (None, system.spec.project.place)))
+            continue
+        own_edits.update(written_otherwise(known, system))
+        compared = compare_bandwidth(known, system)
+        bandwidth.append((name, compared))
+        own = [
+            *population_changes(known, system),
+            *subject_changes(said_before[name], said_after[name]),
+            *bandwidth_changes(compared, system, known, threshold),
+        ]
+        judged = heard_in(heard_otherwise(own, known, system), notices)
+        found += [_named(change, name) for change in judged]
+    for name, system in before.items():
+        if name not in after:
+            found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
+    found += requirement_changes(old[0], new[0])
+    found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
+    ids = renamed_ids(old[0], new[0])
+    found = [change for change in found if not _is_only_renamed(change, ids)]
+    carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
+    for system in new:
+        for fact, fed in fed_by_facts(system).items():
+            carried[fact] = (*carried.get(fact, ()), *(name for name in fed if name not in own_edits))
+    return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth), carried)
+
+
+def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
+    """Whether a part answers to the same document as before, which has another id."""
+    return change.rule is CITATION and as_called_now(change.old or "", ids) == change.new
+
+
+def _program(system: System) -> str:
+    names = ", ".join(message.name for message in system.messages)
+    return f"a further program, which sends {names or 'nothing'}"
+
+
+def _named(change: Change, program: str) -> Change:
+    is_named = program in ("", change.subject)
+    return change if is_named else replace(change, subject=f"{program}: {change.subject}")
+
+
+def _subjects(system: System) -> tuple[Subject, ...]:
+    return (
+        *parameter_subjects(system),
+        *state_subjects(system),
+        *board_subjects(system),
+        *program_subjects(system),
+        *reception_subjects(system),
+    )
+
+
+def _cited(systems: Sequence[System], said: Iterable[Sequence[Subject]]) -> set[str]:
+    """The names of every document and criterion that a part of the systems answers to; ``said`` are their subjects."""
+    found = {name for subjects in said for subject in subjects for name in subject.cited}
+    for system in systems:
+        for message in system.messages:
+            found.update(
+                cited(message.citation, message.aspects, *(answer.covers.citation for answer in message.answers))
+            )
+    return found
+
+
+def _once(changes: Sequence[Change]) -> tuple[Change, ...]:
+    """The changes, those of further programs left out that stand at the same place and say the same as one before."""
+    seen = set()
+    found = []
+    for change in changes:
+        key = change.rule.id, change.place, change.old, change.new, change.subject.rpartition(": ")[2]
+        if key not in seen:
+            seen.add(key)
+            found.append(change)
+    return tuple(found)

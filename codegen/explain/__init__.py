@@ -1,0 +1,1 @@
+"""The whole story of one thing that is specified, as text for a terminal."""

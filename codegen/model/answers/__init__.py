@@ -1,0 +1,1 @@
+"""What the answers of tables tell the stages, and the numbers that they send."""

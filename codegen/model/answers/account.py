@@ -1,0 +1,95 @@
+"""What an answer says of itself: a record for each stage that asks."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from enum import Enum, auto
+from typing import NamedTuple
+
+from codegen.frozen import dataclass
+from codegen.model.answers.known import Stored
+from codegen.model.answers.scaling import Scaling
+from codegen.model.answers.step import Step
+from codegen.model.vehicle import Parameter, Quantity
+
+FLAGS = " + "
+"""What stands between the flags of a source in words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Source, conversion and limits for a row of a table; empty where there is nothing to say."""
+
+    source: str
+    conversion: str = ""
+    limits: str = ""
+
+
+class Origins(ABC):
+    """How the steps up to a quantity or a parameter are told; whoever prints the steps of an answer gives one."""
+
+    @abstractmethod
+    def steps(self, source: Quantity | Parameter) -> tuple[Step, ...]:
+        """The steps up to where the source is kept, that one last."""
+
+
+class Aspect(Enum):
+    """What of an answer a fact is about: changes of each are told under a rule of its own."""
+
+    SOURCE = auto()
+    CONSTANT = auto()
+    FLAGS = auto()
+    CONVERSION = auto()
+    LIMITS = auto()
+    UNKNOWN = auto()
+
+
+class Trait(NamedTuple):
+    """One attribute of an answer, as text that differs exactly when the attribute does."""
+
+    attribute: str
+    text: str
+    aspect: Aspect
+
+
+@dataclass(frozen=True, slots=True)
+class StateCase:
+    """A state that tests of a field set: ``changes`` of a plain state, by path, about an instance and a page from 0.
+
+    ``written`` is a quantity that is set through its property for people, and to what: ``"nan"``, ``"inf"`` and
+    ``"-inf"`` stand for the floats.
+    """
+
+    name: str
+    changes: Mapping[str, Stored]
+    instance: int = 0
+    page: int = 0
+    written: tuple[Quantity, float | str | None] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Together:
+    """Values of ``source``, one for each element, that go out together while there are at most ``room`` of them.
+
+    ``instead`` is what goes out otherwise, or None where that is unknown.
+    """
+
+    source: Quantity
+    room: int
+    instead: Quantity | None
+
+
+@dataclass(frozen=True, slots=True)
+class Arriving:
+    """A number of the state that a field carries alone: how it is scaled, and what says that it is unknown."""
+
+    quantity: Quantity
+    scaling: Scaling
+    unknown: int | float | None
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBack:
+    """What the tests of a receiver demand of a quantity: ``about`` has the keys of ``receiver_facts.json``."""
+
+    quantity: Quantity
+    about: Mapping[str, object]

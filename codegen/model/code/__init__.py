@@ -1,0 +1,1 @@
+"""What generated code is made of, in machine code and in plain Python alike."""

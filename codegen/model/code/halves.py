@@ -1,0 +1,72 @@
+"""Conditions on a number that is kept in halves of 16 bits, the low one first: viper and plain Python compare those.
+
+A float is compared by its bits: its highest one is the sign, and the others grow with the magnitude.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from codegen.model.code.storage import HALF, Storage
+
+_TOP = 1 << HALF - 1
+_FULL = (1 << HALF) - 1
+
+Number = int | Fraction
+
+
+def above(halves: Sequence[str], limit: Number, storage: Storage) -> str:
+    """The condition that what the halves say is more than a limit that the storage holds."""
+    split = storage.split(float(limit) if storage.is_float else int(limit))
+    if not storage.is_float:
+        return _more(*_ordered(halves, split, storage))
+    top = halves[-1]
+    if limit < 0:
+        return f"{top} < 0x{_TOP:X} or {_less(halves, split)}"
+    return f"{top} < 0x{_TOP:X} and ({_more(halves, split)})"
+
+
+def below(halves: Sequence[str], limit: Number, storage: Storage) -> str:
+    """The condition that what the halves say is less than a limit that the storage holds."""
+    split = storage.split(float(limit) if storage.is_float else int(limit))
+    if not storage.is_float:
+        return _less(*_ordered(halves, split, storage))
+    if limit > 0:
+        return f"{halves[-1]} >= 0x{_TOP:X} or {_less(halves, split)}"
+    return _more(halves, split if limit else (*split[:-1], _TOP))
+
+
+def equal(halves: Sequence[str], number: Number, storage: Storage) -> str:
+    """The condition that the halves say a number; 0 has two signs as a float."""
+    split = storage.split(float(number) if storage.is_float else int(number))
+    parts = [f"{half} == 0x{value:X}" for half, value in zip(halves, split, strict=True)]
+    if storage.is_float and number == 0:
+        parts[-1] = f"({halves[-1]} & 0x{_TOP - 1:X}) == 0"
+    return " and ".join(reversed(parts))
+
+
+def _ordered(halves: Sequence[str], split: Sequence[int], storage: Storage) -> tuple[list[str], list[int]]:
+    """The same in the order of the numbers: with a sign, the highest half begins with the smallest ones."""
+    if not storage.is_signed:
+        return list(halves), list(split)
+    return [*halves[:-1], f"({halves[-1]} ^ 0x{_TOP:X})"], [*split[:-1], split[-1] ^ _TOP]
+
+
+def _more(halves: Sequence[str], limit: Sequence[int]) -> str:
+    """That numbers, compared from the highest half on, are more than others."""
+    return _compared(halves, limit, ">", _FULL)
+
+
+def _less(halves: Sequence[str], limit: Sequence[int]) -> str:
+    return _compared(halves, limit, "<", 0)
+
+
+def _compared(halves: Sequence[str], limit: Sequence[int], sign: str, end: int) -> str:
+    """Half by half: the first that differs from its limit decides. No half is beyond ``end``."""
+    ways, same = [], ""
+    for at in reversed(range(len(halves))):
+        if limit[at] != end:
+            ways.append(f"{same}{halves[at]} {sign} 0x{limit[at]:X}")
+        same += f"{halves[at]} == 0x{limit[at]:X} and "
+        if all(value == end for value in limit[:at]):
+            break
+    return " or ".join(ways) or "False"

@@ -1,0 +1,1 @@
+"""A dialect: its messages, fields and enums, and how they go over the wire."""

@@ -1,0 +1,62 @@
+"""Within which limits every message carries a quantity as it is: what code sets beyond them is counted and told."""
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from codegen.model.answers.answer import Answer
+from codegen.model.answers.scaling import Scaling
+from codegen.model.system import System
+from codegen.model.vehicle import Quantity, QuantityKind
+
+Reach = tuple[int | Fraction, int | Fraction]
+
+
+def reaches(system: System) -> Mapping[str, Reach]:
+    """The smallest and the largest number of each quantity by path, in stored units: its own limits and the fields'.
+
+    Where a table has a ``min`` or a ``max`` of its own, its field is limited on purpose, and counts no further.
+    """
+    found = {quantity.path: (quantity.minimum, quantity.maximum) for quantity in _quantities(system)}
+    for message in system.messages:
+        for answer in message.answers:
+            for quantity, scaling in zip(answer.carried, answer.scalings, strict=False):
+                low, high = found[quantity.path]
+                smallest, largest = _carried(answer, quantity, scaling)
+                if answer.covers.written.min is None:
+                    low = max(low, smallest)
+                if answer.covers.written.max is None:
+                    high = min(high, largest)
+                found[quantity.path] = low, high
+    return found
+
+
+def reach_words(quantity: Quantity, reach: Reach) -> str:
+    """``0..65534 mV`` for people; nothing for a boolean, and where no number suits all messages."""
+    low, high = reach
+    if quantity.kind is QuantityKind.BOOLEAN:
+        return ""
+    if low > high:
+        return "none that all messages carry"
+    ends = [f"{float(end):.7g}" if quantity.storage.is_float else str(int(end)) for end in reach]
+    return f"{'..'.join(ends)} {quantity.stored.name}".rstrip()
+
+
+def _quantities(system: System) -> Iterator[Quantity]:
+    for component in system.components.values():
+        yield from component.quantities.values()
+
+
+def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
+    """What goes out as it is kept."""
+    return (scaling.low, scaling.high) if quantity.storage.is_float else smallest_and_largest(answer, scaling)
+
+
+def smallest_and_largest(answer: Answer, scaling: Scaling) -> tuple[int, int]:
+    """The stored steps that go out as they are, but for the rounding of an integer field in coarser steps.
+
+    A field that says unknown by 0 carries a real 0 as 1, which is the dialect's way to tell it.
+    """
+    low, high = scaling.steps
+    sentinel = answer.covers.field.sentinel
+    is_next_to_zero = scaling.low > 0 and scaling.low == (1 if answer.covers.field.type.is_integer else scaling.factor)
+    return (0 if is_next_to_zero and sentinel and 0 in sentinel.values else low), high

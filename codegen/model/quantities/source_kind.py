@@ -1,0 +1,206 @@
+"""Sensors: what the stages ask each of them, whatever its kind is (``codegen/sources/``)."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from codegen.frozen import dataclass
+from codegen.model.code.storage import Storage, storage_of
+from codegen.model.quantities.simulated import SimulatedInput
+from codegen.model.spec.source import SourceSpec
+from codegen.model.units.unit import Unit
+from codegen.model.vehicle import Cited
+
+FAULTS = {
+    "fail": "the sensor fails",
+    "absent": "the sensor is absent",
+    "slow": "the sensor takes longer",
+    "stuck": "the sensor gives what it gave",
+}
+"""What can be wrong with a sensor in a simulation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """One number that a sensor gives: whole steps of ``unit``, plausible from ``low`` to ``high``.
+
+    ``name`` is empty where a sensor gives only one. What lies outside of its limits is unknown.
+    """
+
+    name: str
+    unit: Unit
+    low: int
+    high: int
+    doc: str
+
+    @property
+    def storage(self) -> Storage:
+        """How the driver hands it over: a small integer, or its halves of 16 bits, the low one first."""
+        storage = storage_of(self.low, self.high)
+        assert storage is not None
+        return storage
+
+
+@dataclass(frozen=True, slots=True)
+class Polling(Cited):
+    """What is known of every sensor: its name, how often it is asked, how long that may take, when it is set up again.
+
+    ``limit_us`` is None where nothing limits it.
+    """
+
+    name: str
+    period_us: int
+    limit_us: int | None
+    retry_ms: int
+    spec: SourceSpec
+
+
+class PinUse(NamedTuple):
+    """A GPIO number that a sensor takes: the key that says so, and the numbers that could stand there instead.
+
+    ``shared`` names what several sensors may be connected to together, such as the lines of a bus; else it is empty.
+    """
+
+    gpio: int
+    key: str
+    choices: frozenset[int]
+    shared: str = ""
+
+
+class SourceFact(NamedTuple):
+    """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it."""
+
+    attribute: str
+    text: str
+    key: str
+
+
+class Source(ABC):
+    """A sensor, resolved. Every kind is a frozen dataclass in a folder of its own."""
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def polling(self) -> Polling:
+        """What it has in common with all others."""
+
+    @property
+    @abstractmethod
+    def outputs(self) -> tuple[Output, ...]:
+        """What it gives."""
+
+    @property
+    def name(self) -> str:
+        """What board.yaml calls it."""
+        return self.polling.name
+
+    @property
+    def is_polled(self) -> bool:
+        """Whether the firmware asks it by itself, in a slot of its own; else what it gives is read with a component."""
+        return True
+
+    # the firmware
+
+    @property
+    @abstractmethod
+    def module(self) -> str:
+        """The module of its driver."""
+
+    @property
+    @abstractmethod
+    def opened(self) -> str:
+        """The expression that makes its driver; ``machine`` is there, and nothing is connected to yet."""
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The files of the firmware that its driver takes beside its own, by their paths below codegen/sources."""
+        return ()
+
+    @property
+    def own_modules(self) -> Mapping[str, str]:
+        """The same of the project's own: the texts by the paths of their files."""
+        return {}
+
+    @property
+    def imported(self) -> str:
+        """The module of the user's code that its driver imports; empty for none."""
+        return ""
+
+    @property
+    def mocks(self) -> tuple[str, ...]:
+        """The files that stand in for its hardware on a host, by their paths below codegen/sources."""
+        return ()
+
+    @property
+    def cause(self) -> str:
+        """What is wrong where nothing answers, in the operator's words."""
+        return "no answer"
+
+    @property
+    def sets_clock(self) -> bool:
+        """Whether it knows the time since 1970: its microseconds stand behind the outputs, in four halves."""
+        return False
+
+    @property
+    def tells_new(self) -> bool:
+        """Whether a turn may bring some of its numbers and not others.
+
+        The last of the driver's values has a bit for each output that is new then, and one for the time.
+        """
+        return False
+
+    @property
+    def clock_modules(self) -> tuple[str, ...]:
+        """Further files of the firmware, where it sets the clock; the first has set_clock(words, at, values, place)."""
+        return ()
+
+    @property
+    def silence_ms(self) -> int | None:
+        """After how long without anything new it counts as failed; None: it has something new each time."""
+        return None
+
+    # what it is connected to
+
+    def pins(self) -> Iterator[PinUse]:
+        """The pins that it takes."""
+        return iter(())
+
+    @property
+    def port(self) -> str:
+        """What it takes as a whole, such as ``UART 1``; else empty."""
+        return ""
+
+    @property
+    def place(self) -> str:
+        """Where it alone is on something that is shared, such as an address of a bus; else empty."""
+        return ""
+
+    # the simulation
+
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput | None:
+        """How a true value of an output reaches the firmware on a host; ``steps`` of the output make one of its unit.
+
+        It is given in place of the driver, unless a kind has a mock of its device: then that is driven. None: it
+        follows from other outputs.
+        """
+        places = [each.storage.words for each in self.outputs]
+        number = self.outputs.index(output)
+        settings = {"source": self.name, "place": sum(places[:number]), "words": places[number], "size": sum(places)}
+        return SimulatedInput("source", {**settings, "steps": float(steps)}, FAULTS)
+
+    # words
+
+    @abstractmethod
+    def facts(self) -> Iterator[SourceFact]:
+        """What two versions of it are compared by, beside what all sensors have."""
+
+    @abstractmethod
+    def words(self) -> str:
+        """What it is, in a line for documents and pages."""
+
+
+def hertz(period_us: int) -> Fraction:
+    """The rate of a period."""
+    return Fraction(1000000, period_us)

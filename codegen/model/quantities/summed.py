@@ -1,0 +1,62 @@
+"""What is counted of readings as time goes on: sums over time, what they leave of a full store, how long that lasts."""
+
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.vehicle import Parameter
+
+RADIX = 1000
+"""A product of two readings and a time is divided in three steps, of which the first two are these."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """The sum over time of the readings of ``of``, or of their products with ``times``.
+
+    So many ``parts``, each a step of these for one millisecond, make one step of the sum.
+    """
+
+    of: str
+    times: str | None
+    parts: int
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """What ``after``, a sum, leaves of ``full``, a parameter of which one step is so many ``steps`` of the sum.
+
+    ``share``: the steps that are all of it, for what is told as a part of it; None: in steps of the sum.
+    """
+
+    full: Parameter
+    after: str
+    steps: int
+    share: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Lasting:
+    """How long ``left`` lasts at the mean of ``at`` over so many ``readings``: ``left * factor / at``."""
+
+    left: str
+    at: str
+    readings: int
+    factor: int
+
+    def factors(self, left: Rest | None) -> tuple[int, int]:
+        """The factor as a product whose first part makes no more than a small integer of what can be left at most."""
+        most = left.full.maximum * left.steps if left else 0
+        parts = (second for second in range(1, self.factor + 1) if self.factor % second == 0)
+        fitting = (second for second in parts if most * (self.factor // second) <= SMALL_INT_MAX)
+        second = next(fitting, 1)
+        return self.factor // second, second
+
+
+SMOOTH_STEPS = 64
+"""Parts of a step in which a mean is kept, so that small changes are not lost."""
+
+
+def whole(value: Fraction | None) -> int | None:
+    """A whole number above 0; None for anything else."""
+    return int(value) if value is not None and value.denominator == 1 and value > 0 else None

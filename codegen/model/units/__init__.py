@@ -1,0 +1,1 @@
+"""Units, and the exact maps between them."""

@@ -1,0 +1,53 @@
+"""The dialect of a project: its file with all includes, overlays and corrections.
+
+A build that finds the dialect in the cache does not import this.
+"""
+
+import os
+from dataclasses import replace
+
+from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
+from codegen.decode.dialect.known import decode_known_file, taken_elsewhere
+from codegen.decode.shipped_corrections import shipped_corrections
+from codegen.diagnostics import Report, Rule
+from codegen.load.shipped import dialect_path
+from codegen.model.dialect.dialect import Dialect, KnownMessage
+from codegen.model.spec.spec import Spec
+from codegen.resolve.dialect.dialect import resolve_dialect
+
+UNKNOWN_DIALECT = Rule(
+    "unknown-dialect",
+    "codegen.yaml names a dialect that is neither shipped with pymavlink nor an XML file.",
+    unreadable=True,
+)
+
+
+def decode_dialect(spec: Spec, report: Report) -> Dialect | None:
+    """The dialect of a project with its includes, overlays and corrections; None where none can be read."""
+    project = spec.project
+    written, place = project.dialect, project.at("dialect")
+    path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, report, is_file=written.endswith(".xml"))
+    if path is None:
+        return None
+    files = decode_dialect_files(path, report, place)
+    for index, overlay in enumerate(project.overlays):
+        overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
+        files += decode_overlay(overlay_path, report, project.at(f"overlays[{index}]"), files)
+    if not files:
+        return None
+    name = os.path.splitext(os.path.basename(path))[0]
+    shipped = shipped_corrections(files, report)
+    dialect = resolve_dialect(name, files, spec.corrections, report, shipped, spec.refusals)
+    added = (message.definition for message in dialect.added_messages())
+    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
+
+
+def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
+    """The messages of the dialects that a project names under known."""
+    return tuple(
+        message
+        for index, known in enumerate(spec.project.known)
+        for message in decode_known_file(
+            os.path.normpath(os.path.join(spec.folder, known)), report, spec.project.at(f"known[{index}]")
+        )
+    )

@@ -1,0 +1,1 @@
+"""Render: views and templates to text, in memory."""

@@ -1,0 +1,1 @@
+"""What is known of the board, and what is connected to it."""

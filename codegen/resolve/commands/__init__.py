@@ -1,0 +1,1 @@
+"""The commands of the vehicle, and their parameters."""

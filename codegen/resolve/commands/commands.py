@@ -1,0 +1,95 @@
+"""The commands of commands.yaml: entries of MAV_CMD, with the methods that do them."""
+
+from collections.abc import Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.command import BUILT_IN, Command, Needs
+from codegen.model.dialect.dialect import Dialect, EnumEntry
+from codegen.model.spec.command import Allowed, CommandSpec, CommandsSpec
+from codegen.model.spec.program import VehicleSpec
+from codegen.model.spec.spec import Requirement
+from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.commands.params import resolve_params
+from codegen.resolve.named import is_name
+from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
+
+BAD_COMMAND = Rule(
+    "bad-command",
+    "A command of commands.yaml is done by a method with a name of its own that code overrides, and is allowed armed "
+    "or disarmed only where something can be armed.",
+)
+BUILT_IN_COMMAND = Rule(
+    "built-in-command",
+    "Every program answers this command, so commands.yaml cannot: other parts of the specification say how.",
+)
+NO_PROGRAM_FOR_COMMANDS = Rule(
+    "no-program-for-commands",
+    "commands.yaml says what the program does at commands, and without vehicle.yaml there is no program.",
+)
+VEHICLE_NAMES = frozenset(
+    (
+        *("texts", "connections", "parameters", "storage", "state", "board", "scheduler", "long_commands", "control"),
+        *("measure", "check_arming", "on_arm", "on_disarm", "is_armed", "arming_problem", "arm", "disarm", "reboot"),
+        *("run_pass", "run", "check_mode", "set_mode", "act", "stop_motors", "halt_motors", "remind"),
+    )
+)
+"""The attributes and methods that every Vehicle has, or can have."""
+
+
+def resolve_commands(
+    spec: CommandsSpec | None,
+    vehicle: VehicleSpec,
+    dialect: Dialect,
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> tuple[Command, ...]:
+    """The commands in the order of the file; what has a finding is left out."""
+    written = spec.commands if spec else {}
+    found = []
+    for name, command in written.items():
+        entry = _entry(name, command, vehicle, dialect, report)
+        _check_method(name, command, written, vehicle, report)
+        if vehicle.arming is None and command.allowed is not Allowed.ALWAYS:
+            message = f"{name} is allowed {command.allowed.value}, and nothing can be armed without arming"
+            report.add(BAD_COMMAND, command.at("allowed"), message, "vehicle.yaml says with arming that it can")
+        citation = cite_optional(command.requirement, command.at("requirement"), index, report)
+        aspects = cite_aspects(command, index, report)
+        if entry is not None:
+            params = resolve_params(name, entry, command, dialect, report)
+            found.append(Command(citation, aspects, name, entry.value, params, command))
+    return tuple(found)
+
+
+def _entry(name: str, command: CommandSpec, vehicle: VehicleSpec, dialect: Dialect, report: Report) -> EnumEntry | None:
+    enum = dialect.enums.get("MAV_CMD")
+    entry = enum.entry(name) if enum else None
+    if entry is None:
+        known = [each.name for each in enum.entries] if enum else []
+        report.add(UNKNOWN_ENTRY, command.place, f"MAV_CMD has no entry {name}", did_you_mean(name, known))
+        return None
+    built_in = next((each for each in BUILT_IN if each.name == name), None)
+    if built_in is not None and (built_in.needs is not Needs.MODES or vehicle.modes):
+        report.add(BUILT_IN_COMMAND, command.place, f"{name} is answered already", built_in.configured)
+        return None
+    if not 0 < entry.value <= 0xFFFF:
+        report.add(BAD_COMMAND, command.place, f"no COMMAND_LONG carries {name}: its number is {entry.value}")
+        return None
+    return entry
+
+
+def _check_method(
+    name: str, command: CommandSpec, written: Mapping[str, CommandSpec], vehicle: VehicleSpec, report: Report
+) -> None:
+    method = command.method
+    made = {f"{each.method}_{end}" for each in written.values() if each.long for end in ("progress", "cancel")}
+    if not is_name(method) or method in VEHICLE_NAMES or method in made:
+        report.add(BAD_COMMAND, command.at("method"), f"{method} cannot be the name of a method of its own")
+        return
+    others = [each for each in written.values() if each.method == method]
+    if any(each.long is not command.long for each in others) and others[0] is not command:
+        message = f"{method} takes long for one command, and not for another"
+        report.add(BAD_COMMAND, command.at("method"), message)
+    calls = {action.call for action in vehicle.actions}
+    if (method in calls and (command.params or command.long)) or made & calls:
+        message = f"{method} of {name} is what a failsafe calls: without parameters, and without waiting"
+        report.add(BAD_COMMAND, command.at("method"), message)

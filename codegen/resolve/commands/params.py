@@ -1,0 +1,251 @@
+"""The parameters of a command: what the dialect says of them, and what the project makes of that."""
+
+import math
+import struct
+from collections.abc import Mapping
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
+from codegen.measure import UNIT_MISMATCH, find_unit
+from codegen.model.command import Axis, CommandParam
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
+from codegen.model.spec.command import CommandParamSpec, CommandSpec
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import NUMBER, Unit, conversion, decimal, unit_named
+from codegen.resolve.named import is_name
+from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
+
+BAD_COMMAND_PARAM = Rule(
+    "bad-command-parameter",
+    "A parameter of a command has a number from 1 to 7 and a name of its own that Python can have, its limits lie "
+    "within those of the dialect, the smaller one first, and its default lies within them.",
+)
+_AXES = {(5, "latitude"): Axis.LATITUDE, (6, "longitude"): Axis.LONGITUDE}
+_SHOWN_ENTRIES = 6
+_LARGEST = Fraction(struct.unpack("<f", b"\xff\xff\x7f\x7f")[0])
+_DEGREES_E7 = unit_named("degE7")
+
+
+@dataclass(frozen=True, slots=True)
+class _Stated:
+    """What the dialect states about a parameter; None where it states nothing."""
+
+    unit: Unit | None
+    minimum: Fraction | None
+    maximum: Fraction | None
+    increment: Fraction | None
+    enum: str | None
+    axis: Axis | None
+
+
+def resolve_params(
+    name: str, entry: EnumEntry, spec: CommandSpec, dialect: Dialect, report: Report
+) -> tuple[CommandParam, ...]:
+    """The parameters of a command in the order of its method's arguments; those with a finding are left out."""
+    found: list[CommandParam] = []
+    for key, param in spec.params.items():
+        if key not in tuple("1234567"):
+            report.add(BAD_COMMAND_PARAM, param.place, f"a command has parameters 1 to 7, and no {key}")
+            continue
+        if not is_name(param.name) or param.name == "self" or any(param.name == each.name for each in found):
+            message = f"{param.name} cannot be the name of an argument of its own"
+            report.add(BAD_COMMAND_PARAM, param.at("name"), message)
+            continue
+        resolved = _param(f"{name} {key}", int(key), param, _stated(entry, key), dialect, report)
+        if resolved is not None:
+            found.append(resolved)
+    return tuple(found)
+
+
+def _stated(entry: EnumEntry, key: str) -> _Stated:
+    attributes: Mapping[str, str] = next((dict(each.attributes) for each in entry.parameters if each.number == key), {})
+    words = attributes.get("label", "").lower().replace("/", " ").split()
+    axis = _AXES.get((int(key), words[0])) if words else None
+    unit = Unit.parse(attributes.get("units"))
+    if unit is None and axis is not None:
+        unit = unit_named("deg")
+    minimum, maximum, increment = (_number(attributes.get(name)) for name in ("minValue", "maxValue", "increment"))
+    if axis is not None and unit is not None and minimum is maximum is None:
+        found = conversion(unit_named("deg"), unit)
+        end = found.exact(Fraction(axis.value)) if found else None
+        minimum, maximum = (None, None) if end is None else (-end, end)
+    return _Stated(unit, minimum, maximum, increment, attributes.get("enum"), axis)
+
+
+def _number(text: str | None) -> Fraction | None:
+    """A number as the dialect writes it; None where it writes none that can be read."""
+    try:
+        return None if text is None else Fraction(text.strip())
+    except (ValueError, ZeroDivisionError):
+        return None
+
+
+def _param(
+    label: str, number: int, spec: CommandParamSpec, stated: _Stated, dialect: Dialect, report: Report
+) -> CommandParam | None:
+    unit = find_unit(spec.unit, spec.at("unit"), report) if spec.unit else stated.unit or NUMBER
+    if unit is None:
+        return None
+    wire_unit = stated.unit or unit
+    scale = conversion(wire_unit, unit)
+    if scale is None or scale.offset:
+        message = f"{label} is in {wire_unit.name}, and {unit.name} is not: no factor leads from one to the other"
+        report.add(UNIT_MISMATCH, spec.at("unit"), message)
+        return None
+    enum = _enum(spec, stated, dialect, report)
+    if enum is None and (spec.enum or (stated.enum and stated.enum in dialect.enums)):
+        return None
+    ends = [
+        _end(label, key, written, limit, scale, report, spec)
+        for key, written, limit in (("min", spec.min, stated.minimum), ("max", spec.max, stated.maximum))
+    ]
+    minimum, maximum = (None if end is None else _nearest(end) for end in ends)
+    if minimum is not None and maximum is not None and minimum > maximum:
+        key = "min" if spec.min is not None else "max"
+        report.add(BAD_COMMAND_PARAM, spec.at(key), f"{spec.name} has no value: its smallest is above its largest")
+        return None
+    is_whole = spec.whole
+    if is_whole is None:
+        is_counted = stated.increment is not None and stated.increment.denominator == 1 and scale.ratio == 1
+        is_sent_whole = stated.axis is not None and unit == _DEGREES_E7
+        is_whole = enum is not None or is_counted or is_sent_whole
+    _check_default(spec, enum, is_whole, report)
+    found = CommandParam(
+        number=number,
+        name=spec.name,
+        unit=unit,
+        wire_unit=wire_unit,
+        scale=scale,
+        minimum=minimum,
+        maximum=maximum,
+        limits=_words(spec, stated, scale, unit, enum, is_whole=is_whole),
+        is_whole=is_whole,
+        enum=enum,
+        default=spec.default,
+        axis=stated.axis,
+        spec=spec,
+    )
+    if not _has_value(found):
+        report.add(BAD_COMMAND_PARAM, spec.place, f"{spec.name} has no value: none within its limits is {found.limits}")
+        return None
+    return found
+
+
+def _has_value(param: CommandParam) -> bool:
+    """Whether a parameter has any value at all: a whole one, or an entry of its enum, within its limits."""
+    low, high = (
+        None if end is None else param.scale.settled(end, Fraction) if param.scale.ratio else end
+        for end in (param.minimum, param.maximum)
+    )
+    if param.enum is not None:
+        values = [0, flags_of(param.enum)] if param.enum.is_bitmask else [each.value for each in param.enum.entries]
+        return any((low is None or value >= low) and (high is None or value <= high) for value in values)
+    if not param.is_whole or param.is_rounded or low is None or high is None:
+        return True
+    return math.floor(high) >= math.ceil(low)
+
+
+def _enum(spec: CommandParamSpec, stated: _Stated, dialect: Dialect, report: Report) -> EnumDefinition | None:
+    if spec.enum is None:
+        return dialect.enums.get(stated.enum or "")
+    enum = dialect.enums.get(spec.enum)
+    if enum is None:
+        hint = did_you_mean(spec.enum, dialect.enums)
+        report.add(UNKNOWN_ENTRY, spec.at("enum"), f"the dialect has no enum {spec.enum}", hint)
+        return None
+    if stated.enum not in (None, spec.enum) and stated.enum in dialect.enums:
+        message = f"{spec.name} is of {stated.enum} in the dialect, not of {spec.enum}"
+        report.add(BAD_COMMAND_PARAM, spec.at("enum"), message)
+        return None
+    return enum
+
+
+def _end(
+    label: str,
+    key: str,
+    written: Fraction | None,
+    stated: Fraction | None,
+    scale: AffineMap,
+    report: Report,
+    spec: CommandParamSpec,
+) -> Fraction | None:
+    """A limit on the wire: the one that the project writes, within the dialect's, or that one."""
+    if written is None:
+        return stated
+    found = AffineMap(1 / scale.factor, -scale.pi).settled(written, _nearest)
+    if stated is not None and (found < _nearest(stated) if key == "min" else found > _nearest(stated)):
+        message = f"{decimal(written)} is beyond what the dialect allows for {label}: {decimal(stated)} on the wire"
+        report.add(BAD_COMMAND_PARAM, spec.at(key), message)
+    return found
+
+
+def _nearest(value: Fraction) -> Fraction:
+    """The float of 32 bits that COMMAND_LONG has for a value; the largest one for what is beyond all of them."""
+    within = max(min(value, _LARGEST), -_LARGEST)
+    return Fraction(struct.unpack("<f", struct.pack("<f", within))[0])
+
+
+def _check_default(spec: CommandParamSpec, enum: EnumDefinition | None, is_whole: bool, report: Report) -> None:
+    value = spec.default
+    if value is None:
+        return
+    is_within = (spec.min is None or value >= spec.min) and (spec.max is None or value <= spec.max)
+    if not is_within or (is_whole and value.denominator != 1) or (enum is not None and not has_entry(enum, int(value))):
+        message = f"the default of {spec.name} is no value that it accepts"
+        report.add(BAD_COMMAND_PARAM, spec.at("default"), message)
+
+
+def has_entry(enum: EnumDefinition, value: int) -> bool:
+    """Whether a value is an entry of an enum, or a sum of its flags."""
+    values = [entry.value for entry in enum.entries]
+    return value in values if not enum.is_bitmask else value >= 0 and not value & ~flags_of(enum)
+
+
+def flags_of(enum: EnumDefinition) -> int:
+    """All flags of a bitmask."""
+    mask = 0
+    for entry in enum.entries:
+        mask |= entry.value
+    return mask
+
+
+def _words(
+    spec: CommandParamSpec,
+    stated: _Stated,
+    scale: AffineMap,
+    unit: Unit,
+    enum: EnumDefinition | None,
+    *,
+    is_whole: bool,
+) -> str:
+    """``0 to 60 s``, ``a whole number from 1 on``, ``0, 1 or 2``: what a value has to be, in its unit."""
+    if stated.axis is not None and unit == _DEGREES_E7:
+        scale, unit, is_whole = AffineMap(scale.factor / 10**7), unit_named("deg"), False
+        written = [None if end is None else end / 10**7 for end in (spec.min, spec.max)]
+    else:
+        written = [spec.min, spec.max]
+    low, high = (
+        _shown(own, limit, scale) for own, limit in zip(written, (stated.minimum, stated.maximum), strict=True)
+    )
+    if enum is not None:
+        values = ["0", "1"] if enum.is_bitmask and flags_of(enum) == 1 else [str(each.value) for each in enum.entries]
+        if (enum.is_bitmask and flags_of(enum) > 1) or len(values) > _SHOWN_ENTRIES:
+            return f"{'flags' if enum.is_bitmask else 'one'} of {enum.name}"
+        return f"{', '.join(values[:-1])} or {values[-1]}" if len(values) > 1 else values[0]
+    suffix = f" {unit.name}" if unit.name else ""
+    number = "whole, " if is_whole else ""
+    if low and high:
+        return f"{number}{low} to {high}{suffix}"
+    if low or high:
+        return f"{number}at {'least' if low else 'most'} {low or high}{suffix}"
+    return "a whole number" if is_whole else f"a number{f' of {unit.name}' if unit.name else ''}"
+
+
+def _shown(written: Fraction | None, stated: Fraction | None, scale: AffineMap) -> str:
+    if written is not None:
+        return decimal(written)
+    if stated is None:
+        return ""
+    exact = scale.exact(stated)
+    return decimal(exact) if exact is not None else f"{scale.settled(stated, float):.6g}"

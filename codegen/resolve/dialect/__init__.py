@@ -1,0 +1,1 @@
+"""The dialect of a project: its files, overlays and corrections as one."""

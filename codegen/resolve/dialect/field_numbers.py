@@ -1,0 +1,38 @@
+"""The numbers that attributes of a field state: multiplier, minValue, maxValue, increment and default."""
+
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule
+from codegen.model.dialect.dialect import FieldDefinition
+from codegen.model.dialect.literals import entry_value, exact_number
+
+FIELD_NUMBER = Rule(
+    "field-number",
+    "An attribute of a field is no number that can be read: multiplier is a number above 0 or a quotient of two (1E-2, "
+    "360/255), minValue, maxValue and increment are decimal numbers, default is one of the forms of an enum's values, "
+    "or NaN. Correct it in the XML, or in a correction.",
+)
+
+
+def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
+    """What a number on the wire is multiplied with to be in the units of the field; 1 where nothing is stated.
+
+    What the other attributes state is only looked at: they stay as they are written.
+    """
+    for attribute, text in (("minValue", field.minimum), ("maxValue", field.maximum), ("increment", field.increment)):
+        if text is not None and exact_number(text) is None:
+            _report(field, attribute, text, report)
+    default = field.default
+    if default is not None and entry_value(default) is None and exact_number(default) is None and default != "NaN":
+        _report(field, "default", default, report)
+    if field.multiplier is None:
+        return Fraction(1)
+    multiplier = exact_number(field.multiplier)
+    if multiplier is None or multiplier <= 0:
+        _report(field, "multiplier", field.multiplier, report)
+        return Fraction(1)
+    return multiplier
+
+
+def _report(field: FieldDefinition, attribute: str, text: str, report: Report) -> None:
+    report.add(FIELD_NUMBER, field.place, f"{field.name}: {attribute} is {text!r}")

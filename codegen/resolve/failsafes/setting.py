@@ -1,0 +1,102 @@
+"""Thresholds and times of failsafes: parameters, or amounts."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+from codegen.diagnostics import Report
+from codegen.measure import read_amount
+from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.dialect.literals import exact_number
+from codegen.model.failsafe import Setting
+from codegen.model.spec.spec import ParametersSpec
+from codegen.model.units.unit import NUMBER, ratio, unit_named
+from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.resolve.failsafes.finding import BAD_FAILSAFE
+from codegen.resolve.families import is_single
+from codegen.resolve.vehicle import find_parameter
+from codegen.source import Place
+
+LONGEST_MS = 4 * 3600 * 1000
+"""The longest time that a condition has to hold: the firmware does not count much further."""
+
+
+class SettingReader:
+    """Reads them for the failsafes of a project."""
+
+    def __init__(self, written: ParametersSpec, parameters: Mapping[str, Parameter], report: Report) -> None:
+        self._written = written
+        self._parameters = parameters
+        self._report = report
+
+    def parameter(self, name: str, place: Place, component: Component | None) -> Parameter | None:
+        """A parameter, one for all or one of a family of the component; None after a finding."""
+        found = find_parameter(name, place, self._written, self._parameters, self._report)
+        if found is not None and (component is None or found.component != component.name):
+            return found if is_single(found, place, self._report) else None
+        return found
+
+    def threshold(self, text: str, place: Place, quantity: Quantity, component: Component) -> Setting | None:
+        """What a quantity is compared with, in its stored units."""
+        if not _is_parameter(text):
+            count = self.amount(text, place, quantity)
+            return None if count is None else Setting(None, count, quantity.stored)
+        parameter = self.parameter(text, place, component)
+        if parameter is None:
+            return None
+        steps = ratio(parameter.unit, quantity.stored)
+        steps = None if steps is None else steps * parameter.step
+        if steps is None or steps.denominator != 1:
+            message = f"{parameter.name} is no threshold for {quantity.path}: in whole {quantity.stored.name}"
+            self._report.add(BAD_FAILSAFE, place, message)
+            return None
+        if max(-parameter.minimum, parameter.maximum) * steps > SMALL_INT_MAX:
+            message = f"{parameter.name} goes to more {quantity.stored.name} than can be compared"
+            self._report.add(BAD_FAILSAFE, place, message, "narrow its range")
+            return None
+        return Setting(parameter, int(steps), quantity.stored)
+
+    def amount(self, text: str, place: Place, quantity: Quantity, least: int | None = None) -> int | None:
+        """An amount in whole stored units of a quantity; None after a finding."""
+        value = exact_number(text) if quantity.unit.dimension == NUMBER.dimension else None
+        if value is None:
+            value = read_amount(text, quantity.unit, place, self._report)
+        if value is None:
+            return None
+        steps: Fraction = value * quantity.steps
+        if steps.denominator != 1:
+            message = f"{text} is not in whole {quantity.stored.name or 'numbers'}, in which {quantity.path} is kept"
+            self._report.add(BAD_FAILSAFE, place, message, "give stored: a finer unit in state.yaml")
+            return None
+        if abs(steps) > SMALL_INT_MAX or (least is not None and steps < least):
+            self._report.add(BAD_FAILSAFE, place, f"{text} is nothing to compare {quantity.path} with")
+            return None
+        return int(steps)
+
+    def time(self, text: str | None, place: Place, component: Component | None) -> Setting | None:
+        """A time in ms, None where there is none, or after a finding."""
+        if text is None:
+            return None
+        unit = unit_named("ms")
+        if not _is_parameter(text):
+            time = read_amount(text, unit, place, self._report)
+            if time is None:
+                return None
+            if time.denominator != 1 or not 0 <= time <= LONGEST_MS:
+                self._report.add(BAD_FAILSAFE, place, f"{text} is not a time of whole ms, at most four hours")
+                return None
+            return Setting(None, int(time), unit)
+        parameter = self.parameter(text, place, component)
+        if parameter is None:
+            return None
+        steps = ratio(parameter.unit, unit)
+        steps = None if steps is None else steps * parameter.step
+        if steps is None or steps.denominator != 1 or parameter.minimum < 0 or parameter.maximum * steps > LONGEST_MS:
+            message = f"{parameter.name} is not a time in whole milliseconds, from 0 to at most four hours"
+            self._report.add(BAD_FAILSAFE, place, message)
+            return None
+        return Setting(parameter, int(steps), unit)
+
+
+def _is_parameter(text: str) -> bool:
+    return re.fullmatch(r"[A-Z][A-Z0-9_]*", text) is not None

@@ -1,0 +1,86 @@
+"""Texts of failsafes as they are written, with quantities in braces: ``{name} is {level}[ {voltage:.2}V]``."""
+
+import re
+
+from codegen.diagnostics import Report, did_you_mean
+from codegen.model.failsafe import Clause, FailsafeText, Shown
+from codegen.model.vehicle import Component, Quantity
+from codegen.resolve.failsafes.finding import BAD_FAILSAFE
+from codegen.source import Place
+
+NAME, LEVEL, VALUE = "name", "level", "value"
+MOST_DECIMALS = 3
+
+_CLAUSE = re.compile(r"\[([^][]*)\]")
+_FIELD = re.compile(r"([^{}]*)\{([a-z_][a-z0-9_]*)(?: or ([^{}:]*?))?(?::\.([0-9])f?)?\}")
+
+
+def read_text(
+    written: str, place: Place, component: Component | None, watched: Quantity | None, report: Report
+) -> FailsafeText | None:
+    """The text; None, with a finding, where braces name nothing. ``{name}`` and ``{level}`` stay as they are."""
+    found: list[str | Shown | Clause] = []
+    for number, piece in enumerate(_CLAUSE.split(written)):
+        parts = _parts(piece, place, component, watched, report)
+        if parts is None:
+            return None
+        if not number % 2:
+            found += parts
+        elif any(isinstance(part, Shown) for part in parts):
+            found.append(Clause(parts))
+        elif not _names_a_quantity(piece, component):  # else what is wrong with that was reported
+            report.add(BAD_FAILSAFE, place, f"[{piece}] shows no quantity, so that nothing leaves it out")
+            return None
+    return FailsafeText(written, tuple(found))
+
+
+def _names_a_quantity(piece: str, component: Component | None) -> bool:
+    return component is not None and any(field[2] in component.spec.quantities for field in _FIELD.finditer(piece))
+
+
+def _parts(
+    written: str, place: Place, component: Component | None, watched: Quantity | None, report: Report
+) -> tuple[str | Shown, ...] | None:
+    parts: list[str | Shown] = []
+    end = 0
+    for field in _FIELD.finditer(written):
+        if field.start() != end:
+            break
+        end = field.end()
+        before, name, unknown, decimals = field.groups()
+        if before:
+            parts.append(before)
+        if name in (NAME, LEVEL):
+            parts.append(f"{{{name}}}")
+            continue
+        quantity = watched if name == VALUE else component.quantities.get(name) if component else None
+        if quantity is None and component and name in component.spec.quantities:
+            continue  # what is wrong with it was reported
+        if quantity is None or quantity.elements is not None:
+            known = [NAME, LEVEL, *([VALUE] if watched else []), *(component.quantities if component else ())]
+            message = f"a text has no {{{name}}} to show"
+            report.add(BAD_FAILSAFE, place, message, did_you_mean(name, known) or f"it can show {', '.join(known)}")
+            return None
+        parts.append(Shown(quantity, int(decimals) if decimals else _decimals(quantity), unknown or "unknown"))
+    rest = written[end:]
+    if (
+        set("[]") & set(written)
+        or set("{}") & set(rest)
+        or '"' in written
+        or "\\" in written
+        or not written.isprintable()
+    ):
+        hint = "write {level}, {value:.2}, {QUANTITY or 0:.1}, [ with {QUANTITY}]"
+        report.add(
+            BAD_FAILSAFE, place, f"{written!r} has braces, brackets, quotes or characters that no text has", hint
+        )
+        return None
+    return (*parts, rest) if rest else tuple(parts)
+
+
+def _decimals(quantity: Quantity) -> int:
+    """As many decimals as the steps that are kept have, two at most."""
+    decimals = 0
+    while decimals < 2 and 10**decimals < quantity.steps:
+        decimals += 1
+    return decimals

@@ -1,0 +1,95 @@
+"""Which of several instances a message reports that there is once."""
+
+from collections.abc import Iterable, Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.answers.answer import Answer
+from codegen.model.spec.population import PopulationSpec, RepresentationSpec
+from codegen.model.spec.spec import ParametersSpec
+from codegen.model.spec.state import StateSpec
+from codegen.model.system import Policy, Representation
+from codegen.model.units.unit import NUMBER
+from codegen.model.vehicle import Component, Parameter, QuantityKind
+from codegen.resolve.vehicle import find_parameter
+
+UNCLEAR_INSTANCE = Rule(
+    "unclear-instance",
+    "A message reads a component of which there are several, and is not sent for each of them: receivers could not "
+    "know which one they see. Send it for_each component, or say with represents which one it is about.",
+)
+BAD_REPRESENTATION = Rule(
+    "bad-representation",
+    "A message represents a component that it reads and is not sent for_each of. A parameter that chooses has whole "
+    "numbers from 1 on, and what is lowest is a number of that component.",
+)
+
+
+def resolve_representations(
+    population: PopulationSpec,
+    answers: Iterable[Answer],
+    components: Mapping[str, Component],
+    state: StateSpec,
+    written: ParametersSpec,
+    parameters: Mapping[str, Parameter],
+    report: Report,
+) -> dict[str, Representation]:
+    """The choices of a message by component; components of several instances that lack one are reported."""
+    read = {quantity.component for answer in answers for quantity in answer.quantities}
+    chosen = {}
+    for name, policy in population.represents.items():
+        place = population.at(f"represents.{name}")
+        component = components.get(name)
+        if component is None:
+            if name not in state.components:
+                hint = did_you_mean(name, components)
+                report.add(BAD_REPRESENTATION, place, f"the state has no component {name}", hint)
+        elif name == population.for_each:
+            report.add(BAD_REPRESENTATION, place, f"the message is sent for each {name}, and represents all of them")
+        elif name not in read:
+            report.add(BAD_REPRESENTATION, place, f"no field of the message is about {name}")
+        elif (choice := _choice(component, policy, written, parameters, report)) is not None:
+            chosen[name] = choice
+    # Where a choice could not be read, or the number of an instance was asked for in vain, that has been reported.
+    reported = {written.state.removesuffix(".instance") for written in population.fields.values() if written.state}
+    for name in sorted(read - {population.for_each} - population.represents.keys() - reported):
+        if components[name].instances > 1 and f"represents.{name}" not in population.places:
+            report.add(
+                UNCLEAR_INSTANCE,
+                population.place,
+                f"{population.message} does not say which {name} of {components[name].instances} it is about",
+                f"represents: {{{name}: {{first: true}}}}",
+            )
+    return chosen
+
+
+def _choice(
+    component: Component,
+    policy: RepresentationSpec,
+    written: ParametersSpec,
+    parameters: Mapping[str, Parameter],
+    report: Report,
+) -> Representation | None:
+    if policy.parameter is not None:
+        place = policy.at("parameter")
+        parameter = find_parameter(policy.parameter, place, written, parameters, report)
+        if parameter is None:
+            return None
+        if parameter.step != 1 or parameter.minimum < 1 or parameter.unit is not NUMBER:
+            related = [(parameter.spec.place, f"{parameter.name} is declared here")]
+            message = f"{parameter.name} is not the number of a {component.name}, from 1 on"
+            report.add(BAD_REPRESENTATION, place, message, related=related)
+            return None
+        return Representation(component, Policy.PARAMETER, parameter=parameter)
+    if policy.lowest is not None:
+        place = policy.at("lowest")
+        quantity = component.quantities.get(policy.lowest)
+        if quantity is None:
+            if policy.lowest not in component.spec.quantities:
+                hint = did_you_mean(policy.lowest, component.quantities)
+                report.add(BAD_REPRESENTATION, place, f"{component.name} has no quantity {policy.lowest}", hint)
+            return None
+        if quantity.kind is not QuantityKind.NUMBER or quantity.elements is not None:
+            report.add(BAD_REPRESENTATION, place, f"{quantity.path} is not a single number")
+            return None
+        return Representation(component, Policy.LOWEST, quantity=quantity)
+    return Representation(component, Policy.FIRST)

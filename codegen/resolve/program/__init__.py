@@ -1,0 +1,1 @@
+"""The program around the telemetry, and what it tells ground stations."""

@@ -1,0 +1,76 @@
+"""The modes that vehicle.yaml declares."""
+
+from collections.abc import Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.command import Mode
+from codegen.model.spec.program import ModeSpec, VehicleSpec
+from codegen.model.spec.spec import Requirement
+from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.resolve.citation import cite_optional
+
+BAD_MODE = Rule(
+    "bad-mode",
+    "A mode has a whole number that vehicle.mode of the state can have, and a name of its own; what its base lists are "
+    "booleans of the component vehicle that can be set. Where modes are declared, the one at the start and those "
+    "of actions are among them.",
+)
+
+
+def resolve_modes(
+    spec: VehicleSpec, components: Mapping[str, Component], index: Mapping[str, Requirement], report: Report
+) -> tuple[Mode, ...]:
+    """The modes in the order of the file; what has a finding is left out."""
+    if not spec.modes:
+        return ()
+    vehicle = components.get("vehicle")
+    quantity = vehicle.quantities.get("mode") if vehicle and vehicle.instances == 1 else None
+    if vehicle is None or quantity is None or quantity.kind is not QuantityKind.NUMBER:
+        if vehicle is None or "mode" not in vehicle.spec.quantities:  # else what is wrong with it has been reported
+            report.add(BAD_MODE, spec.at("modes"), "the component vehicle of the state has no number mode to be set")
+        return ()
+    found: dict[int, Mode] = {}
+    for key, mode in spec.modes.items():
+        citation = cite_optional(mode.requirement, mode.at("requirement"), index, report)
+        if not key.isascii() or not key.isdigit() or not quantity.minimum <= int(key) <= quantity.maximum:
+            report.add(BAD_MODE, mode.place, f"{key} is not a mode that vehicle.mode can have")
+            continue
+        if any(mode.name == other.name for other in found.values()):
+            report.add(BAD_MODE, mode.at("name"), f"{mode.name} is the name of another mode already")
+        found[int(key)] = Mode(int(key), mode.name, _base(mode, vehicle, report), citation, mode)
+    _check_uses(spec, quantity, found, report)
+    return tuple(found.values())
+
+
+def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity, ...]:
+    found = []
+    for index, name in enumerate(mode.base):
+        quantity = vehicle.quantities.get(name)
+        place = mode.at(f"base[{index}]")
+        if quantity is None:
+            if name not in vehicle.spec.quantities:
+                hint = did_you_mean(name, vehicle.quantities)
+                report.add(BAD_MODE, place, f"the component vehicle has no quantity {name}", hint)
+        elif quantity.kind is not QuantityKind.BOOLEAN or not quantity.derivation.is_set_by_code or name in _OWN:
+            report.add(BAD_MODE, place, f"{quantity.path} is no boolean that a mode can set")
+        else:
+            found.append(quantity)
+    return tuple(found)
+
+
+_OWN = ("armed", "ready")
+"""Booleans of the vehicle that tell something else."""
+
+
+def _check_uses(spec: VehicleSpec, quantity: Quantity, modes: Mapping[int, Mode], report: Report) -> None:
+    """What names a mode elsewhere names one that is declared."""
+    if len(modes) < len(spec.modes):
+        return  # a mode that is wrong may be the one that is meant
+    known = ", ".join(f"{mode.number} {mode.name}" for mode in modes.values())
+    for action in spec.actions:
+        if action.mode is not None and action.mode not in modes:
+            message = f"{action.call} changes to mode {action.mode}, which is not declared"
+            report.add(BAD_MODE, action.at("mode"), message, f"the modes are {known}")
+    if quantity.initial is not None and quantity.initial not in modes:
+        message = f"vehicle.mode begins as {quantity.initial}, which is no declared mode"
+        report.add(BAD_MODE, quantity.spec.at("initial"), message, f"the modes are {known}")

@@ -1,0 +1,90 @@
+"""The receiver: the component that it is for, its messages and its times."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.measure import read_time
+from codegen.model.receiver import Receiver
+from codegen.model.spec.receiver import ReceiverSpec
+from codegen.model.spec.spec import Requirement
+from codegen.model.system import PopulatedMessage
+from codegen.model.units.unit import unit_named
+from codegen.model.vehicle import Component
+from codegen.resolve.citation import cite_aspects, cite_optional
+
+BAD_RECEIVER = Rule(
+    "bad-receiver",
+    "A receiver is for a component of the state, and turns back those messages that are sent for each instance of it "
+    "and carry the number of the instance. Name such a component, or write a table with for_each and an id.",
+)
+
+UNPLAYED_ROLE = Rule(
+    "unplayed-role",
+    "receiver.yaml gives a role to fields of which the messages that are received have none: what is computed from it "
+    "stays unknown. Name a field of these messages.",
+    Severity.WARNING,
+)
+
+
+def resolve_receiver(
+    spec: ReceiverSpec,
+    components: Mapping[str, Component],
+    messages: Sequence[PopulatedMessage],
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> Receiver | None:
+    """The receiver that receiver.yaml describes; None after a finding."""
+    citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+    aspects = cite_aspects(spec, index, report)
+    stale = read_time(spec.stale_after, unit_named("ms"), spec.at("stale_after"), report)
+    window = read_time(spec.rate_over, unit_named("ms"), spec.at("rate_over"), report)
+    component = components.get(spec.component)
+    if component is None:
+        hint = did_you_mean(spec.component, components)
+        report.add(BAD_RECEIVER, spec.at("component"), f"the state has no component {spec.component}", hint)
+        return None
+    received = sorted(
+        (message for message in messages if _is_received(message, component)), key=lambda message: message.wire.id
+    )
+    _report_shared(received, messages, spec, report)
+    if not received and report.has_errors:
+        return None  # the table that is missing may be the one that was reported
+    if not received:
+        what = f"no message is sent for each {component.name} with its number"
+        hint = f"write 'for_each: {component.name}' in a table, and answer a field with {component.name}.instance"
+        report.add(BAD_RECEIVER, spec.at("component"), what, hint)
+        return None
+    _report_roles(received, spec, report)
+    if stale is None or window is None:
+        return None
+    return Receiver(component, tuple(received), stale, window, citation, aspects, spec)
+
+
+def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report) -> None:
+    """A role whose fields no received message has."""
+    if spec.roles is None:
+        return
+    known = {field.name for message in received for field in message.wire.fields}
+    for role, fields in spec.roles.fields():
+        if fields and known.isdisjoint(fields):
+            what = f"no message that is received has {' or '.join(fields)}"
+            report.add(UNPLAYED_ROLE, spec.roles.at(role), what, did_you_mean(fields[0], known))
+
+
+def _report_shared(
+    received: Iterable[PopulatedMessage], messages: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report
+) -> None:
+    """A message of which there are several tables could be about anything that one of them is for."""
+    for message in received:
+        other = next((each for each in messages if each.wire is message.wire and each is not message), None)
+        if other is not None:
+            names = f"{message.name} and {other.name}"
+            what = f"{message.wire.name} has several tables, {names}, which look alike to a receiver"
+            related = [(table.population.place, f"the table {table.name}") for table in (message, other)]
+            report.add(BAD_RECEIVER, spec.at("component"), what, "leave one of them out", related)
+
+
+def _is_received(message: PopulatedMessage, component: Component) -> bool:
+    if message.component is None or message.component.name != component.name:
+        return False
+    return any(answer.is_instance_number and not answer.covers.field.is_array for answer in message.answers)

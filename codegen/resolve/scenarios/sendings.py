@@ -1,0 +1,105 @@
+"""What a scenario sends to the vehicle: a message of the dialect by its fields, as the bytes of its payload."""
+
+import re
+import struct
+from fractions import Fraction
+
+from codegen.diagnostics import Rule, did_you_mean
+from codegen.measure import find_unit, read_real
+from codegen.model.dialect.dialect import Kind, WireField, WireMessage
+from codegen.model.reception import SYSTEM_FIELDS
+from codegen.model.scenario import Sending
+from codegen.model.spec.scenario import EventSpec
+from codegen.model.system import System
+from codegen.resolve.scenarios.values import ScenarioValues
+from codegen.source import Place
+
+SCENARIO_SEND = Rule(
+    "scenario-send",
+    "A scenario sends a message of the dialect: fields by their names, field[1] for an element, what is not listed is "
+    "0, or the vehicle's own ids for its target. A value is a number in the unit of the field, an amount in any unit "
+    "that fits, an entry of its enum, a text.",
+)
+_NAME = re.compile(r"(\w+)(?:\[(\d{1,3})\])?")
+
+
+def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues) -> Sending | None:
+    """What an event sends; None after an error."""
+    name = event.send or ""
+    wire = system.dialect.messages.get(name)
+    if wire is None:
+        hint = did_you_mean(name, system.dialect.messages)
+        values.say(SCENARIO_SEND, event.at("send"), f"{system.dialect.name} has no message {name}", hint)
+        return None
+    payload = bytearray(wire.length)
+    own = {**dict.fromkeys(SYSTEM_FIELDS, system.system_id), "target_component": system.component_id}
+    for target, number in own.items():
+        field = wire.field(target)
+        if field is not None and field.type.size == 1:
+            payload[field.offset] = number
+    for written, text in event.fields.items():
+        _put(payload, wire, written, text, event.at(f"fields.{written}"), values)
+    every_ms = None if event.every is None else values.milliseconds(event.every, event.at("every"), 1)
+    for_ms = None if event.for_ is None else values.milliseconds(event.for_, event.at("for"), 1)
+    until_ms = None if for_ms is None else at_ms + for_ms
+    cut = bytes(payload).rstrip(b"\0") or bytes(1)  # as MAVLink 2 does
+    return Sending(at_ms, name, wire.id, wire.crc_extra, cut, every_ms, until_ms)
+
+
+def _put(payload: bytearray, wire: WireMessage, written: str, text: str, place: Place, values: ScenarioValues) -> None:
+    """Put a value into its field; nothing after a finding."""
+    match = _NAME.fullmatch(written)
+    field = wire.field(match[1]) if match else None
+    if match is None or field is None:
+        hint = did_you_mean(written, [each.name for each in wire.fields])
+        values.say(SCENARIO_SEND, place, f"{wire.name} has no field {written}", hint)
+        return
+    element = int(match[2] or 0)
+    if element >= field.count or (match[2] and not field.is_array):
+        values.say(SCENARIO_SEND, place, f"{field.name} has {field.count} elements")
+        return
+    if field.type.kind is Kind.CHAR:
+        data = text.encode()
+        if len(data) > field.size:
+            values.say(SCENARIO_SEND, place, f"{text!r} has more than the {field.size} bytes of {field.name}")
+            return
+        payload[field.offset : field.offset + len(data)] = data
+        return
+    number = _number(text, field, wire, place, values)
+    if number is not None:
+        struct.pack_into(f"<{field.type.code}", payload, field.offset + element * field.type.size, number)
+
+
+def _number(text: str, field: WireField, wire: WireMessage, place: Place, values: ScenarioValues) -> float | int | None:
+    """What a field carries for a text; None after a finding."""
+    value: Fraction | float | None
+    try:
+        value = Fraction(text) / field.multiplier
+    except (ValueError, ZeroDivisionError):
+        value = _named(text, field, place, values)
+    if value is None:
+        return None
+    if not field.type.is_integer:
+        return float(value)
+    number = round(value)
+    if not field.type.minimum <= number <= field.type.maximum:
+        low, high = field.type.minimum, field.type.maximum
+        values.say(SCENARIO_SEND, place, f"{wire.name}.{field.name} carries {low} to {high}, not {text}")
+        return None
+    return number
+
+
+def _named(text: str, field: WireField, place: Place, values: ScenarioValues) -> Fraction | float | None:
+    """An entry of the field's enum, or an amount in its unit; None after a finding."""
+    enum = values.enums.get(field.definition.enum or "")
+    entry = enum.entry(text) if enum else None
+    if entry is not None:
+        return Fraction(entry.value)
+    if enum is not None:
+        hint = did_you_mean(text, [each.name for each in enum.entries])
+        values.say(SCENARIO_SEND, place, f"{enum.name} has no entry {text}", hint)
+        return None
+    unit = find_unit(field.definition.units, place, values.report)
+    amount = None if unit is None else read_real(text, unit, place, values.report)
+    values.is_good = values.is_good and amount is not None
+    return None if amount is None else amount / float(field.multiplier)

@@ -1,0 +1,1 @@
+"""The review documents: the resolved system as tables that are committed."""

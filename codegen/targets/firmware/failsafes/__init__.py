@@ -1,0 +1,1 @@
+"""Views and statements of failsafes: their tables, texts and actions."""

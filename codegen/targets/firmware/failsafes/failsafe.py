@@ -1,0 +1,359 @@
+"""View of failsafe.py: one class for all failsafes, with what these need, and the tables and texts of each."""
+
+from collections.abc import Iterable, Sequence
+
+from codegen.frozen import dataclass
+from codegen.model.failsafe import Failsafe, Sense
+from codegen.model.program import Program
+from codegen.model.system import System
+from codegen.model.vehicle import Parameter
+from codegen.targets.firmware.failsafes.arguments import Argument, Settled, arguments_of
+from codegen.targets.firmware.failsafes.condition import (
+    comparison,
+    due_lines,
+    guarded,
+    ignored,
+    inverted,
+    is_due_lines,
+    limit_lines,
+    of_parameter,
+)
+from codegen.targets.firmware.failsafes.table import Columns, condition_rows, inverted_rows, table_lines
+from codegen.targets.firmware.failsafes.text import shows, text_lines
+from codegen.targets.firmware.words import Layout
+from codegen.targets.imports import LINE_LENGTH
+from codegen.targets.naming import failsafe_function, quoted
+
+
+@dataclass(frozen=True, slots=True)
+class FailsafeView:
+    """One failsafe: its ``tables``, the lines of the function with its ``text``, and of the one that makes it.
+
+    ``has_arming``: the vehicle is not armed while it speaks against that.
+    """
+
+    name: str
+    attribute: str
+    component: str | None
+    is_measured: bool
+    has_arming: bool
+    variable: str
+    watched: str
+    citation: str
+    tables: tuple[str, ...]
+    text: tuple[str, ...]
+    made: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FailsafesView:
+    """All of them, and what their class has to know for them: expressions and statements as they are printed.
+
+    ``has_...`` says that one of them needs it at least.
+    """
+
+    failsafes: tuple[FailsafeView, ...]
+    columns: tuple[str, ...]
+    constants: tuple[str, ...]
+    init: str
+    kept: tuple[str, ...]
+    level_words: str
+    is_off: str
+    is_off_to_arm: str
+    watching: str
+    is_resting: str
+    is_watching: tuple[str, ...]
+    is_ignored: str
+    is_over: str
+    is_unknown: str
+    is_problem: str
+    last_problem: str
+    limit: tuple[str, ...]
+    comparison: str
+    place: str
+    level: str
+    sign: str
+    due: tuple[str, ...]
+    is_due: tuple[str, ...]
+    loops_apart: bool
+    why: str
+    is_inverted: str
+    milder: str
+    worse: str
+    has_pairs: bool
+    timed: str
+    text: str
+    set_level: str
+    no_health: str
+    health_at: str
+    health_every_ms: str
+    watched_at: str
+    worst: str
+    names: str
+    inverted: str
+    action: tuple[str, ...]
+    before: tuple[str, ...]
+    aging: str
+    has_values: bool
+    has_unknown: bool
+    has_silence: bool
+    has_floor: bool
+    has_recovery: bool
+    has_level: bool
+    has_health: bool
+    has_inverted: bool
+    shows: bool
+
+
+def failsafe_views(system: System, program: Program, layout: Layout) -> FailsafesView | None:
+    """What the module needs; None where there is no failsafe."""
+    failsafes = program.failsafes
+    if not failsafes:
+        return None
+    given = [arguments_of(failsafe, layout) for failsafe in failsafes]
+    found = Settled.of(given)
+    conditions = [condition for failsafe in failsafes for condition in failsafe.conditions]
+    has_values = any(condition.quantity for condition in conditions)
+    has_silence = not all(condition.quantity for condition in conditions)
+    has_unknown = any(condition.sense is Sense.UNKNOWN for condition in conditions)
+    rows = [row for one in failsafes for at in range(one.instances) for row in condition_rows(one, layout, at)]
+    columns = Columns.of(rows)
+    pair = _only_pair(failsafes)
+    has_recovery = found.has("is_latched")
+    measured = {name for name, _, _ in system.measured()}
+    armed = layout.blocks["vehicle"].offsets["armed"]
+    watching = _watching(found)
+    return FailsafesView(
+        failsafes=tuple(
+            _failsafe(failsafe, one, found, columns, layout, measured, has_pairs=not pair)
+            for failsafe, one in zip(failsafes, given, strict=True)
+        ),
+        columns=tuple(columns.constants),
+        constants=(
+            *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
+            *found.constants,
+        ),
+        init=_def_lines(["self", "vehicle", "component", "title", "conditions", *found.parameters]),
+        kept=tuple(_kept(found, has_silence=has_silence)),
+        level_words=_level_words(found),
+        is_off=_off(found),
+        is_off_to_arm=_off_to_arm(found),
+        watching="self._is_watching()" if " " in watching else watching or "True",
+        is_resting=watching and f"not {'self._is_watching()' if ' ' in watching else watching}",
+        is_watching=tuple(_is_watching(found)) if " " in watching else (),
+        is_ignored=ignored(columns, has_silence=has_silence, has_unknown=has_unknown),
+        is_over="(due[_LEVEL] if due else OK) < self.level"
+        + ("" if found.is_same("is_latched") else " and not self._is_latched"),
+        is_unknown=guarded(
+            found.only_some("watched_at"),
+            found("watched_at"),
+            f"self._component.words[{found('watched_at')}] == _UNKNOWN",
+        ),
+        is_problem=guarded(has_silence, columns("PLACE"), "self._holds(condition)"),
+        last_problem="self._mixed_up()" if found.has("inverted") else "None",
+        limit=tuple(limit_lines(columns)),
+        comparison=comparison(columns),
+        place=columns("PLACE"),
+        level=columns("LEVEL"),
+        sign=columns("SIGN"),
+        due=tuple(due_lines(columns)),
+        is_due=tuple(is_due_lines(columns)),
+        loops_apart=not (found.is_same("count") and (found.is_same("timed_from") or not found.has("timed_from"))),
+        why=columns("WHY"),
+        is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
+        milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
+        worse=of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
+        has_pairs=not pair,
+        timed=f"range({found('timed_from')}, {found('count')})"
+        if found.has("timed_from")
+        else f"range({found('count')})",
+        text=found("text"),
+        set_level=_set_level(found),
+        no_health=f"{found('health_at')} is None" if found.only_some("health_at") else "",
+        health_at=found("health_at"),
+        health_every_ms=found("health_every_ms"),
+        watched_at=found("watched_at"),
+        worst=f"len({found('names')})"
+        if len({len(one.levels) for one in failsafes}) > 1
+        else str(len(failsafes[0].levels)),
+        names=found("names"),
+        inverted=found("inverted"),
+        action=_action(failsafes),
+        before=(("self._forget()",) if found.has("aging") else ()) + _listening(found),
+        aging=found("aging") if found.has("aging") else "",
+        has_values=has_values,
+        has_unknown=has_unknown,
+        has_silence=has_silence,
+        has_floor=any(failsafe.believed_above is not None for failsafe in failsafes),
+        has_recovery=has_recovery,
+        has_level=found.has("level_at"),
+        has_health=found.has("health_at"),
+        has_inverted=found.has("inverted"),
+        shows=any(shows(failsafe) for failsafe in failsafes),
+    )
+
+
+def _only_pair(failsafes: Sequence[Failsafe]) -> tuple[int, int, str] | None:
+    """The pair of thresholds that every failsafe has, and no other; None where they differ."""
+    pairs = {tuple(inverted_rows(failsafe)) for failsafe in failsafes}
+    rows = next(iter(pairs))
+    return rows[0] if len(pairs) == 1 and len(rows) == 1 else None
+
+
+def _failsafe(
+    failsafe: Failsafe,
+    given: tuple[Argument, ...],
+    found: Settled,
+    columns: Columns,
+    layout: Layout,
+    measured: set[str],
+    *,
+    has_pairs: bool,
+) -> FailsafeView:
+    component = failsafe.component
+    variable = component.name if component else "_nothing"
+    return FailsafeView(
+        name=failsafe.name,
+        attribute=failsafe_function(failsafe.name),
+        component=component.name if component else None,
+        is_measured=failsafe.quantity is not None and failsafe.quantity.component in measured,
+        has_arming=failsafe.spec.arming,
+        variable=variable,
+        watched=f"{failsafe.watched} of each" if failsafe.instances > 1 else failsafe.watched,
+        citation=str(failsafe.citation),
+        tables=tuple(_tables(failsafe, columns, layout, has_pairs=has_pairs)),
+        text=tuple(text_lines(failsafe, variable)),
+        made=tuple(_made(failsafe, given, found)),
+    )
+
+
+def _tables(failsafe: Failsafe, columns: Columns, layout: Layout, *, has_pairs: bool) -> Iterable[str]:
+    constant = f"_{failsafe.name.upper()}"
+    levels = [f"{level.name} ({level.citation or failsafe.citation})" for level in failsafe.levels]
+    yield f"# {failsafe.watched}: {', '.join(levels)}"
+    instances = range(failsafe.instances)
+    rows = [[columns.printed(row) for row in condition_rows(failsafe, layout, at)] for at in instances]
+    yield from table_lines(constant, rows)
+    if has_pairs and inverted_rows(failsafe):
+        pairs = [f"({first}, {second}, {words})" for first, second, words in inverted_rows(failsafe)]
+        yield from table_lines(f"{constant}_INVERTED", [pairs], is_shared=True)
+
+
+def _made(failsafe: Failsafe, given: tuple[Argument, ...], found: Settled) -> Iterable[str]:
+    """The body of the function that makes it, or one for each instance."""
+    constant, several = f"_{failsafe.name.upper()}", failsafe.instances > 1
+    each = "[instance]" if several else "[0]"
+    title = failsafe.title.replace("{number}", "{instance + 1}" if several else "1")
+    state = f"vehicle.state.{failsafe.component.name}" if failsafe.component else "None"
+    arguments = [
+        "vehicle",
+        f"{state}[instance]" if several else state,
+        f'f"{title}"' if several and "{" in title else quoted(title),
+        f"{constant}{each}",
+        *found.arguments(given),
+    ]
+    yield "return ["
+    yield "    Failsafe("
+    yield from (f"        {argument}," for argument in arguments)
+    yield "    )"
+    if several:
+        yield f"    for instance in range({failsafe.instances})"
+    yield "]"
+
+
+def _kept(found: Settled, *, has_silence: bool) -> Iterable[str]:
+    """The statements of __init__ behind ``self._``."""
+    if not found.is_same("is_always"):
+        yield "vehicle_words = vehicle.state.vehicle.words"
+    yield from (f"{name} = {name}" for name in found.kept)
+    if has_silence:
+        yield from ("was_heard = False", "is_silent = False", "heard_ms = [None] * len(vehicle.connections)")
+
+
+def _def_lines(parameters: Sequence[str]) -> str:
+    """The beginning of __init__, as the formatter prints it."""
+    line = f"    def __init__({', '.join(parameters)}):"
+    if len(line) <= LINE_LENGTH:
+        return line
+    inside = f"        {', '.join(parameters)}"
+    if len(inside) > LINE_LENGTH:
+        inside = "\n".join(f"        {parameter}," for parameter in parameters)
+    return f"    def __init__(\n{inside}\n    ):"
+
+
+def _level_words(found: Settled) -> str:
+    if not found.has("is_latched"):
+        return "it stays until the next start and only rises"
+    return "it stays while anything of it holds" + ("" if found.is_same("is_latched") else ", or is latched")
+
+
+def _off(found: Settled) -> str:
+    place = found("switch_at")
+    return (
+        guarded(found.only_some("switch_at"), place, f"not self._component.words[{place}]")
+        if found.has("switch_at")
+        else ""
+    )
+
+
+def _off_to_arm(found: Settled) -> str:
+    off, disabled = _off(found), _disabled(found)
+    if off and disabled:
+        return f"({off}) or {disabled}"
+    return off or (disabled[1:-1] if found.only_some("enabled_by") else disabled)
+
+
+def _disabled(found: Settled) -> str:
+    if not found.has("enabled_by"):
+        return ""
+    off = f"getattr(self._vehicle.parameters, {found('enabled_by')}) == 0"
+    return f"({found('enabled_by')} is not None and {off})" if found.only_some("enabled_by") else off
+
+
+def _is_watching(found: Settled) -> Iterable[str]:
+    """The body of the method that says so, where it is more than one thing."""
+    disabled = _disabled(found)
+    if disabled:
+        yield f"if {disabled.removeprefix('(').removesuffix(')') if found.only_some('enabled_by') else disabled}:"
+        yield "    return False"
+    armed = "self._vehicle_words[_ARMED]"
+    yield (
+        f"return self._is_always or {armed}"
+        if found.has("is_always") and not found.is_same("is_always")
+        else ("return True" if found.is_same("is_always") else f"return {armed}")
+    )
+
+
+def _watching(found: Settled) -> str:
+    """The condition under which times run; nothing where they always do."""
+    armed = "self._vehicle_words[_ARMED]"
+    if found.has("is_always"):
+        armed = "" if found.is_same("is_always") else f"(self._is_always or {armed})"
+    disabled = _disabled(found)
+    enabled = f"not {disabled}" if disabled.startswith("(") else disabled.replace("== 0", "!= 0")
+    return " and ".join(filter(None, (armed, enabled)))
+
+
+def _set_level(found: Settled) -> str:
+    place = found("level_at")
+    stored = f"self._component.words[{place}] = level"
+    return f"if {place} is not None:\n            {stored}" if found.only_some("level_at") else stored
+
+
+def _action(failsafes: Sequence[Failsafe]) -> tuple[str, ...]:
+    """The statements that return the action of the level that was reached."""
+    chosen = [isinstance(level.action, Parameter) for failsafe in failsafes for level in failsafe.levels]
+    if all(chosen):
+        return ("return getattr(self._vehicle.parameters, self._reached[_ACTION]) if self.level else 0",)
+    if not any(chosen):
+        return ("return self._reached[_ACTION] if self.level else 0",)
+    return (
+        "action = self._reached[_ACTION] if self.level else 0",
+        "return getattr(self._vehicle.parameters, action) if isinstance(action, str) else action",
+    )
+
+
+def _listening(found: Settled) -> tuple[str, ...]:
+    if not found.has("listens"):
+        return ()
+    return ("self._listen()",) if found.is_same("listens") else ("if self._listens:", "    self._listen()")

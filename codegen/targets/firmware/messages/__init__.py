@@ -1,0 +1,1 @@
+"""Views and statements of what is sent and received: payloads, streams, receptions."""

@@ -1,0 +1,321 @@
+"""Views of the functions that go from the payload of a received message to the words of the state.
+
+The statements are the same in machine code and in plain Python, which do without allocating alike: numbers are taken
+from bytes as halves of 16 bits, and what is beyond a limit is found before a number of more than 30 bits comes up.
+``counts`` are those of a Reception, see templates/firmware/program/reception.py.
+"""
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.code.halves import above, below, equal
+from codegen.model.code.payload_code import UNKNOWN, indented
+from codegen.model.code.statements import scaled, tested
+from codegen.model.code.storage import HALF, SMALL_INT_MAX, Storage
+from codegen.model.dialect.dialect import WireField
+from codegen.model.program import RECEIVED
+from codegen.model.reception import ReceivedField, Reception
+from codegen.model.system import System
+from codegen.model.vehicle import QuantityKind
+from codegen.targets.firmware.words import ConstantView, Layout, age_word
+from codegen.targets.imports import either_import, import_lines
+from codegen.targets.naming import class_names
+
+FIELDS = 5
+"""Where the counts of the fields begin."""
+_OWN = 3
+"""Where the system and the component of the vehicle stand."""
+_MASK = f"0x{SMALL_INT_MAX:X}"
+_TOP = 0x8000
+
+
+@dataclass(frozen=True, slots=True)
+class TakeView:
+    """One table: its function, and what its Reception is made with. ``call`` is "None" or a name in quotes."""
+
+    name: str
+    message: str
+    citation: str
+    class_name: str
+    function: str
+    fields: str
+    sender: str
+    call: str
+    is_extended: bool
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ReceivingView:
+    """The modules: constants of the state's words, and the tables in the order of their ids.
+
+    ``makes_wholes``: of floats. ``kinds`` are the classes of the messages that are received for them alone.
+    """
+
+    imports: tuple[str, ...]
+    either: tuple[str, ...]
+    constants: tuple[ConstantView, ...]
+    makes_wholes: bool
+    kinds: tuple[str, ...]
+    takes: tuple[TakeView, ...]
+
+
+def receiving_view(system: System, layout: Layout) -> ReceivingView:
+    """The view of receiving.py, and of the functions beside it."""
+    classes = class_names(wire.name for wire in system.wires)
+    places: dict[str, int] = {}
+    takes = tuple(_take(table, classes[table.wire.name], layout, places) for table in system.receptions)
+    machine_code = system.spec.project.machine_code
+    senders = {("reception", take.sender) for take in takes}
+    return ReceivingView(
+        imports=import_lines(["messages"], [("reception", "Reception"), *senders]),
+        either=either_import("receiving", sorted(take.function for take in takes), machine_code=machine_code),
+        constants=tuple(ConstantView(name, place) for name, place in sorted(places.items(), key=lambda each: each[1])),
+        makes_wholes=any(makes_whole(taken) for table in system.receptions for taken in table.fields),
+        kinds=tuple(classes[name] for name in received_beside(system)),
+        takes=takes,
+    )
+
+
+def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, int]) -> TakeView:
+    lines = list(_conditions(table))
+    for number, taken in enumerate(table.fields, 1):
+        lines += ["", *_Statements(taken, number, layout, places).lines()]
+    labels = [f'"{taken.label}"' for taken in table.fields]
+    return TakeView(
+        name=table.name,
+        message=table.title,
+        citation=str(table.citation),
+        class_name=class_name,
+        function=f"take_{table.name.lower()}",
+        fields=f"({', '.join(labels)}{',' if len(labels) == 1 else ''})",
+        sender=table.spec.sender.value.upper(),
+        call=f'"{call_name(table)}"' if table.spec.call else "None",
+        is_extended=table.has_extensions,
+        lines=tuple(f"    {line}" if line else "" for line in lines),
+    )
+
+
+def makes_whole(taken: ReceivedField) -> bool:
+    """Whether a whole number is made of a float."""
+    return not taken.is_text and not taken.field.type.is_integer and taken.quantity.storage is Storage.SMALL
+
+
+def received_beside(system: System) -> tuple[str, ...]:
+    """The messages of the tables that are received for nobody else, by name."""
+    program = system.program
+    others = (*RECEIVED, *(program.received_besides if program else ()))
+    names = dict.fromkeys(table.wire.name for table in system.receptions)
+    return tuple(name for name in names if name not in others)
+
+
+def call_name(table: Reception) -> str:
+    """What is called of the user's vehicle: ``received_rc_channels_override``."""
+    return f"received_{table.name.lower()}"
+
+
+def _conditions(table: Reception) -> Iterator[str]:
+    """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
+    places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
+    others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
+    if others:
+        yield f"if {_any(others)}:"
+        yield "    counts[0] = -1  # for somebody else"
+        yield "    return"
+    if table.conditions:
+        tests = " or ".join(f"{_number(field, field.offset)} != {number}" for field, number in table.conditions)
+        yield f"if {tests}:"
+        yield "    counts[0] = -1  # not for this table"
+        yield "    return"
+    yield "counts[0] = 0"
+    yield f"counts[1] = counts[1] + 1 & {_MASK}"
+
+
+def _any(tests: list[str]) -> str:
+    return tests[0] if len(tests) == 1 else " or ".join(f"({test})" for test in tests)
+
+
+def _half(offset: int) -> str:
+    return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
+
+
+def _number(field: WireField, offset: int) -> str:
+    """The expression of a number of one or two bytes."""
+    plain = f"wire[{offset}]" if field.type.size == 1 else _half(offset)
+    if field.type.minimum == 0:
+        return plain.removeprefix("(").removesuffix(")")
+    top = 1 << 8 * field.type.size - 1
+    return f"({plain} ^ 0x{top:X}) - 0x{top:X}"
+
+
+class _Statements:
+    """The statements of one field, the ``number``-th of its table; ``places`` collects the words that they name."""
+
+    def __init__(self, taken: ReceivedField, number: int, layout: Layout, places: dict[str, int]) -> None:
+        self._taken = taken
+        self._number = number
+        self._layout = layout
+        self._places = places
+
+    def lines(self) -> list[str]:
+        taken, quantity = self._taken, self._taken.quantity
+        units = f" [{taken.field.unit_text}]" if taken.field.unit_text else ""
+        kept = f" [{quantity.stored.name}]" if quantity.stored.name and quantity.stored.name != units[2:-1] else ""
+        comment = f"# {taken.label}{units}: {quantity.path}{kept} ({taken.citation})"
+        if taken.is_text:
+            return [comment, *self._text()]
+        # Of a number of several halves `value` is the highest, which is looked at most.
+        halves = self._halves(taken.offset) if self._is_long else []
+        read = halves.pop()[1:-1] if halves else _number(taken.field, taken.offset)
+        before = [f"value = {read}"]
+        tests = [*self._unknown(halves), *self._beyond(halves)]
+        store = [*self._store(halves), *self._renewed()]
+        if not tests:
+            return [comment, *before, *store]
+        lines: list[str] = []
+        for condition, remark, inner in tests:
+            lines += [*tested("elif" if lines else "if", condition, remark), *indented(inner)]
+        return [comment, *before, *lines, "else:", *indented(store)]
+
+    # places
+
+    def _word(self, attribute: str, at: int = 0) -> str:
+        quantity = self._taken.quantity
+        block = self._layout.blocks[quantity.component]
+        name = block.constant(attribute)
+        self._places[name] = self._layout.places(quantity.component, attribute)[0]
+        return f"words[{name} + {at}]" if at else f"words[{name}]"
+
+    def _halves(self, offset: int) -> list[str]:
+        """The halves of a number on the wire, the low one first."""
+        return [_half(offset + 2 * at) for at in range(self._taken.field.type.size // 2)]
+
+    @property
+    def _is_long(self) -> bool:
+        """Whether the number has several halves."""
+        return self._taken.field.type.size > 2
+
+    @property
+    def _wire_storage(self) -> Storage:
+        return Storage(self._taken.field.type.code)
+
+    # tests
+
+    def _unknown(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
+        """What makes the quantity unknown; a boolean, which is never so, keeps its value."""
+        taken = self._taken
+        is_boolean = taken.quantity.kind is QuantityKind.BOOLEAN
+        forget = ["pass"] if is_boolean else [f"{self._word(taken.quantity.attribute)} = {UNKNOWN}"]
+        if taken.is_extension:
+            yield "counts[2] != 0", "MAVLink 1 does not have it", forget
+        if not taken.field.type.is_integer:
+            exponent = 0x7F80 if taken.field.type.size == 4 else 0x7FF0
+            yield f"value & 0x{exponent:X} == 0x{exponent:X}", "NaN, or infinite", forget
+        sentinel = taken.sentinel
+        if sentinel is None or not math.isfinite(sentinel):
+            return
+        offset = taken.field.offset + taken.speaking * taken.field.type.size
+        is_own = taken.speaking == taken.element
+        if self._is_long:
+            compared = [*halves, "value"] if is_own else self._halves(offset)
+            yield equal(compared, Fraction(sentinel), self._wire_storage), "unknown", forget
+        else:
+            yield f"{'value' if is_own else _number(taken.field, offset)} == {sentinel}", "unknown", forget
+
+    def _beyond(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
+        """What is not taken."""
+        taken, field = self._taken, self._taken.field
+        low, high = taken.low, taken.high
+        least, most = Fraction(field.type.minimum), Fraction(field.type.maximum)
+        if not field.type.is_integer:
+            least, most = (Fraction(end) for end in self._wire_storage.limits)
+        conditions = []
+        if self._is_long:
+            compared = [*halves, "value"]
+            conditions += [below(compared, low, self._wire_storage)] if low > least else []
+            conditions += [above(compared, high, self._wire_storage)] if high < most else []
+        else:
+            conditions += [f"value < {low}"] if low > least else []
+            conditions += [f"value > {high}"] if high < most else []
+        if conditions:
+            refuse = [f"counts[0] = {self._number}", self._counted()]
+            yield " or ".join(conditions), "not plausible", refuse
+
+    def _counted(self) -> str:
+        at = FIELDS - 1 + self._number
+        return f"counts[{at}] = counts[{at}] + 1 & {_MASK}"
+
+    # what is kept
+
+    def _store(self, halves: list[str]) -> list[str]:
+        """``halves`` are those below the highest one."""
+        taken, quantity = self._taken, self._taken.quantity
+        word, storage = quantity.attribute, quantity.storage
+        if quantity.kind is QuantityKind.BOOLEAN:
+            is_set = " or ".join(f"{half} != 0" for half in ("value", *halves))
+            return [f"{self._word(word)} = 1 if {is_set} else 0"]
+        if storage is not Storage.SMALL:
+            kept = self._extended(halves, storage.halves)
+            return [f"{self._word(word, at)} = {half}" for at, half in enumerate(kept)]
+        if not taken.field.type.is_integer:
+            parts = f"{taken.factor.numerator}, {taken.factor.denominator}"
+            return [f"{self._word(word)} = int(whole_of_float(value, {halves[0][1:-1]}, {parts}))"]
+        lines = []
+        value = "value"
+        if halves:
+            # What is within the limits is a number of 30 bits: the halves above its two only have its sign.
+            top = halves[1][1:-1] if len(halves) > 1 else "value"
+            top = f"(({top}) ^ 0x{_TOP:X}) - 0x{_TOP:X}".replace("(value)", "value") if taken.low < 0 else top
+            value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")
+        if taken.factor != 1:
+            lines = [f"value = {value}"] if halves else []
+            converted = scaled(taken.factor, taken.spec.rounding)
+            lines += [converted[-1].strip()] if taken.low >= 0 else converted  # without what negative numbers need
+            value = "value"
+        return [*lines, f"{self._word(word)} = {value}"]
+
+    def _extended(self, halves: list[str], count: int) -> Iterator[str]:
+        """As many halves as are kept, the sign in those that the wire does not have."""
+        wire = [*(half[1:-1] for half in halves), "value" if self._is_long else "value & 0xFFFF"]
+        negative = f"value & 0x{_TOP:X} != 0" if self._is_long else "value < 0"
+        for at in range(count):
+            yield wire[at] if at < len(wire) else f"0xFFFF if {negative} else 0" if self._taken.low < 0 else "0"
+
+    def _renewed(self) -> list[str]:
+        """The time until which the value is believed; sums beyond 30 bits would allocate."""
+        quantity = self._taken.quantity
+        if not quantity.ages:
+            return []
+        after_ms = quantity.trust.stale_after_ms
+        assert after_ms is not None
+        return [f"{self._word(age_word(quantity))} = now_ms - {SMALL_INT_MAX - after_ms + 1} & {_MASK}"]
+
+    def _text(self) -> list[str]:
+        """Characters up to the first NUL, two to a word; what is not ASCII is not taken."""
+        taken, quantity = self._taken, self._taken.quantity
+        count, start = taken.field.count, taken.offset
+        place = self._word(quantity.attribute)
+        letter = f"wire[{start} + value]"
+        at, name = f"wire[{start} + 2 * at]", place.removeprefix("words[").removesuffix("]")
+        store = [
+            "at = 0",
+            f"while at < {quantity.words}:",
+            f"    words[{name} + at] = {at} if 2 * at < value else 0",
+            "    if 2 * at + 1 < value:",
+            f"        words[{name} + at] = {at} | wire[{start + 1} + 2 * at] << 8",
+            "    at += 1",
+            *self._renewed(),
+        ]
+        is_cut = f"value < {count} and {letter} != 0"
+        tests: list[tuple[str, str, list[str]]] = []
+        if taken.is_extension:
+            tests.append(("counts[2] != 0", "MAVLink 1 does not have it", [f"{place} = {UNKNOWN}"]))
+        tests.append((is_cut, "not ASCII", [f"counts[0] = {self._number}", self._counted()]))
+        if taken.sentinel is not None:
+            tests.append(("value == 0", "unknown", [f"{place} = {UNKNOWN}"]))
+        lines = ["value = 0", f"while {is_cut} and {letter} < 0x80:", "    value += 1"]
+        for number, (condition, remark, inner) in enumerate(tests):
+            lines += [*tested("elif" if number else "if", condition, remark), *indented(inner)]
+        return [*lines, "else:", *indented(store)]

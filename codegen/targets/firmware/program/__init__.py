@@ -1,0 +1,1 @@
+"""Views of the program around the telemetry: main loop, commands, parameters."""

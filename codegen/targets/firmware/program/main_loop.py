@@ -1,0 +1,103 @@
+"""Views of what the main loop calls: the user's code, each component that is measured, and what is checked."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from codegen.frozen import dataclass
+from codegen.model.program import Program
+from codegen.model.sensor_turns import WATCH_US, turns_of
+from codegen.model.system import System
+from codegen.targets.firmware.failsafes.failsafe import FailsafeView
+
+
+@dataclass(frozen=True, slots=True)
+class CallView:
+    """A method that the main loop calls every ``period_us``, under which name, and what asks for it."""
+
+    period_us: int
+    method: str
+    name: str
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class JobView:
+    """What is done every ``period_us``: a component is measured, or what nothing measures is checked.
+
+    ``name`` is what texts call it where it fails, ``component`` None where nothing is measured.
+    """
+
+    name: str
+    method: str
+    component: str | None
+    period_us: int
+    statements: tuple[str, ...]
+
+
+def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[JobView, ...]:
+    """The components that are measured, in the order of state.yaml, and behind them what is checked beside them."""
+    names = [reading.component.name for reading in system.readings() if reading.is_first]
+    jobs = [
+        JobView(
+            name=name,
+            method=f"_watch_{name}",
+            component=name,
+            period_us=(system.components[name].period_ms or 100) * 1000,
+            statements=(
+                f"self.state.update_{name}(self.board)",
+                *_checks(each for each in failsafes if each.is_measured and each.component == name),
+            ),
+        )
+        for name in names
+    ]
+    checked = tuple(_checks(each for each in failsafes if not each.is_measured))
+    told = _about_itself(system, program)
+    if checked or (told and not jobs):
+        jobs.append(JobView("checks", "_watch", None, program.checks_us, checked))
+    return (*jobs[:-1], *(replace(job, statements=(*job.statements, *told)) for job in jobs[-1:]))
+
+
+def _checks(failsafes: Iterable[FailsafeView]) -> Iterator[str]:
+    return (f"self._check(self.{failsafe.attribute})" for failsafe in failsafes)
+
+
+def _about_itself(system: System, program: Program) -> tuple[str, ...]:
+    """What the vehicle tells about itself as soon as everything is read and checked."""
+    can_arm = program.spec.arming is not None
+    ready = (
+        "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
+        "self.state.vehicle.ready = self._is_ready()",
+    )
+    load = "self.state.vehicle.load_dpct = self.scheduler.load"
+    return (*(ready if can_arm else ()), *([load] if can_arm or _has_load(system) else []))
+
+
+def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:
+    """The user's code first, then the sensors, then what is measured and checked."""
+    measure = CallView(program.measure_us or 0, "measure", "measure", str(program.cited.get("measure", "")))
+    readings = [
+        CallView(
+            job.period_us,
+            job.method,
+            job.name,
+            str(system.components[job.component].citation or "") if job.component else "",
+        )
+        for job in jobs
+    ]
+    return (*([measure] if program.measure_us else []), *_sensors(system, program), *readings)
+
+
+def _sensors(system: System, program: Program) -> list[CallView]:
+    """What asks the sensors, and what notices that one is silent."""
+    if not system.polled:
+        return []
+    calls = [CallView(turns_of(system, program.control_us).every_us, "sources.turn", "sensors", "")]
+    if any(source.silence_ms is not None for source in system.polled):
+        calls.append(CallView(WATCH_US, "sources.watch", "silence", ""))
+    return calls
+
+
+def _has_load(system: System) -> bool:
+    """Whether the state asks for the load of the main loop, in the form in which the program tells it."""
+    load = system.quantity("vehicle.load")
+    return load is not None and load.attribute == "load_dpct" and system.components["vehicle"].instances == 1

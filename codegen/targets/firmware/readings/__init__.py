@@ -1,0 +1,1 @@
+"""Views and statements of what is done with readings of the ADC and of sensors."""

@@ -1,0 +1,1 @@
+"""The JSON Schemas of the specification files, and the page about their keys."""

@@ -1,0 +1,213 @@
+"""Cases for the tables of received messages: what arrives, in steps, and which criterion each case shows.
+
+What has to come of them the suite computes by itself: templates/tests/receives/receives_model.py.
+"""
+
+import struct
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.code.storage import Storage
+from codegen.model.dialect.dialect import Kind
+from codegen.model.reception import ReceivedField, Reception
+from codegen.model.spec.receive import Sender
+from codegen.model.system import System
+from codegen.model.vehicle import QuantityKind
+
+GROUND_STATION = 255, 190
+Value = int | float | str
+Step = Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class ReceptionCase:
+    """``name`` within its table; ``steps`` are frames, or times that pass."""
+
+    table: str
+    name: str
+    requirement: str
+    steps: tuple[Step, ...]
+
+    @property
+    def identifier(self) -> str:
+        """What the suite calls it."""
+        return f"{self.table}-{self.name}-{self.requirement}"
+
+
+def reception_cases(system: System) -> Iterator[ReceptionCase]:
+    """Those of all tables."""
+    for table in system.receptions:
+        yield from _Cases(table, system).cases()
+
+
+class _Cases:
+    """The cases of one table."""
+
+    def __init__(self, table: Reception, system: System) -> None:
+        self._table = table
+        self._own = system.system_id, system.component_id
+        self._plain = {each.label: _plain(each) for each in table.fields}
+        # What a quantity is after this is seen at the next change.
+        is_own = table.spec.sender is Sender.OWN_SYSTEM
+        self._sender = (self._own[0], self._own[1] % 255 + 1) if is_own else GROUND_STATION
+        self._before = [] if table.spec.sender is not Sender.GROUND_STATION else [_heartbeat(self._sender)]
+
+    def cases(self) -> Iterator[ReceptionCase]:
+        for taken in self._table.fields:
+            yield from self._of_field(taken)
+        yield from self._of_table()
+
+    def _of_field(self, taken: ReceivedField) -> Iterator[ReceptionCase]:
+        own, table = str(taken.citation), self._table
+        is_asked = taken.spec.requirement is not None
+        by_range = own if is_asked and "range" not in table.aspects else table.cited("range")
+        by_sentinel = own if is_asked and "sentinel" not in table.aspects else table.cited("sentinel")
+        for name, value in _taken_values(taken).items():
+            yield self._case(f"{taken.label}-{name}", own, self._message(), self._message({taken.label: value}))
+        for name, value in _refused_values(taken).items():
+            yield self._case(f"{taken.label}-{name}", by_range, self._message(), self._message({taken.label: value}))
+        for name, value in _unknown_values(taken).items():
+            values = {f"{taken.field.name}[{taken.speaking}]" if taken.field.is_array else taken.label: value}
+            values = {taken.label: value} if taken.is_text else values
+            yield self._case(f"{taken.label}-{name}", by_sentinel, self._message(), self._message(values))
+        after_ms = taken.quantity.trust.stale_after_ms
+        if taken.quantity.ages and after_ms is not None:
+            cited = table.cited("stale_after") or own
+            yield self._case(f"{taken.label}-in-time", cited, self._message(), {"ms": after_ms})
+            yield self._case(f"{taken.label}-too-old", cited, self._message(), {"ms": after_ms + 1})
+            refreshed = (self._message(), {"ms": after_ms}, self._message(), {"ms": after_ms})
+            yield self._case(f"{taken.label}-again", cited, *refreshed)
+
+    def _of_table(self) -> Iterator[ReceptionCase]:
+        table = self._table
+        cited = str(table.citation)
+        zeros: dict[str, Value] = {each.label: "" if each.is_text else 0 for each in table.fields}
+        yield self._case("truncated", cited, self._message(), self._message(zeros))
+        yield self._case("others-are-zero", cited, self._message())
+        if table.wire.id <= 255:
+            yield self._case("MAVLink-1", cited, self._message(), self._message(version=1))
+        for field, number in table.conditions:
+            other = number + 1 if number < field.type.maximum else number - 1
+            yield self._case(f"other-{field.name}", cited, self._message(others={field.name: other}))
+        target = table.cited("target")
+        system, component = table.targets
+        if system is not None:
+            number = self._own[0] % 255 + 1
+            yield self._case("for-another-system", target, self._message(others={system.name: number}))
+            yield self._case("for-every-system", target, self._message(others={system.name: 0}))
+        if component is not None:
+            number = self._own[1] % 255 + 1
+            yield self._case("for-another-component", target, self._message(others={component.name: number}))
+            yield self._case("for-every-component", target, self._message(others={component.name: 0}))
+        sender = table.cited("sender")
+        yield self._case("own", sender, self._message(sender=self._own))
+        another = (self._own[0] + 1) % 255 + 1, 1
+        if table.spec.sender is not Sender.ANY:
+            yield self._case("of-another-system", sender, self._message(sender=another))
+        if table.spec.sender is Sender.GROUND_STATION:
+            yield ReceptionCase(table.name, "of-nobody-heard", sender, (self._message(),))
+            no_station = {**_heartbeat(another), "values": {"type": 2}}
+            yield self._case("of-no-ground-station", sender, no_station, self._message(sender=another))
+
+    def _case(self, name: str, requirement: str, *steps: Step) -> ReceptionCase:
+        return ReceptionCase(self._table.name, name, requirement, (*self._before, *steps))
+
+    def _message(
+        self,
+        values: Mapping[str, Value] | None = None,
+        others: Mapping[str, int] | None = None,
+        sender: tuple[int, int] | None = None,
+        version: int = 2,
+    ) -> Step:
+        """A frame of the message, of plain values but for some; ``others`` are fields that the table does not take."""
+        system, component = self._table.targets
+        about = {field.name: number for field, number in self._table.conditions}
+        about |= {field.name: own for field, own in zip((system, component), self._own, strict=True) if field}
+        step: dict[str, object] = {
+            "message": self._table.wire.name,
+            "values": {**about, **self._plain, **(values or {}), **(others or {})},
+            "from": list(sender or self._sender),
+        }
+        return step | ({"version": version} if version != 2 else {})
+
+
+def _heartbeat(sender: tuple[int, int]) -> dict[str, object]:
+    """That of a ground station: MAV_TYPE_GCS is 6."""
+    return {"message": "HEARTBEAT", "values": {"type": 6}, "from": list(sender)}
+
+
+def _plain(taken: ReceivedField) -> Value:
+    """A number somewhere within what is taken."""
+    if taken.is_text:
+        return "plain"[: taken.field.count]
+    if not taken.field.type.is_integer:
+        low, high = max(taken.low, Fraction(-1000)), min(taken.high, Fraction(1000))
+        low, high = (taken.low, taken.high) if low > high else (low, high)
+        return _held(taken, low + (high - low) * Fraction(3, 7))
+    number = int(taken.low + (taken.high - taken.low) * Fraction(3, 7))
+    return number if number != taken.sentinel else number + 1 if number < taken.high else number - 1
+
+
+def _taken_values(taken: ReceivedField) -> dict[str, Value]:
+    if taken.is_text:
+        return {"full": "x" * taken.field.count, "one": "~"}
+    found: dict[str, Value] = {"lowest": _number(taken, taken.ends[0]), "highest": _number(taken, taken.ends[1])}
+    if taken.field.type.is_integer:
+        if taken.factor.denominator != 1:  # a half, on both sides
+            half = taken.factor.denominator // 2
+            found |= {
+                name: number
+                for name, number in (("half", half), ("minus-half", -half))
+                if taken.low <= number <= taken.high
+            }
+    elif taken.low <= 0 <= taken.high:
+        found |= {"zero": 0.0, "minus-zero": -0.0}
+        if not taken.quantity.storage.is_float:  # halves of a step, and what is next to nothing
+            near = {"half": Fraction(1, 2), "minus-half": Fraction(-3, 2), "tiny": Fraction(1, 10**30)}
+            found |= {name: _held(taken, number / taken.factor) for name, number in near.items()}
+    return {name: value for name, value in found.items() if value != taken.sentinel and _is_within(taken, value)}
+
+
+def _is_within(taken: ReceivedField, value: Value) -> bool:
+    return isinstance(value, str) or taken.low <= Fraction(value) <= taken.high
+
+
+def _refused_values(taken: ReceivedField) -> dict[str, Value]:
+    field = taken.field
+    if taken.is_text:
+        return {"no-ascii": "é"}
+    if not field.type.is_integer:
+        least, most = Storage(field.type.code).limits
+        ends = {"below": taken.low - abs(taken.low) / 1000 - 1, "above": taken.high + abs(taken.high) / 1000 + 1}
+        held = {name: _held(taken, end) for name, end in ends.items() if least <= end <= most}
+        return {name: value for name, value in held.items() if not taken.low <= Fraction(value) <= taken.high}
+    low, high, smallest, largest = int(taken.low), int(taken.high), field.type.minimum, field.type.maximum
+    limits = {"below": low - 1, "above": high + 1, "least": smallest, "most": largest}
+    return {
+        name: number
+        for name, number in limits.items()
+        if smallest <= number <= largest and not low <= number <= high and number != taken.sentinel
+    }
+
+
+def _unknown_values(taken: ReceivedField) -> dict[str, Value]:
+    if taken.quantity.kind is QuantityKind.BOOLEAN:
+        return {}
+    found: dict[str, Value] = {}
+    if taken.sentinel is not None:
+        found["sentinel"] = "" if taken.field.type.kind is Kind.CHAR else taken.sentinel
+    if taken.field.type.kind is Kind.FLOAT:
+        found |= {"nan": float("nan"), "infinite": float("inf"), "minus-infinite": -float("inf")}
+    return found
+
+
+def _number(taken: ReceivedField, number: Fraction) -> Value:
+    return int(number) if taken.field.type.is_integer else float(number)
+
+
+def _held(taken: ReceivedField, number: Fraction) -> float:
+    """The nearest float of the field's size."""
+    code = f"<{taken.field.type.code}"
+    held: float = struct.unpack(code, struct.pack(code, float(number)))[0]
+    return held

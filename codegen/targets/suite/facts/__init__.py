@@ -1,0 +1,1 @@
+"""Facts of the specification that the checks of the generated suite compare with."""
