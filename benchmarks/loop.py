@@ -107,7 +107,7 @@ def _known(work: Work, costs: Mapping[Part, float]) -> float:
 def least_squares(rows: Sequence[tuple[Work, float, float]], parts: Sequence[Part]) -> dict[Part, float]:
     """Return the costs of parts, none below 0, that fit best; a row has work, instructions, and what errors are of."""
     kept = [part for part in parts if any(work[part] for work, _, _ in rows)]
-    while True:
+    while kept:
         weighed = [([work[part] / whole for part in kept], value / whole) for work, value, whole in rows]
         matrix = [
             [sum(row[i] * row[j] for row, _ in weighed) + (1e-12 if i == j else 0) for j in range(len(kept))]
@@ -119,6 +119,7 @@ def least_squares(rows: Sequence[tuple[Work, float, float]], parts: Sequence[Par
         if found[below] >= 0:
             return {part: found.get(part, 0.0) for part in parts}
         kept.remove(below)
+    return dict.fromkeys(parts, 0.0)
 
 
 def _solved(matrix: list[list[float]]) -> list[float]:

@@ -167,14 +167,15 @@ class Plan:
         self.count("heard", "heard", Work({Part.HEARD: 1}), "links")
 
     def count_stations(self) -> None:
-        """Count the pass of a link with two stations more."""
+        """Count the pass in which a HEARTBEAT arrives with two stations more; one with nothing to do asks none."""
         for station in (2, 3):
             self.hear(station)
             self.go(self.now_us + 2 * self.program.links_us)
         self.go(self.now_us + WARM_UP_US)
         self.silence()
         self.next_links()
-        self.count("stations", "stations", Work({Part.STATION: 2}), "links")
+        self.hear()
+        self.count("stations", "stations", Work({Part.STATION: 2}), "heard")
 
     def count_readings(self) -> None:
         """Count what it takes to read each component."""

@@ -1,10 +1,10 @@
 """One pass of the rover's main loop in which control alone is due: nothing arrives, nothing is read."""
 
 import counting  # isort: skip  before anybody looks at the clock
+from texts import Texts
 from vehicle import Vehicle
 
-vehicle = Vehicle(ports=[])
-vehicle.texts._echo = lambda *_words: None  # what is printed here are the counts
+vehicle = Vehicle(ports=[], texts=Texts(counting.unheard))
 run_pass = vehicle.scheduler.run_pass
 slot = vehicle.scheduler._control
 run_pass()  # the first pass does all jobs

@@ -48,7 +48,10 @@ class Converter:
 
 machine.ADC = Converter
 
+from texts import Texts  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
+
+HERE, NOTHING = (True,), ()
 
 
 class Port:
@@ -58,6 +61,10 @@ class Port:
     is_up = True
     frame = b""
     frames = size = 0
+
+    def look(self, _wait_ms):
+        """Return something while the frame is there; ipoll() of a board takes as long."""
+        return HERE if self.frame else NOTHING
 
     def readinto(self, buffer):
         """Let the frame arrive."""
@@ -95,8 +102,7 @@ class Passes:
             Port.stations = Stations
             self.port.home = "home", 1
             self.port.ends = [None, ("here", 1)]
-        self.vehicle = Vehicle(ports=[self.port])
-        self.vehicle.texts._echo = lambda *_words: None  # what is printed here are the counts
+        self.vehicle = Vehicle(ports=[self.port], texts=Texts(lambda *_words: None))
         self.period_us = plan["control_us"]
         self.now_us = 0
 
@@ -144,6 +150,7 @@ class Passes:
 
     def interval(self, message_id, interval_us):
         """Let a message be sent in this interval from now on."""
+        self.vehicle.connections[0]._is_idle = False  # or it would look only some passes later
         for station in self.vehicle.connections[0].stations:
             if not station.streams.set_interval(message_id, interval_us):
                 raise SystemExit("no message " + str(message_id))

@@ -3,6 +3,7 @@
 import counting  # isort: skip  before anybody looks at the clock
 import messages
 from mavlink import Link
+from texts import Texts
 from vehicle import Vehicle
 
 
@@ -21,7 +22,7 @@ class Port:
         return len(frame)
 
 
-connection = Vehicle(ports=[Port()]).connections[0]
+connection = Vehicle(ports=[Port()], texts=Texts(counting.unheard)).connections[0]
 link = connection.link
 link._state[16] = 0  # one pass may do any work: here all rounds are in one
 own = Link(None, connection.system_id, 191)  # another component of the vehicle
