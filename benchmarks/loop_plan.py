@@ -161,7 +161,10 @@ class Plan:
         return message_work(message, self.system)
 
     def count_heard(self) -> None:
-        """Count a pass in which a HEARTBEAT arrives."""
+        """Count a pass in which a HEARTBEAT arrives, behind one: then who is silent was looked for just before."""
+        self.next_links()
+        self.hear()
+        self.go(self.now_us + self.program.links_us)
         self.next_links()
         self.hear()
         self.count("heard", "heard", Work({Part.HEARD: 1}), "links")

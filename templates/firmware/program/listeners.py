@@ -44,9 +44,11 @@ class Listeners:
 
     def forget_silent(self, now_ms):
         """Forget those who are gone; now and then, for clocks of boards start again after 12 days."""
-        for place in range(len(self.names)):
-            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
+        place = 0
+        for name in self.names:
+            if name and ticks_diff(now_ms, self._heard_ms[place]) >= self._silence_ms:
                 self.names[place] = 0
+            place += 1  # noqa: SIM113  enumerate() takes heap
 
     def _age_ms(self, place, now_ms):
         return ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF
