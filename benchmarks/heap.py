@@ -5,6 +5,7 @@ import math
 import os
 import shutil
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import measure
@@ -57,8 +58,12 @@ def _value(figures: list[Figure], key: str) -> float | None:
 
 
 def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], quick: bool) -> list[Figure]:
-    used = {form: in_use(folder, form, MOST) for form in FORMS}
-    smallest = {form: MOST if quick else _smallest(folder, form) for form in FORMS}
+    with ThreadPoolExecutor() as pool:
+        used = dict(zip(FORMS, pool.map(lambda form: in_use(folder, form, MOST), FORMS), strict=True))
+        # What is in use once it has started does not fit into less.
+        least = {form: (used[form] or {}).get("started", 0) // 1024 for form in FORMS}
+        tried = pool.map(lambda form: MOST if quick else _smallest(folder, form, least[form]), FORMS)
+        smallest = dict(zip(FORMS, tried, strict=True))
     against = "32-bit words"
     of, prefix = ("", "") if vehicle == "rover" else (f" of the {vehicle}", f"{vehicle}_")
     found = []
@@ -70,7 +75,7 @@ def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], q
     for form, title in FORMS.items():
         what = f"smallest heap in which it runs{of}, {title}"
         found.append(Figure(f"{prefix}smallest_{form}", what, against, smallest[form], "KB", most=goals.get(form)))
-    asked = MOST if quick else _smallest(folder, "mpy", RARELY)
+    asked = MOST if quick else _smallest(folder, "mpy", smallest["mpy"] or MOST, RARELY)
     what = f"smallest heap in which it runs{of} and is asked rarely, {FORMS['mpy']}"
     return [*found, Figure(f"{prefix}rarely_mpy", what, against, asked, "KB")]
 
@@ -133,9 +138,10 @@ def in_use(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int
     return found
 
 
-def _smallest(folder: Path, form: str, *arguments: str) -> int | None:
+def _smallest(folder: Path, form: str, least: int, *arguments: str) -> int | None:
+    """Return the first heap from ``least`` KB on, of those that are tried, that is enough and the next ones as well."""
     in_a_row = 0
-    for heap in range(LEAST, MOST + 1, STEP):
+    for heap in range(max(LEAST, least // STEP * STEP), MOST + 1, STEP):
         in_a_row = in_a_row + 1 if in_use(folder, form, heap, *arguments) else 0
         if in_a_row == IN_A_ROW:
             return heap - (IN_A_ROW - 1) * STEP

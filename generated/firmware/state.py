@@ -14,7 +14,7 @@ from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
 from thresholds import at_least, below
-from words import KINDS, UNKNOWN, Component, together
+from words import KINDS, UNKNOWN, Component, number, together, truth, whole
 
 try:
     from state_viper import expire_battery, read_battery
@@ -281,21 +281,18 @@ class VehicleState(Component):
         _VEHICLE_LOAD_DPCT,
         0,
     )
-    # Attributes, made when they are first used: names, kind and what words.py tells that kind.
-    VIEWS = (
-        # Whether the motors may turn
-        " armed: truth 0\n"
-        # Whether the checks before arming pass
-        " ready: truth 1\n"
-        # Drive mode, a number of the autopilot's own
-        # A number, known from the start
-        " mode_number: mode: number 2 0 1000000 mode 1\n"
-        # What the vehicle is doing (MAV_STATE)
-        " status: whole 3 0 8 status\n"
-        # Share of the main loop's time that is used [d%]
-        # %, known from the start
-        " load_dpct: load: number 4 0 1000 load 10\n"
-    )
+    # Whether the motors may turn
+    armed = truth(_VEHICLE_ARMED)
+    # Whether the checks before arming pass
+    ready = truth(_VEHICLE_READY)
+    # Drive mode, a number of the autopilot's own
+    # A number, known from the start
+    mode_number, mode = number(_VEHICLE_MODE_NUMBER, 0, 1000000, "mode", 1)
+    # What the vehicle is doing (MAV_STATE)
+    status = whole(_VEHICLE_STATUS, 0, 8, "status")
+    # Share of the main loop's time that is used [d%]
+    # %, known from the start
+    load_dpct, load = number(_VEHICLE_LOAD_DPCT, 0, 1000, "load", 10)
 
 
 class SystemState:

@@ -37,6 +37,9 @@ FURTHER = {
 }
 """How many arguments such a view has at least, and by name what its further ones are where they are not given."""
 
+OF_THE_PROGRAM = "vehicle"
+"""The component that the program itself uses: its attributes are there at once, for a pass is not to make one."""
+
 LONGEST = 120
 """Columns of a line."""
 
@@ -71,7 +74,7 @@ def attributes(
     at_once: list[AttributeView] = []
     lines: list[LineView] = []
     for view in _attributes(component, block, told):
-        if _kind(view) in MADE_WHEN_USED and "told=" not in view.expression:
+        if component.name != OF_THE_PROGRAM and _kind(view) in MADE_WHEN_USED and "told=" not in view.expression:
             lines.append(_line(view, block))
         else:
             at_once.append(_broken(view))
