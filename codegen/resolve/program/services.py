@@ -36,6 +36,10 @@ SERVICE_FIELDS = {
     "MESSAGE_INTERVAL": "interval_us message_id",
     "FILE_TRANSFER_PROTOCOL": "target_system target_component payload",
     "STATUSTEXT": "severity text id chunk_seq",
+    "SYSTEM_TIME": "time_unix_usec",
+    "SET_MODE": "base_mode custom_mode",
+    "COMMAND_CANCEL": "command",
+    "SETUP_SIGNING": "secret_key initial_timestamp",
 }
 """The fields that the program reads and writes in payloads, in templates such as `dialect.PING_TARGET_SYSTEM_AT`."""
 
