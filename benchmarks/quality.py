@@ -79,6 +79,7 @@ def criteria() -> Found:
     from codegen.diagnostics import Report  # noqa: PLC0415
     from codegen.project.systems import read_systems  # noqa: PLC0415  the page alone needs no specification
     from codegen.trace.coverage import coverage_of  # noqa: PLC0415
+    from codegen.trace.link import suspects  # noqa: PLC0415
     from codegen.trace.lock import reviews  # noqa: PLC0415
 
     project = str(ROOT / "specs" / "codegen.yaml")
@@ -86,7 +87,8 @@ def criteria() -> Found:
     systems = read_systems(project, report)
     trace = read_trace(systems, report)
     found: Counter[str] = Counter()
-    for each in coverage_of(trace, reviews(trace, read_trace_lock(project, report)), None):
+    lock = read_trace_lock(project, report)
+    for each in coverage_of(trace, reviews(trace, lock), suspects(trace, lock), None):
         if not each.is_decision:
             kinds = {bool(tested.test.inputs) for tested in each.tests}
             found[_shown_by(kinds, has_limit=each.host_limit is not None)] += 1
