@@ -20,6 +20,7 @@ from codegen.model.spec.program import ArmingSpec, ControlSpec, FailsafeSpec, Se
 from codegen.model.spec.receiver import ReceiverSpec
 from codegen.model.spec.spec import GenerationsSpec
 from codegen.model.spec.state import ComponentSpec, QuantitySpec
+from codegen.model.spec.watchdog import WatchdogSpec
 from codegen.model.system import System
 from codegen.project.systems import read_systems
 from codegen.targets.receiver.suite import shown_by_receiver_tests
@@ -45,6 +46,7 @@ SECTIONS = {
     "reading": AdcSpec,
     "receiver": ReceiverSpec,
     "command": CommandSpec,
+    "watchdog": WatchdogSpec,
 }
 OF_THE_BEHAVIOUR = {
     "component": {"robustness", "scenarios", "steady"},

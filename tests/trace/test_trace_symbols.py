@@ -37,7 +37,7 @@ def names_of(text: str) -> set[str]:
     """
     found = set()
     for node in ast.parse(text).body:
-        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
             found.add(node.name)
         if isinstance(node, ast.Assign):
             found |= {target.id for target in node.targets if isinstance(target, ast.Name)}
@@ -53,7 +53,7 @@ def names_of(text: str) -> set[str]:
             found |= {f"{node.name}.{word.removesuffix(':')}" for word in words if word.endswith(":")}
         for inner in ast.walk(node) if isinstance(node, ast.ClassDef) else ():
             match inner:
-                case ast.FunctionDef(name=name):
+                case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name):
                     found.add(f"{node.name}.{name}")
                 case ast.Attribute(value=ast.Name(id="self"), attr=name, ctx=ast.Store()):
                     found.add(f"{node.name}.{name}")
