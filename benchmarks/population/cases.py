@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from population.answer import STALE_S, Answer
 from population.expected import Carried, carried
-from population.lists import alone, lists, together
+from population.listed import alone, lists, together
 from population.settings import LEAVE, Setting, extremes, kept, lots
 
 AGES_US = STALE_S * 900_000, STALE_S * 200_000

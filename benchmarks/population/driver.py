@@ -40,17 +40,22 @@ def read(data, at):
     return how, struct.unpack_from({REAL: "<d", SIGNED: "<q", UNSIGNED: "<Q"}[kind], data, at + 1)[0], at + 9
 
 
+def knows(owner, name):
+    """Return whether a part of the state has an attribute, without reading it: some are made when they are used."""
+    return hasattr(type(owner), name) or f" {name}:" in owner.VIEWS
+
+
 def put(state, target, stored, value):
     """Set one of both attributes of a quantity, or the booleans of flags."""
     component, people, kept, flags, left = target
     owner = getattr(state, component)
     if flags:
         for name, number in flags:
-            assert hasattr(type(owner), name), name
+            assert knows(owner, name), name
             setattr(owner, name, bool(value & number))
         return
     name = kept if stored else people
-    assert hasattr(type(owner), name), name  # else a new attribute would be made of it, without a word
+    assert knows(owner, name), name  # else a new attribute would be made of it, without a word
     if left:
         values_of_list.append(value)
         value = tuple(values_of_list)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: 7f9a2e3f9a14360e
+# Inputs: 77b2bf0a042243cf
 """Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
 from array import array
@@ -27,13 +27,24 @@ class Listeners:
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
         name = system << 8 | component
-        place = 0
-        for known in self.names:
-            if known == name:
-                age_ms = ticks_diff(now_ms, self._heard_ms[place])
-                self._heard_ms[place] = now_ms
-                return age_ms >= self._silence_ms
-            place += 1  # noqa: SIM113  enumerate() takes heap
+        place = self._place(name)
+        if place < 0:
+            return self._take_place(name, now_ms)
+        is_new = self._age_ms(place, now_ms) >= self._silence_ms
+        self._heard_ms[place] = now_ms
+        return is_new
+
+    def forget_silent(self, now_ms):
+        """Forget those who are gone; now and then, for clocks of boards start again after 12 days."""
+        for place in range(len(self.names)):
+            if self.names[place]:
+                self._forget_if_silent(place, now_ms)
+
+    def _forget_if_silent(self, place, now_ms):
+        if self._age_ms(place, now_ms) >= self._silence_ms:
+            self.names[place] = 0
+
+    def _take_place(self, name, now_ms):
         self.forget_silent(now_ms)
         oldest = 0
         for place in range(len(self.names)):
@@ -44,11 +55,14 @@ class Listeners:
         self._heard_ms[oldest] = now_ms
         return is_new
 
-    def forget_silent(self, now_ms):
-        """Forget those who are gone; now and then, for clocks of boards start again after 12 days."""
-        for place in range(len(self.names)):
-            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
-                self.names[place] = 0
+    def _place(self, name):
+        """Return where somebody is, -1 for nowhere."""
+        place = 0
+        for known in self.names:
+            if known == name:
+                return place
+            place += 1  # noqa: SIM113  enumerate() takes heap
+        return -1
 
     def _age_ms(self, place, now_ms):
         return ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF

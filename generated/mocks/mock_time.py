@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 3d9421fd3d7f1c6b
+# Inputs: 4d08fb6eea912aa9
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -65,6 +65,11 @@ def follow(follower):
     """Call `follower` with the microseconds each time that some are about to pass: timers and watchdogs run on that."""
     if follower not in _followers:
         _followers.append(follower)
+
+
+def follow_nobody():
+    """Let nobody be called any more, as after a reset."""
+    _followers.clear()
 
 
 def set_ticks_us(now):

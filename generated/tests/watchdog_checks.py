@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: c7d810273b015c1b
+# Inputs: 69b7187b7c741107
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -217,7 +217,7 @@ def a_board_that_refuses():
     finally:
         machine.watchdog_range_ms = allowed
     assert len(craft.said("there is no watchdog")) == 1
-    assert craft.port.polls > 10
+    assert craft.port.looks > 10
 
 
 def a_prompt_is_left_alone():

@@ -317,7 +317,8 @@ def watchdog():
 
 
 def reset_watchdog():
-    """Let none run, as after a reset."""
+    """Let none run, and no timer, as after a reset."""
+    mock_time.follow_nobody()
     _watchdog[0] = _watchdog[1] = _watchdog[2] = 0
 
 
@@ -328,7 +329,7 @@ def _count_down(passed_us):
         _watchdog[0] -= passed_us
         return
     if any(mem32[clear] for clear in _CLEARS):
-        reset_watchdog()
+        _watchdog[0] = _watchdog[1] = 0
         return
     left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)

@@ -65,6 +65,11 @@ def follow(follower):
         _followers.append(follower)
 
 
+def follow_nobody():
+    """Let nobody be called any more, as after a reset."""
+    _followers.clear()
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock

@@ -1,6 +1,7 @@
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
+HERE = (True,)  # what a port returns that has something
 
 
 class Ground:
@@ -30,6 +31,16 @@ class Ground:
             return data
 
         port_class.read = heard
+        init = getattr(port_class, "__init__", None)
+        if init is not None:  # one without has nothing to look with either
+
+            def made(port, *arguments, **named):
+                init(port, *arguments, **named)
+                look = getattr(port, "look", None)
+                if look is not None:
+                    port.look = lambda wait_ms: HERE if self._waiting else look(wait_ms)
+
+            port_class.__init__ = made
 
     def turn(self, now_ms):
         """Send what is due."""

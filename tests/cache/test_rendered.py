@@ -111,19 +111,25 @@ def test_a_text_is_closed_by_the_digest_of_its_inputs_once() -> None:
     assert origin.open == Origin(origin.sources, "other").open
 
 
-def test_views_are_data_that_says_the_same_in_every_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A set has another order in each run, and whoever holds the system depends on all that was read."""
+def test_views_are_data_that_says_the_same_in_every_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A set has another order in each run, and whoever holds the system depends on all that was read.
+
+    Files of a further program are kept as a whole: in a cache of the test's own, so that no other test finds empty ones.
+    """
     views: dict[str, object] = {}
 
     def noted(template: str, view: object) -> str:
         views[template] = view
         return ""
 
+    monkeypatch.setenv(cache.VARIABLE, str(tmp_path / "cache"))
+    later_run()
     for module in (documents, firmware, mocks, pages, program_suite, receiver, suite, page):
         for name in {"rendered", "rendered_page"} & vars(module).keys():
             monkeypatch.setattr(module, name, noted)
     systems = read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
     render_systems(systems)
+    later_run()
     assert len(views) > 15
     kinds = {(template, kind) for template, view in views.items() for kind in _kinds(view)}
     plain = (str, int, float, type(None), tuple, list, dict)

@@ -193,9 +193,9 @@ assert sent.ids[0][1][10:40] != sent.ids[1][1][10:40]  # each is its own table
 assert not streams.send(30) and streams.interval_us(30) == 0 and not streams.set_interval(30, 1000)
 assert not streams.set_interval(24, -2)
 assert streams.interval_us(24) == 1000000
-streams._interval_us[streams_module._IDS.index(24)] = 250000  # one of them alone, which no request does
+streams._set_interval(streams_module._IDS.index(24), 250000)  # one of them alone, which no request does
 assert streams.interval_us(24) == 250000
-streams._interval_us[streams_module._IDS.index(24)] = -1
+streams._set_interval(streams_module._IDS.index(24), -1)
 assert streams.interval_us(24) == 1000000
 assert streams.set_interval(24, 200000) and streams.interval_us(24) == 200000
 bow = streams_module._IDS.index(24)

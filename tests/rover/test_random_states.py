@@ -180,10 +180,11 @@ def test_frames_equal_pymavlinks(interpreter, tmp_path):
     states = random_states()
     (tmp_path / "states.json").write_text(json.dumps(states))
     (tmp_path / "script.py").write_text(SCRIPT)
-    program = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
+    micropython = [str(Path(sys.executable).with_name("micropython")), "-X", "heapsize=8m"]  # for all states at once
+    program = [sys.executable] if interpreter == "cpython" else micropython
     path = os.pathsep.join([str(GENERATED / "firmware"), str(GENERATED / "mocks")])
     environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": path}
-    command = [program, str(tmp_path / "script.py"), str(tmp_path / "states.json")]
+    command = [*program, str(tmp_path / "script.py"), str(tmp_path / "states.json")]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     assert done.returncode == 0, done.stderr
     lines = done.stdout.split("\n")[:-1]

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 8b4163e31c95e752
+# Inputs: 38116120354ff387
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -319,7 +319,8 @@ def watchdog():
 
 
 def reset_watchdog():
-    """Let none run, as after a reset."""
+    """Let none run, and no timer, as after a reset."""
+    mock_time.follow_nobody()
     _watchdog[0] = _watchdog[1] = _watchdog[2] = 0
 
 
@@ -330,7 +331,7 @@ def _count_down(passed_us):
         _watchdog[0] -= passed_us
         return
     if any(mem32[clear] for clear in _CLEARS):
-        reset_watchdog()
+        _watchdog[0] = _watchdog[1] = 0
         return
     left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)

@@ -1,8 +1,9 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: 95ab03bd615885a7
+# Inputs: bbcc1bebed62f9aa
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
+HERE = (True,)  # what a port returns that has something
 
 
 class Ground:
@@ -32,6 +33,16 @@ class Ground:
             return data
 
         port_class.read = heard
+        init = getattr(port_class, "__init__", None)
+        if init is not None:  # one without has nothing to look with either
+
+            def made(port, *arguments, **named):
+                init(port, *arguments, **named)
+                look = getattr(port, "look", None)
+                if look is not None:
+                    port.look = lambda wait_ms: HERE if self._waiting else look(wait_ms)
+
+            port_class.__init__ = made
 
     def turn(self, now_ms):
         """Send what is due."""

@@ -137,10 +137,10 @@ def a_fault_in_it_changes_nothing():
 
     control = craft.scheduler._control.call
     craft.scheduler._control.call = fail
-    polls = craft.port.polls
+    looks = craft.port.looks
     run(craft, SECOND_US)
     craft.scheduler._control.call = control
-    assert craft.port.polls > polls + 10
+    assert craft.port.looks > looks + 10
     assert len(craft.said("control failed")) == 1
     assert len(_told(craft)) == 2
     craft.reboot()

@@ -215,7 +215,7 @@ def a_board_that_refuses():
     finally:
         machine.watchdog_range_ms = allowed
     assert len(craft.said("there is no watchdog")) == 1
-    assert craft.port.polls > 10
+    assert craft.port.looks > 10
 
 
 def a_prompt_is_left_alone():
