@@ -104,7 +104,7 @@ def test_pages_say_nothing_of_the_machine(every: list[Program]) -> None:
 def test_pages_stay_small(shipped: list[Program]) -> None:
     """They are committed, and read on phones.
 
-    The largest has all 143 criteria with what comes of them, and where its names may break: a server sends 31 KB of it.
+    The largest has all criteria with what comes of them, and the places where its names may break.
     """
     sizes = {path: len(text) for program in shipped for path, text in program.pages.items()}
     assert max(sizes.values()) < 290_000
