@@ -114,7 +114,7 @@ def test_a_text_is_closed_by_the_digest_of_its_inputs_once() -> None:
 def test_views_are_data_that_says_the_same_in_every_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A set has another order in each run, and whoever holds the system depends on all that was read.
 
-    Files of a further program are kept as a whole: in a cache of the test's own, so that no other test finds empty ones.
+    Files of a further program are kept as a whole: in a cache of the test's own, or others would find empty ones.
     """
     views: dict[str, object] = {}
 
