@@ -85,6 +85,8 @@ def run(coroutine):
                 if isinstance(end, StopIteration):
                     return end.value
                 raise
+            if not isinstance(end, (Exception, CancelledError)):  # a reset ends the program
+                raise
             _finish(task, end)
 
 
@@ -105,7 +107,7 @@ def _finish(task, end):
     task.state = False
     if waiting is True:
         if not isinstance(end, (StopIteration, CancelledError)):
-            sys.print_exception(end)
+            sys.print_exception(end, sys.stderr)
     elif waiting:
         while waiting.peek():
             _task_queue.push(waiting.pop())
