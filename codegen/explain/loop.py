@@ -47,5 +47,5 @@ def _table(budget: LoopBudget) -> Iterator[tuple[str, ...]]:
 
 
 def _besides(budget: LoopBudget) -> Iterator[str]:
-    yield f"each further station of a link takes {us_words(budget.station)} more in each slot that serves links"
+    yield f"each further station of a link takes {us_words(budget.station)} more where its link has something to do"
     yield f"each message that arrives, as a HEARTBEAT, takes {us_words(budget.heard)} more"

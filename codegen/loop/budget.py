@@ -58,7 +58,7 @@ class Slot:
 class LoopBudget:
     """The budget of a program: ``slots``, the shortest first, and the load of the board without the user's code.
 
-    ``station`` is what each further station of a link takes in each slot that serves links, ``heard`` what a message
+    ``station`` is what each further station takes where its link has something to do, ``heard`` what a message
     takes that arrives. ``base`` is the load in instructions a second without frames, ``load`` that with the frames that
     streams send by default.
     """

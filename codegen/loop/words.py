@@ -9,7 +9,7 @@ from codegen.model.units.unit import decimal
 NOT_COUNTED = (
     "Messages are due all at once at the start, when a ground station appears, and where their periods meet.",
     "Not counted: control() and what else is code of yours, the driver of a port (sockets and Wi-Fi, a UART), the "
-    "device of a sensor, saving, collecting garbage, misses of the flash cache.",
+    "device of a sensor, saving, collecting garbage, misses of the flash cache, and asyncio between two passes.",
 )
 """Sentences on what comes on top of the prediction."""
 
