@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from codegen.sim.run import SILENCE_S
+from codegen.cli import main
+from codegen.sim.run import SILENCE_S, simulate
 
 ROOT = Path(__file__).resolve().parents[2]
 CODE = """import time
@@ -22,6 +23,7 @@ class Rover(Vehicle):
         if self.turns > 800:
             {hang}
 """
+OPTIONS = ("--duration", "60 s", "--speed", "max", "--quiet", "--out", "udp:127.0.0.1:9")
 RUNTIMES = pytest.mark.parametrize("runtime", ["micropython", "cpython"])
 
 
@@ -29,20 +31,8 @@ def simulated(folder: Path, hang: str, runtime: str) -> str:
     """What `codegen sim` says of a rover whose control() hangs after two seconds."""
     code = folder / "mine.py"
     code.write_text(CODE.format(hang=hang))
-    arguments = ["sim", "nominal", "--duration", "60 s", "--speed", "max", "--quiet"]
     done = subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "codegen",
-            *arguments,
-            "--runtime",
-            runtime,
-            "--code",
-            str(code),
-            "--out",
-            "udp:127.0.0.1:9",
-        ],
+        [sys.executable, "-m", "codegen", "sim", "nominal", *OPTIONS, "--runtime", runtime, "--code", str(code)],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -63,7 +53,14 @@ def test_a_hung_loop_is_ended_by_the_watchdog(runtime: str, tmp_path: Path) -> N
 
 
 @RUNTIMES
-def test_code_in_which_no_time_passes_is_found(runtime: str, tmp_path: Path) -> None:
-    """No simulated time passes in an endless loop: after 30 s without a sign it is interrupted where it stands."""
-    said = simulated(tmp_path, "while True: pass", runtime)
+def test_code_in_which_no_time_passes_is_found(
+    runtime: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """No simulated time passes in an endless loop: after 30 s without a sign, here 10, it is interrupted where it stands."""
+    monkeypatch.setattr(simulate, "__defaults__", (10.0,))
+    monkeypatch.chdir(ROOT)
+    code = tmp_path / "mine.py"
+    code.write_text(CODE.format(hang="while True: pass"))
+    assert main(["sim", "nominal", *OPTIONS, "--runtime", runtime, "--code", str(code)]) == 1
+    said = capsys.readouterr().err
     assert re.search(r"does not let time pass any more .* \(.*rover\.py:11\)", said), said
