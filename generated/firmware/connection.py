@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 981d81873ba708a2
+# Inputs: 0c6f0bf189762393
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -82,17 +82,15 @@ class Connection:
         self._begin(vehicle.parameters)
 
     def _begin(self, parameters):
-        serving = self._serving()
-        next(serving)
-        turn = self._passes(parameters, getattr(self.port, "look", _perhaps), serving.send)
+        turn = self._passes(parameters, getattr(self.port, "look", _perhaps))
         next(turn)
         self.run = turn.send
 
-    # What generators keep between passes are variables, which are found at once and need no heap; and they catch an
+    # What a generator keeps between passes are variables, which are found at once and need no heap; and it catches an
     # exception without the heap, where a function would put all of its variables there. An interrupt or a restart ends
-    # them: who goes on after it begins anew.
+    # it: who goes on after it begins anew.
 
-    def _passes(self, parameters, look, serve):  # noqa: C901, PLR0912  calls are dear
+    def _passes(self, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, for ever."""
         diff = ticks_diff
         log = self._log
@@ -133,7 +131,25 @@ class Connection:
                         if not wait_ms:
                             if station is not self.station:
                                 self.turn_to(station)
-                            wait_ms = serve(now_ms)
+                            if station.waiting:
+                                try:
+                                    self._send_waiting(station.waiting)
+                                except Exception as error:
+                                    self._note(error, now_ms)
+                            try:
+                                station.streams.run(now_ms)
+                                if self.port.is_up:
+                                    station.streams.announce()
+                            except Exception as error:
+                                self._note(error, now_ms)
+                            if self._last is None and self._budget[0] <= 0:
+                                self._last = station
+                            try:
+                                self.services.run()
+                                self._texts.run(station)
+                            except Exception as error:
+                                self._note(error, now_ms)
+                            wait_ms = self._wait_ms(station, now_ms)
                         if wait_ms < least_ms:  # noqa: PLR1730  min() takes longer
                             least_ms = wait_ms
                     if self._end_pass(now_ms):
@@ -143,31 +159,6 @@ class Connection:
         except BaseException:
             self._begin(parameters)
             raise
-
-    def _serving(self):
-        """Serve the station at hand for each time.ticks_ms() that is sent; yield for how long it has nothing to do."""
-        now_ms = yield
-        while True:
-            station = self.station
-            if station.waiting:
-                try:
-                    self._send_waiting(station.waiting)
-                except Exception as error:
-                    self._note(error, now_ms)
-            try:
-                station.streams.run(now_ms)
-                if self.port.is_up:
-                    station.streams.announce()
-            except Exception as error:
-                self._note(error, now_ms)
-            if self._last is None and self._budget[0] <= 0:
-                self._last = station
-            try:
-                self.services.run()
-                self._texts.run(station)
-            except Exception as error:
-                self._note(error, now_ms)
-            now_ms = yield self._wait_ms(station, now_ms)
 
     def turn_to(self, station):
         """Let what is sent go to a station from now on."""

@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: a6d5a3622d6f008c
+# Inputs: b7cb5d0d547798ef
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -46,7 +46,9 @@ class Sender:
         frame[4] = 1 if signing else 0
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
-        views = tuple([frame[2 : 2 + extra + length] for length in range(longest + 1)])  # a list keeps more room
+        views = [frame] * (longest + 1)  # a list that is as long from the start keeps no more room than it needs
+        for length in range(longest + 1):
+            views[length] = frame[2 : 2 + extra + length]
         # Who makes it finds here where the payload goes, and the frame by its length. The buffer of a link that sends
         # MAVLink 1, or signs, is not for that: there is one that holds nothing.
         self._none = None if version == 2 and not signing else bytes(1)
