@@ -6,6 +6,7 @@ import heap
 import pytest
 import results
 
+ROOT = Path(__file__).resolve().parents[2]
 STORED = {figure.key: figure.value for figure in results.read(results.FOLDER / "heap.json").figures}
 
 
@@ -58,3 +59,11 @@ def test_stored_heap_is_not_more_than_132_kb() -> None:
 def test_too_small_a_heap_is_noticed(folder: Path, form: str) -> None:
     """What is in use once the program has started does not fit into less: the limit of the heap is one."""
     assert heap.in_use(folder, form, int(STORED[f"started_{form}"]) // 1024) is None
+
+
+def test_pages_tell_the_heap_that_is_stored() -> None:
+    """People read there whether the program fits."""
+    rover, files, boat = (int(STORED[key]) for key in ("smallest_rom", "smallest_mpy", "boat_smallest_rom"))
+    deploy = " ".join((ROOT / "docs" / "deploy.md").read_text().split())
+    assert f"{rover} KB in place, in {files} KB from `.mpy` files; that of `examples/boat` in {boat} KB" in deploy
+    assert f"From a ROMFS it takes {rover} KB" in (ROOT / "docs" / "rover.md").read_text()
