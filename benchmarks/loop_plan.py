@@ -145,12 +145,14 @@ class Plan:
         """Count passes in which one message is due, and one in which all of them are."""
         for number in () if all_only else sorted({message.wire.id for message in self.system.messages}):
             tables = [message for message in self.system.messages if message.wire.id == number]
+            self.look_around()
             self.next_links()
             self.steps.append(["interval", number, 1000000])
             work = Work({Part.STREAMS: 1, Part.TABLE: len(self.system.messages)})
             self.count(f"message {number}", "frames", sum((self.sent(table) for table in tables), work), "links")
             self.steps.append(["interval", number, -1])
             self.silence()
+        self.look_around()
         self.next_links()
         self.intervals(0)
         self.count("all messages", "frames", due_work(self.system), "links")
@@ -160,11 +162,15 @@ class Plan:
         """Return what a message takes."""
         return message_work(message, self.system)
 
-    def count_heard(self) -> None:
-        """Count a pass in which a HEARTBEAT arrives, behind one: then who is silent was looked for just before."""
+    def look_around(self) -> None:
+        """Have a pass in which a HEARTBEAT arrives: then it is looked for who is silent, which is done once a second."""
         self.next_links()
         self.hear()
         self.go(self.now_us + self.program.links_us)
+
+    def count_heard(self) -> None:
+        """Count a pass in which a HEARTBEAT arrives."""
+        self.look_around()
         self.next_links()
         self.hear()
         self.count("heard", "heard", Work({Part.HEARD: 1}), "links")
