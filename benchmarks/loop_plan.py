@@ -163,7 +163,7 @@ class Plan:
         return message_work(message, self.system)
 
     def look_around(self) -> None:
-        """Have a pass in which a HEARTBEAT arrives: then it is looked for who is silent, which is done once a second."""
+        """Have a pass in which a HEARTBEAT arrives: who is silent is looked for then, once a second."""
         self.next_links()
         self.hear()
         self.go(self.now_us + self.program.links_us)
