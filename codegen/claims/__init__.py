@@ -22,7 +22,8 @@ def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: 
     """
     quoted = reading.quoted_as_wrong
     found = (finding for check in checks_in(__name__) for finding in check(reading))
-    told = merged(each for each in found if each.place.line not in quoted and is_judged(each.place.line))
+    judged = (each for each in found if each.place.line not in quoted and is_judged(each.place.line))
+    told = merged({(each.place.line, each.rule.id, each.message): each for each in judged}.values())
     others = {
         place for each in told if each.rule is not EXAMPLE for place in (each.place, *(at for at, _ in each.related))
     }

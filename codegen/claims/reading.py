@@ -25,6 +25,10 @@ from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
 _WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
+_WORD = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]{3,}(?![\w-])")
+_FRAMED = re.compile(r"CRC_EXTRA|MAVLink|on the wire|payload", re.IGNORECASE)
+_FEWEST = 3
+"""Fields that a document names, to be about their message without its name."""
 _SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,})(?![\w-])")
 _CONSTANT = re.compile(
     r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])"
@@ -155,10 +159,13 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
     is_about_mavlink = "mavlink" in text.lower() or any(found[0] in messages for found in _SURE.finditer(text))
     is_about_mavlink |= any(found["name"] in messages for found in _CONSTANT.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}
+    names |= {found[0] for found in _WORD.finditer(text) if _is_told_by_fields(messages.get(found[0]), text)}
     mentions = {id(passage): tuple(_mentions(passage.text, names)) for passage in prose.passages}
     seen = [(message.definition.place.line, message.name) for message in proposed]
     for part in prose.parts:
         seen.extend(_sightings(part, names, mentions))
+    if not seen and (alone := _only_by_fields(prose, messages, text)) is not None:
+        seen = [(1, alone.name)]
     return Reading(
         prose=prose,
         reference=reference,
@@ -174,6 +181,23 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
         },
         sightings=tuple(sorted(seen)),
     )
+
+
+def _is_told_by_fields(message: WireMessage | None, text: str) -> bool:
+    """Whether the name of a message, a common word, stands in a text with fields that only messages have."""
+    if message is None:
+        return False
+    return any("_" in field.name and f"`{field.name}`" in text for field in message.fields)
+
+
+def _only_by_fields(prose: Prose, messages: Mapping[str, WireMessage], text: str) -> WireMessage | None:
+    """The message that a document is about which names none: the only one that has all the fields which it names."""
+    if not _FRAMED.search(text):
+        return None
+    spans = {part.text[low:high] for part in prose.passages for low, high in part.codes}
+    called = {field.name for message in messages.values() for field in message.fields} & spans
+    found = [each for each in messages.values() if len(called) >= _FEWEST and all(each.field(name) for name in called)]
+    return found[0] if len(found) == 1 else None
 
 
 def _mentions(text: str, names: Collection[str]) -> Iterator[Mention]:

@@ -7,6 +7,7 @@ from codegen.model.dialect.literals import named_number
 
 _VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
 _WORDS = (
+    re.compile(r"\b(?P<value>zero|-?\d{1,6}) means (?:unknown|not available|invalid)", re.IGNORECASE),
     re.compile(
         rf"{_VALUE}:? (?:if |when |for |means |is |= ?)?(?:it is |value is )?"
         r"(?:unknown|invalid|not (?:known|available))"
@@ -24,9 +25,10 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
         return [value for value in field.sentinel.values if value is not None], field.sentinel.written
     for form in _WORDS:
         found = form.search(field.definition.description)
-        value = number_of(found["value"]) if found else None
-        if found is not None and value is not None:
-            return [value], found["value"]
+        written = ("0" if found["value"].lower() == "zero" else found["value"]) if found else ""
+        value = number_of(written)
+        if value is not None:
+            return [value], written
     return None
 
 

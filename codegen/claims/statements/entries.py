@@ -1,0 +1,256 @@
+"""Values that are said to be entries of an enum: "0 = none, 3 = 3D fix", "bit 2: charging", ``FIX_3D = 3``."""
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from codegen.claims.identifier import ENTRY_VALUE
+from codegen.claims.reading import Reading
+from codegen.claims.statements.fields import number, said_of_fields
+from codegen.claims.statements.meaning import Meaning, meaning
+from codegen.claims.statements.spans import Span, about
+from codegen.claims.statements.units import text_of
+from codegen.diagnostics import Diagnostic
+from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
+
+_WORD = r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then|per)\b)(?:\dd )?[a-zPUCV][a-z0-9PUCV /'+-]{0,44}?(?: \([a-zPUC -]{2,24}\))?"
+_ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|[-\u2013\u2014] ))"
+_PAIRS = (
+    re.compile(rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-|,|\.)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"),
+    re.compile(rf"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{{0,20}}(?: [a-zPUCV-]{{1,20}}){{0,3}}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}}]|$|\*/|\band\b))"),
+)
+_NAMED = (
+    re.compile(r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"),
+    re.compile(r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"),
+)
+_QUOTED = re.compile(r"[\"'\u201c\u201d]")
+_NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
+_FEWEST = 2
+_ANY_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")
+_CONSTANT = re.compile(
+    r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"
+    r"(?P<name>[A-Za-z][A-Za-z0-9_]{1,80})(?:\s*:\s*\w+)?\s*(?:=|\s|\()\s*\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8}|1 ?<< ?\d{1,2})\)?\s*[;,)]?\s*(?://.*|/\*.*|#.*)?$"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Subject:
+    """What values are said of, and its enum."""
+
+    name: str
+    enum: EnumDefinition
+
+
+def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
+    """Every value of an enum in a document."""
+    above: Span | None = None
+    for is_list, run in groupby(parts, lambda span: span.kind in (PassageKind.ITEM, PassageKind.ROW) and not span.is_code):
+        spans = list(run)
+        if is_list:
+            subject = _subject(reading, above, spans) if above is not None else None
+            for span in spans:
+                yield from _named(reading, span)
+                own = list(_said(reading, span))
+                yield from own
+                if subject is not None and not _fields(reading, span):
+                    yield from _values(reading, span, subject, 0, len(span.text))
+                elif subject is None and not own:
+                    yield from _unnamed(reading, span)
+            continue
+        for span in spans:
+            yield from _named(reading, span)
+            yield from _said(reading, span)
+            if not _fields(reading, span):
+                yield from _unnamed(reading, span)
+        above = spans[-1]
+
+
+def _fields(reading: Reading, span: Span) -> list[_Subject]:
+    """The fields with an enum that a part names."""
+    found = []
+    for said in said_of_fields(span):
+        one = about(reading, span, said.names[-1])
+        enum = reading.enums.get(one.field.definition.enum or "") if one is not None else None
+        if one is not None and enum is not None:
+            found.append(_Subject(one.name, enum))
+    return found
+
+
+def _said(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    for said in said_of_fields(span):
+        one = about(reading, span, said.names[-1])
+        enum = reading.enums.get(one.field.definition.enum or "") if one is not None else None
+        if one is not None and enum is not None:
+            others = {other.definition.enum for other in one.others} - {enum.name, None}
+            if not others:
+                yield from _values(reading, span, _Subject(one.name, enum), said.end, said.until)
+
+
+def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:
+    """What a list or a table tells the values of: the last field above it, an enum that is named, or a message's field."""
+    fields = _fields(reading, above)
+    if fields:
+        return fields[-1]
+    named = [reading.enums[str(term.value)] for _, term in above.sentence.within(0, len(above.text), "E")]
+    if named:
+        return _Subject(named[-1].name, named[-1])
+    topic = spans[0].topic
+    subjects = [each for message in topic.around[:4] for each in _of_message(reading, message.name)]
+    return _most_right(subjects, [pair for span in spans for pair in _pairs(span, 0, len(span.text))])
+
+
+def _of_message(reading: Reading, name: str) -> list[_Subject]:
+    message = reading.messages[name]
+    pairs = [(f"{name}.{field.name}", reading.enums.get(field.definition.enum or "")) for field in message.fields]
+    return [_Subject(called, enum) for called, enum in pairs if enum is not None]
+
+
+_Pair = tuple[int, str, int]
+"""A value, the words beside it, and the offset of the value."""
+
+
+def _pairs(span: Span, low: int, high: int) -> list[_Pair]:
+    found: list[_Pair] = []
+    for form in _PAIRS:
+        position = low
+        while (each := form.search(span.text, position, high)) is not None:
+            value = number(span.sentence.term(each.start("value")))
+            position = max(each.end("words") if form is _PAIRS[0] else each.end(), position + 1)
+            if value is None or value != int(value) or value < 0:
+                continue
+            words = "".join(
+                span.sentence.terms[at].written if at in span.sentence.terms else span.text[at]
+                for at in range(each.start("words"), each.end("words"))
+            )
+            is_bit = each["bit"] is not None or span.text[max(each.start("value") - 4, 0) : each.start("value")] == "bit "
+            found.append((1 << int(value) if is_bit and value < 32 else int(value), words, each.start("value")))
+    return found
+
+
+def _most_right(subjects: Sequence[_Subject], pairs: Sequence[_Pair]) -> _Subject | None:
+    """The enum that most pairs are right about: half of them at least, and two."""
+    for subject in subjects:
+        known = meaning(subject.enum)
+        right = len({value for value, words, _ in pairs if known.is_named(value, words)})
+        if right >= _FEWEST and 2 * right >= len({offset for _, _, offset in pairs}):
+            return subject
+    return None
+
+
+def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Values of a field or an enum that the sentence names otherwise: "NAME answers 0 (accepted), 1 (denied)"."""
+    enums = [_Subject(str(term.value), reading.enums[str(term.value)]) for _, term in span.sentence.within(0, len(span.text), "E")]
+    for subject in enums[-1:]:
+        yield from _values(reading, span, subject, 0, len(span.text))
+        return
+    pairs = _pairs(span, 0, len(span.text))
+    if len(pairs) <= _FEWEST:
+        return
+    topic = span.topic
+    own = [name for _, name in span.named(0, len(span.text))]
+    names = own or [message.name for message in (*topic.above, *topic.headings)[:2]]
+    subject = _most_right([each for name in names[:2] for each in _of_message(reading, name)], pairs)
+    if subject is not None:
+        yield from _values(reading, span, subject, 0, len(span.text))
+
+
+def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int) -> Iterator[Diagnostic]:
+    known = meaning(subject.enum)
+    told: set[int] = set()
+    for value, words, offset in _pairs(span, low, high):
+        before = span.text[max(low, offset - 30) : offset]
+        if offset in told or _NOT.search(re.split(r"[,.;(]", before)[-1]):
+            continue
+        meant = known.meant_otherwise(value, words)
+        if meant is not None:
+            told.add(offset)
+            yield _finding(reading, span, subject, meant, value, offset, words)
+
+
+def _finding(
+    reading: Reading, span: Span, subject: _Subject, meant: EnumEntry, value: int, offset: int, words: str
+) -> Diagnostic:
+    at = next((entry for entry in subject.enum.entries if entry.value == value), None)
+    text = f"{subject.name}: {meant.name} is {meant.value}, not {value}"
+    hint = f"{value} is {at.name}" if at else None
+    return reading.found(ENTRY_VALUE, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
+
+
+def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Entries by their names, or by the end of their names, beside a number."""
+    values = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    for form in _NAMED:
+        for found in form.finditer(span.text):
+            name = span.sentence.term(found.start("name")).written
+            yield from _value(reading, span, name, values.get(name), found)
+    if span.is_code and not span.is_comment:
+        comment = re.search(r"(?:#|//|/\*) ?(?:M )?(?P<name>V)\b", span.text)
+        stated = re.search(r"^[^#/]*?[=:( ] ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
+        if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
+            name = span.sentence.term(comment.start("name")).written
+            yield from _value(reading, span, name, values.get(name), stated)
+
+
+def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.Match[str]") -> Iterator[Diagnostic]:
+    stated = number(span.sentence.term(found.start("value")))
+    is_bit = span.text[max(found.start("value") - 4, 0) : found.start("value")] == "bit "
+    if is_bit and stated is not None and 0 <= stated < 32:
+        stated = 1 << int(stated)
+    before = span.text[max(found.start("value") - 24, 0) : found.start("value")]
+    if own is None or stated is None or stated == own or re.search(r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|not) ?$|[|+*<>-] ?$", before[:-1] if before.endswith(" ") else before):
+        return
+    written = span.sentence.term(found.start("value")).written
+    text = f"{name} is {own}, not {written}"
+    yield reading.found(ENTRY_VALUE, span.place(found.start("value")), f"{name} {written}", text)
+
+
+def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
+    """Constants of code and members of its enums, whose names end as those of entries do."""
+    scope: _Subject | None = None
+    for span in parts:
+        if not span.is_code:
+            scope = None
+            continue
+        named = [str(term.value) for _, term in span.sentence.within(0, len(span.text), "E")]
+        if named and (span.is_comment or re.search(r"\benum\b|\bclass\b", span.text)):
+            scope = _Subject(named[-1], reading.enums[named[-1]])
+            continue
+        declared = re.search(r"\b(?:enum|class)(?: class)? (?P<name>[a-z_]\w*|[PMCE])", span.text)
+        if declared is not None:
+            scope = _enum_called(reading, span, declared)
+            continue
+        if span.text.lstrip().startswith("}") or re.match(r"\s*(?:struct|def|fn|pub fn|impl|void|int main)\b", span.text):
+            scope = None
+        found = _CONSTANT.match(_source(span)) if scope is not None else None
+        if found is None or scope is None:
+            continue
+        name = found["name"]
+        value = 1 << int(found["value"].partition("<<")[2]) if "<<" in found["value"] else int(found["value"], 0)
+        meant = meaning(scope.enum).meant_otherwise(value, _words(name), is_name=True)
+        if meant is not None:
+            yield _finding(reading, span, scope, meant, value, _offset(span), name)
+
+
+def _offset(span: Span) -> int:
+    return next((at for at, _ in span.sentence.within(0, len(span.text), "N")), 0)
+
+
+def _source(span: Span) -> str:
+    terms = span.sentence.terms
+    return "".join(terms[at].written if at in terms else character for at, character in enumerate(span.text))
+
+
+def _words(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name).replace("_", " ").lower()
+
+
+def _enum_called(reading: Reading, span: Span, found: "re.Match[str]") -> _Subject | None:
+    written = span.sentence.terms[found.start("name")].written if found.start("name") in span.sentence.terms else found["name"]
+    joined = written.replace("_", "").lower()
+    for name, enum in reading.enums.items():
+        bare = name.replace("_", "").lower()
+        if joined in (bare, bare.removeprefix("mav")):
+            return _Subject(name, enum)
+    return None

@@ -1,0 +1,137 @@
+"""What is said of the place of fields in their message: extension or not, offset, order, and of their enum."""
+
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from codegen.claims.columns import ENUM_OF, OFFSET
+from codegen.claims.field_words import EXTENSION
+from codegen.claims.message_words import ORDER
+from codegen.claims.reading import Reading
+from codegen.claims.statements.fields import Said, each_about, number, said_of_fields
+from codegen.claims.statements.spans import Span, about
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireField
+
+_NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| / ?| ?& ?)[FP])*)"
+_IS = r"(?:[\s,)(:\u2013-]*(?:field|fields|is|are|all|both|an?|the|only|of M|really|one of the|count as|counts as|in fact|were added as|was added as|came|come|comes|later|as|type T|T|in U)\b)*"
+_EXTENSION = re.compile(
+    rf"{_NAMES}{_IS}[\s,:(\u2013-]*(?P<no>not |no )?(?:an? |the )?(?:(?:mavlink ?(?:N|v2|2) )?(?:extensions?\b(?! of)|extension fields?\b|in the extensions?\b|among the extensions\b|belongs? to the extensions?\b))"
+)
+_BASE = re.compile(
+    rf"{_NAMES}{_IS}[\s,:(\u2013-]*(?P<no>not )?(?:an? |the )?(?:base fields?\b|part of the base\b|(?:belongs? to|among|in) the base(?: fields?| payload| part)?\b|no extensions?\b)"
+)
+_LIST = re.compile(rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,)+(?: the)?(?: fields?)? {_NAMES}")
+_OFFSET = re.compile(
+    r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*|#|\*|\|)\s?)+(?:the )?"
+    r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes|,? ?(?:to|\.\.|-) ?N))"
+)
+_AT = re.compile(r"@ ?(?P<number>N)")
+_ORDER = re.compile(
+    r"(?P<first>[FP])(?: field)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
+    r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
+)
+_WIRE = re.compile(r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b|\bstruct\b")
+_XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
+_ENUM = re.compile(
+    r"[\s(:=,|\u2013\u2014>*#/-]*(?:(?:is|are|an?|from|of|uses?|the|enum|type|taken|see|value|values|entry|in|one|holds?|has|contains?|as|by|bitmask|bits|flags|list|code|codes|T|entries|with|its|listed|defined|comes?|given|number|field)\b[\s(:=,|*#/\u2013-]*)*(?P<enum>[EC])(?![\w*])"
+)
+_NOT = re.compile(r"\bnot\b|n't\b|instead|unlike|\bwas\b|wrong|\bour\b|\blike\b")
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every such statement of a part."""
+    yield from _extensions(reading, span)
+    yield from _orders(reading, span)
+    for said in said_of_fields(span):
+        yield from _offset(reading, said)
+        yield from _enum(reading, said)
+
+
+def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    text = span.text
+    for form, is_extension in ((_EXTENSION, True), (_BASE, False), (_LIST, None)):
+        for found in form.finditer(text):
+            stated = found["kind"].startswith("ext") if is_extension is None else is_extension
+            if is_extension is not None and found["no"]:
+                stated = not stated
+            low, high = span.bounds(found.start())
+            if re.search(r"\bwithout\b|\bproposal|\bpropose|\bwould\b|\bshould\b|\?", text[low:high]) or text[: found.start("names")].endswith("M."):
+                continue
+            names = [offset for offset in range(found.start("names"), found.end("names")) if text[offset] in "FP"]
+            if is_extension is not None and len(names) > 1 and not re.search(r"\b(?:are|both|all|belong|as|extensions|fields)\b", found[0]):
+                names = names[-1:]
+            for offset in names:
+                one = about(reading, span, offset)
+                if one is not None and one.is_wrong(lambda field: field.definition.is_extension == stated):  # noqa: B023
+                    kind = "an extension" if one.field.definition.is_extension else "a base field"
+                    yield reading.found(EXTENSION, span.place(offset), f"{one.name} {stated}", f"{one.name} is {kind}")
+
+
+def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "On the wire `device` stands before `timeout`"."""
+    text = span.text
+    for found in _ORDER.finditer(text):
+        low, high = span.bounds(found.start())
+        how = found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
+        if not how or not _WIRE.search(text[max(low - 200, 0) : high]) or _XML.search(text[low : high]):
+            continue
+        first, second = about(reading, span, found.start("first")), about(reading, span, found.start("second"))
+        if first is None or second is None or first.message is not second.message or first.field is second.field:
+            continue
+        is_before = how in ("before", "ahead of", "in front of", "precedes", "prior to")
+        if (first.field.offset < second.field.offset) == is_before:
+            continue
+        early, late = (second, first) if is_before else (first, second)
+        words = f"{first.message.name}: {early.field.name} comes before {late.field.name} on the wire"
+        order = ", ".join(field.name for field in first.message.fields)
+        yield reading.found(ORDER, span.place(found.start()), f"{first.name} {how} {second.field.name}", words, f"on the wire: {order}")
+
+
+def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    span, text = said.span, said.span.text
+    found = _OFFSET.search(text, said.end, said.until) or _AT.search(text, said.end, said.until)
+    if found is None or len(said.names) > 1 or _NOT.search(text[said.end : found.start()]) or found.start() - said.end > 90:
+        return
+    value = number(span.sentence.term(found.start("number")))
+    one = about(reading, span, said.names[0])
+    low, high = span.bounds(found.start())
+    element = span.sentence.term(said.names[0]).written
+    if one is None or value is None or "[" in element or re.search(r"\bframe\b|\bheader\b|\bbit\b", text[low:high]):
+        return
+    if one.is_wrong(lambda field: field.offset == value):
+        written = span.sentence.term(found.start("number")).written
+        words = f"{one.name} begins at byte {one.field.offset}, not {written}"
+        yield reading.found(OFFSET, span.place(found.start("number")), f"{one.name} at {written}", words)
+
+
+def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """The enum that a field is said to have."""
+    span, text = said.span, said.span.text
+    found = _ENUM.match(text, said.end, said.until)
+    if found is None or _NOT.search(found[0]):
+        return
+    offset = found.start("enum")
+    written = span.sentence.term(offset).written
+    for at, one in each_about(reading, said)[-1:]:
+        own = one.field.definition.enum
+        enums = [field.definition.enum for field in (one.field, *one.others)]
+        if at not in said.names or own is None or written in enums:
+            continue
+        is_known = written in reading.enums
+        if not is_known and not get_close_matches(written, [own], n=1, cutoff=0.6) and written.split("_")[0] != own.split("_")[0]:
+            continue
+        if not is_known and ("_" not in written or written in reading.messages):
+            continue
+        hint = None if is_known else f"there is no enum {written}"
+        if own.startswith(f"{written}_") or (not is_known and _is_entry(reading, own, written)):
+            continue
+        words = f"{one.name} has the enum {own}, not {written}"
+        yield reading.found(ENUM_OF, span.place(offset), f"{one.name} {written}", words, hint)
+
+
+def _is_entry(reading: Reading, enum: str, written: str) -> bool:
+    """Whether a name is, or nearly is, that of an entry: another rule tells it."""
+    entries = [entry.name for entry in reading.enums[enum].entries] if enum in reading.enums else []
+    return any(entry.endswith(written) for entry in entries) or bool(get_close_matches(written, entries, n=1, cutoff=0.75))

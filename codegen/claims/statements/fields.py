@@ -1,0 +1,116 @@
+"""What is said of fields: type, length, unit, factor, value for unknown, extension, enum, place on the wire."""
+
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+from codegen.claims.statements.spans import About, Span, about
+from codegen.claims.statements.terms import NamedField, StatedType, Term
+from codegen.claims.reading import Reading
+from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireField
+
+_JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
+_GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
+_BEGINS = re.compile(r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly |public |private )*)")
+_SUBJECT = re.compile(r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?|comes?|stands?|takes?|uses)\b")
+_THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
+
+
+_EXCEPT = re.compile(r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$")
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What is said of one or several fields: their offsets, and the bounds of what follows them."""
+
+    span: Span
+    names: tuple[int, ...]
+    start: int
+    end: int
+    until: int
+    before: int
+
+    @property
+    def tail(self) -> str:
+        """What follows the names."""
+        return self.span.text[self.end : self.until]
+
+    @property
+    def is_listed(self) -> bool:
+        """Whether it is an item, a row or a comment, where a comma divides what is said."""
+        return self.span.kind in (PassageKind.ITEM, PassageKind.ROW) or self.span.is_code
+
+
+def said_of_fields(span: Span) -> Iterator[Said]:
+    """Every group of names of fields in a part, with what is said of it."""
+    groups = [found for found in _GROUP.finditer(span.text) if _is_name(span, found)]
+    groups = [found for found in groups if not _EXCEPT.search(span.text, max(found.start() - 40, 0), found.start())]
+    for index, found in enumerate(groups):
+        following = groups[index + 1].start() if index + 1 < len(groups) else len(span.text)
+        until = max(min(span.end_of(found.end()), following, found.end() + 400), found.end())
+        names = tuple(offset for offset in range(found.start(), found.end()) if span.text[offset] in "FP")
+        before = groups[index - 1].end() if index else 0
+        yield Said(span, names, found.start(), found.end(), until, before)
+
+
+def _is_name(span: Span, found: "re.Match[str]") -> bool:
+    """Whether a group names fields: words of a language that happen to be names need more around them."""
+    if "F" in found[0]:
+        return True
+    text = span.text
+    lead = _BEGINS.match(text)
+    begins = lead is not None and lead.end() >= found.start()
+    behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]
+    if span.is_code:
+        return begins or behind in (":", "=", ";", ",") or text[: found.start()].endswith(("T ", "T", ": ", "# ", "// "))
+    if span.kind is PassageKind.ROW:
+        return text[: found.start()].rstrip().endswith("|") or begins
+    if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
+        return True
+    if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
+        return True
+    is_called = text[: found.start()].endswith((" field ", "the ", "its ", "field "))
+    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] == " field"
+
+
+def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:
+    """The fields of a group with their messages; those that no message has are left out."""
+    found = [(offset, about(reading, said.span, offset)) for offset in said.names]
+    return [(offset, one) for offset, one in found if one is not None]
+
+
+def last_about(reading: Reading, said: Said) -> About | None:
+    """The field that stands nearest to what is said."""
+    return about(reading, said.span, said.names[-1])
+
+
+def claimed(
+    reading: Reading, said: Said, offset: int, fits: Callable[[WireField], bool]
+) -> About | None:
+    """The field of which something is said and not true: the last one, or any where it is said of all."""
+    found = each_about(reading, said)
+    gap = said.span.text[said.end : offset] if offset >= said.end else ""
+    is_of_all = len(said.names) > 1 and re.match(r"\s*(?:[:|(\[=\u2013-]|\)? ?(?:are|both|all|each|have|hold)\b|# )", gap)
+    for at, one in found if is_of_all else found[-1:]:
+        if at in said.names and one.is_wrong(fits):
+            return one
+    return None
+
+
+def number(term: Term) -> int | float | Fraction | None:
+    """The number of a term."""
+    return term.value if isinstance(term.value, int | float | Fraction) else None
+
+
+def stated_type(term: Term) -> StatedType:
+    """The type of a term."""
+    assert isinstance(term.value, StatedType)
+    return term.value
+
+
+def named(term: Term) -> NamedField:
+    """The name of a field that a term is."""
+    assert isinstance(term.value, NamedField)
+    return term.value

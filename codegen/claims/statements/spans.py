@@ -1,0 +1,334 @@
+"""The parts of a document in which statements stand, each with the messages that it may be about."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from codegen.claims.reading import Reading
+from codegen.claims.statements.terms import NamedField, Sentence, Vocabulary, read_sentence
+from codegen.frozen import dataclass
+from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.once import once
+from codegen.source import Place
+
+_DATA = ("json", "json5", "jsonc", "yaml", "yml", "toml")
+_BREAK = re.compile(
+    r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bno)(?<!\bapprox)(?<!\bmax)(?<!\bmin)(?<!\bresp)(?<!\bincl)[.!?;](?=\s|$)"
+)
+_GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
+_COMPARED = re.compile(r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$")
+_COMMENT = re.compile(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
+_DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """The messages that the surroundings of a part name, each group with the nearest one first."""
+
+    above: tuple[WireMessage, ...]
+    headings: tuple[WireMessage, ...]
+    earlier: tuple[WireMessage, ...]
+    document: tuple[WireMessage, ...]
+
+    @property
+    def around(self) -> tuple[WireMessage, ...]:
+        """All of them, by how near they are."""
+        found = (*self.above, *self.headings, *self.earlier)
+        return tuple({message.name: message for message in reversed(found)}.values())[::-1]
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A passage, a line of code or a block of data: its terms, and the messages that it may be about.
+
+    ``kind`` is that of a passage; ``language`` is that of a block of code, else empty.
+    """
+
+    sentence: Sentence
+    kind: PassageKind
+    topic: Topic
+    place_at: Callable[[int], Place]
+    language: str = ""
+    is_code: bool = False
+    is_comment: bool = False
+    heads: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The short text with the terms as capital letters."""
+        return self.sentence.marked
+
+    def place(self, offset: int) -> Place:
+        """The place of a character of the short text."""
+        return self.place_at(self.sentence.source(offset))
+
+    def bounds(self, offset: int) -> tuple[int, int]:
+        """The sentence around a character of the short text."""
+        low, high = 0, len(self.text)
+        for found in _BREAK.finditer(self.text):
+            if found.start() < offset:
+                low = found.end()
+            else:
+                high = found.start()
+                break
+        return low, high
+
+    def end_of(self, offset: int) -> int:
+        """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
+        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code:
+            return len(self.text)
+        _, high = self.bounds(offset)
+        while high < len(self.text) and _GOES_ON.match(self.text, high + 1):
+            _, high = self.bounds(high + 1)
+        return high
+
+    def source_text(self, low: int, high: int) -> str:
+        """The words of the source that a part of the short text stands for."""
+        terms = self.sentence.terms
+        return "".join(terms[at].written if at in terms else self.text[at] for at in range(low, high))
+
+    def named(self, low: int, high: int) -> Iterator[tuple[int, str]]:
+        """The messages that are named between two characters, with their offsets; not those that others are compared with."""
+        for offset, term in self.sentence.within(low, high, "MF"):
+            value = term.value
+            if _COMPARED.search(self.text, max(offset - 20, 0), offset):
+                continue
+            if isinstance(value, str):
+                yield offset, value
+            elif isinstance(value, NamedField) and value.message is not None:
+                yield offset, value.message
+
+
+def is_data(span: Span) -> bool:
+    """Whether it is a block of JSON or YAML."""
+    return span.language in _DATA
+
+
+@once
+def vocabulary(reading: Reading) -> Vocabulary:
+    """The names that are terms in a document: fields only of messages that it names."""
+    named = {name for _, name in reading.sightings}
+    return Vocabulary(
+        messages=reading.messages,
+        enums=reading.enums,
+        entries={entry.name for enum in reading.enums.values() for entry in enum.entries},
+        fields={field.name for name in named for field in reading.messages[name].fields},
+    )
+
+
+@once
+def spans(reading: Reading) -> tuple[Span, ...]:
+    """All parts of a document, in order; none of one that names no message."""
+    return tuple(_spans(reading)) if reading.sightings else ()
+
+
+def _spans(reading: Reading) -> Iterator[Span]:
+    words = vocabulary(reading)
+    headings: list[tuple[int, tuple[WireMessage, ...]]] = []
+    earlier: list[WireMessage] = []
+    above: tuple[WireMessage, ...] = ()
+    heads: tuple[str, ...] = ()
+    document = tuple(reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings))
+    previous: PassageKind | None = None
+    is_foreign = False
+    for part in reading.prose.parts:
+        named = _named(reading, part)
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
+            headings = [each for each in headings if each[0] < part.level]
+            headings.append((part.level, named))
+            is_foreign = not named and _is_foreign(reading, part)
+            earlier, above = [], ()
+        elif isinstance(part, Passage) and part.kind is PassageKind.TEXT:
+            is_foreign = not named and (_is_foreign(reading, part) or (is_foreign and not headings[-1:]))
+        inside = tuple(message for _, group in reversed(headings) for message in group)
+        topic = Topic((), (), (), ()) if is_foreign else Topic(above, inside, tuple(earlier), document)
+        if isinstance(part, CodeBlock):
+            yield from _code(reading, part, topic, words)
+        else:
+            sentence = read_sentence(part.text, 0, len(part.text), part.codes, words)
+            is_head = part.kind is PassageKind.ROW and previous is not PassageKind.ROW
+            if is_head:
+                heads = tuple(cell.strip() for cell in part.text.strip().strip("|").split("|"))
+            yield Span(sentence, part.kind, topic, part.place_at, heads=heads if part.kind is PassageKind.ROW else ())
+            if part.kind in (PassageKind.TEXT, PassageKind.HEADING) and named:
+                above = named
+            previous = part.kind
+        if isinstance(part, CodeBlock):
+            previous = None
+        for message in reversed(named):
+            if message in earlier:
+                earlier.remove(message)
+            earlier.insert(0, message)
+
+
+def _is_foreign(reading: Reading, part: Passage) -> bool:
+    """Whether a heading or a caption is about a message that the dialect does not have."""
+    text = part.text.strip()
+    found = _CALLED.match(text) if part.kind is PassageKind.HEADING else _CAPTION.search(text)
+    name = found["name"] if found is not None else ""
+    known = vocabulary(reading)
+    return bool(name) and name not in known.messages and name not in known.enums and name not in known.entries
+
+
+_CALLED = re.compile(r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))")
+_CAPTION = re.compile(r"(?:^|\b[Mm]essage )(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b[^.]{0,60}:$")
+
+
+def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ...]:
+    if isinstance(part, Passage):
+        return reading.named(part)
+    lines = {line.place.line for line in part.lines}
+    names = dict.fromkeys(name for line, name in reversed(reading.sightings) if line in lines)
+    return tuple(reading.messages[name] for name in names)
+
+
+def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    if code.language in _DATA:
+        yield _block(code, topic, words)
+        return
+    seen = [(line, name) for line, name in reading.sightings if code.place.line <= line]
+    note: list[Line] = []
+    for line in code.lines:
+        near = [reading.messages[name] for number, name in seen if number <= line.place.line]
+        own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
+        is_comment = _COMMENT.match(line.text) is not None
+        sentence = _line(line, words)
+        if is_comment:
+            yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, True, True)
+            has_name = any(term.letter in "FM" for term in sentence.terms.values())
+            note = [] if has_name else [*note, line]
+            continue
+        yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True)
+        if note and line.text.strip():  # what stands above a member is said of it
+            joined = " ".join(_DECLARES.sub("", each.text).replace("*/", "").strip() for each in note)
+            name = re.search(r"\b[A-Za-z_]\w*\s*[?:;=\[]", line.text)
+            if name is not None and len(note) < 4:
+                text = f"{name[0][:-1].strip()}: {joined}"
+                shift = len(text) - len(joined)
+                yield Span(
+                    read_sentence(text, 0, len(text), ((0, shift),), words), PassageKind.ITEM, own,
+                    _above(note[0], shift), code.language, True, True,
+                )
+            note = []
+
+
+def _above(line: Line, shift: int) -> Callable[[int], Place]:
+    lead = _DECLARES.match(line.text)
+    start = lead.end() if lead else 0
+    return lambda offset: line.place._replace(column=line.place.column + start + max(offset - shift, 0))
+
+
+def _line(line: Line, words: Vocabulary) -> Sentence:
+    return read_sentence(line.text, 0, len(line.text), ((0, len(line.text)),), words)
+
+
+def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
+    starts: list[int] = []
+    length = 0
+    for line in lines:
+        starts.append(length)
+        length += len(line.text) + 1
+
+    def place_at(offset: int) -> Place:
+        index = max((index for index, start in enumerate(starts) if start <= offset), default=0)
+        place = lines[index].place
+        return place._replace(column=place.column + offset - starts[index])
+
+    return place_at
+
+
+def _block(code: CodeBlock, topic: Topic, words: Vocabulary) -> Span:
+    """A block of JSON or YAML as one part: what belongs to a field follows its name."""
+    text = code.text
+    sentence = read_sentence(text, 0, len(text), ((0, len(text)),), words)
+    return Span(sentence, PassageKind.ITEM, topic, _places(code.lines), code.language, is_code=True)
+
+
+@dataclass(frozen=True, slots=True)
+class About:
+    """A field that a statement is about: the nearest message that has it, and others that it may be meant of."""
+
+    message: WireMessage
+    field: WireField
+    others: tuple[WireField, ...]
+    is_sure: bool
+
+    @property
+    def name(self) -> str:
+        """``MESSAGE.field``."""
+        return f"{self.message.name}.{self.field.name}"
+
+    def is_wrong(self, fits: Callable[[WireField], bool]) -> bool:
+        """Whether something is true of none of the fields that may be meant."""
+        return not fits(self.field) and not any(fits(other) for other in self.others)
+
+
+_OF = re.compile(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>M)\b")
+
+
+def about(reading: Reading, span: Span, offset: int) -> About | None:
+    """The field whose name stands at an offset."""
+    value = span.sentence.term(offset).value
+    assert isinstance(value, NamedField)
+    if value.message is not None:
+        return _about(value.name, [reading.messages[value.message]], [], is_sure=True)
+    of = _OF.match(span.text, offset + 1)
+    if of is not None:
+        return _about(value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True)
+    low, high = span.bounds(offset)
+    before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
+    after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
+    if found := _about(value.name, before, [], is_sure=True):
+        return found
+    inside = [reading.messages[name] for at, name in span.named(0, low)][::-1]
+    if after and not inside:
+        if found := _about(value.name, [*after], [*span.topic.headings], is_sure=True):
+            return found
+    if found := _about(value.name, inside, inside, is_sure=True):
+        return found
+    topic = span.topic
+    near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
+    others = near if span.is_code else [*near, *topic.earlier]
+    first = topic.above[:1] if span.is_code else ()
+    if found := _about(value.name, [*first, *topic.headings[:1], *near], [] if first else others, is_sure=True):
+        return found
+    is_only = sum(message.field(value.name) is not None for message in topic.document) == 1
+    return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
+
+
+def _about(
+    name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool
+) -> About | None:
+    for message in messages:
+        field = message.field(name)
+        if field is not None:
+            rest = tuple(found for other in others if (found := other.field(name)) is not None)
+            return About(message, field, rest, is_sure)
+    return None
+
+
+_THAT = re.compile(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
+
+
+def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessage, ...], bool]:
+    """The messages that a statement without a name may be about, the likeliest first, and whether that is sure."""
+    low, high = span.bounds(offset)
+    own = [reading.messages[name] for at, name in span.named(low, high)]
+    before = [reading.messages[name] for at, name in span.named(low, offset)][::-1]
+    if own and (before or not _THAT.search(span.text, low, offset)):
+        return _each((*before, *own)), True
+    inside = [reading.messages[name] for _, name in span.named(0, low)][::-1]
+    if inside:
+        return _each(inside), True
+    topic = span.topic
+    if span.is_code and topic.above:
+        return topic.above[:1], True
+    near = _each((*topic.above, *topic.headings, *topic.earlier))
+    if near:
+        return near, len(near) == 1 or len(topic.headings) == 1
+    return (topic.document, True) if len(topic.document) == 1 else ((), False)
+
+
+def _each(messages: Iterable[WireMessage]) -> tuple[WireMessage, ...]:
+    return tuple({message.name: message for message in messages}.values())

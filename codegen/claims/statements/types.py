@@ -1,0 +1,177 @@
+"""Types and lengths that are said of fields: "an unsigned 16-bit integer", "array of 4 floats", "takes 64 bytes"."""
+
+import re
+from collections.abc import Iterator
+
+from codegen.claims.layout import typed
+from codegen.claims.reading import Reading
+from codegen.claims.statements.fields import Said, claimed, named, number, said_of_fields, stated_type
+from codegen.claims.statements.spans import Span, about, is_data
+from codegen.claims.statements.terms import StatedType
+from codegen.claims.structure import RULE as TYPE
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireField
+
+_WORDS = (
+    r"is|are|as|an?|of|type|types|stored|sent|encoded|coded|in|the|fields?|both|all|each|every|also|only|just|declared|defined"
+    r"|transmitted|carried|array|single|little[- ]endian|now|still|really|actually|has|have|uses?|with|fits|into|be|must"
+    r"|should|seconds|wire|on|its|plain|simple|one|three|named|value|values|number|numbers|member|data|set|to|travels?|u|q"
+)
+_GAP = re.compile(rf"[\s(:=,|\u2013\u2014>-]*(?:(?:{_WORDS}|U|N|E)\b[\s,:()=|-]*)*", re.IGNORECASE)
+_NOT = re.compile(
+    r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast|buffer|\bour\b|\bthan\b"
+    r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b|\bread as\b|\btaken as\b|\bfrom\b"
+    r"|\bpack(?:ed)? into\b|\bmistake|\b(?:and|while|whereas|but) (?:the|its|their) |, the \w"
+)
+_BEFORE = re.compile(
+    r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called|named))? ?$|\bT $"
+)
+_AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
+_ELEMENTS = re.compile(
+    r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors|bytes?|octets?|channels"
+    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further|more|a second|each|in a|at the|are|each))"
+    r"(?P<per>(?:/| per | a )\w+)?"
+)
+_EXACT = re.compile(
+    r"[\s(:=,|\u2013\u2014-]*(?:(?:is|are|has|have|holds?|takes?|carries|contains?|with|for|an?|array|of|up to|at most|all|its|the|space|room|room for"
+    r"|fixed|length|always|exactly|can|hold|carry|take|list|lists|text|string|most|long|list of|limited|cut|to|at|maximum|max|field|consists)\b[\s,:(=]*|T[\s,]*|U[\s,]*)*"
+)
+_LESS = re.compile(r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses|not|never)\b|\busually\b")
+_NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every type and every length of a part."""
+    for said in said_of_fields(span):
+        yield from _type(reading, said)
+        yield from _type_before(reading, said)
+        yield from _length(reading, said)
+
+
+def has_type(field: WireField, stated: StatedType) -> bool:
+    """Whether a type is that of a field; of an array the type of its elements will do."""
+    own = field.type
+    if stated.length is not None and (not field.is_array or stated.length != field.count):
+        return False
+    sign = {"u": "u", "i": "i", "f": "f", "d": "f", "c": None}[own.name[0]]
+    if own.name == "char":
+        return stated.bits == 8 and stated.sign != "f"
+    if stated.name == "char":
+        return False
+    if stated.bits == 8 and stated.name is None and field.is_array:
+        return own.size == 1
+    return stated.bits == 8 * own.size and (stated.sign is None or stated.sign == sign)
+
+
+def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
+    """Whether a word is a type of the language of the code and not of the wire."""
+    if span.language in ("kotlin", "java", "swift", "cs", "csharp", "dart") and stated.name in ("float", "double", "char"):
+        return True
+    comment = re.search(r"//|#|/\*", span.text)
+    is_comment = span.is_comment or (comment is not None and comment.start() < offset)
+    return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
+
+
+def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    span = said.span
+    for offset, term in span.sentence.within(said.end, said.until, "T"):
+        gap = span.text[said.end : offset]
+        behind = span.text[offset + 1 :]
+        is_bounded = said.is_listed and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap) and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
+        if _NOT.search(gap) or _AFTER.match(behind) or not (_GAP.fullmatch(gap) or is_bounded):
+            return
+        if span.is_code and not span.is_comment and re.match(r"\s*=", gap) and not re.search(r"#|//|\*", gap) and not is_data(span):
+            return
+        if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and "," in gap:
+            return  # "`a`, uint16 `b`"
+        stated = stated_type(term)
+        if _is_foreign(span, stated, offset):
+            continue
+        yield from _found(reading, said, offset, stated, term.written)
+        return
+
+
+def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "An int32_t `alt`", and declarations of C."""
+    span = said.span
+    lead = _BEFORE.search(span.text, max(said.before, said.start - 30), said.start)
+    if lead is None or _NOT.search(span.text, max(said.before, lead.start() - 20), said.start):
+        return
+    offset = lead.start()
+    stated = stated_type(span.sentence.term(offset))
+    if _is_foreign(span, stated, offset):
+        return
+    elements = named(span.sentence.term(said.names[0])).elements
+    if span.is_code and not span.is_comment and elements is not None:
+        stated = StatedType(stated.name, stated.bits, stated.sign, elements)
+    one = about(reading, span, said.names[0])
+    if one is not None and one.is_wrong(lambda field: has_type(field, stated)):
+        written = _spelled(stated, span.sentence.term(offset).written)
+        text = f"{one.name} is {typed(one.field.definition)}, not {written}"
+        yield reading.found(TYPE, span.place(offset), f"{one.name} {written}", text)
+
+
+def _spelled(stated: StatedType, written: str) -> str:
+    if stated.name is None:
+        return written
+    return stated.name if stated.length is None else f"{stated.name}[{stated.length}]"
+
+
+def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words: str) -> Iterator[Diagnostic]:
+    one = claimed(reading, said, offset, lambda field: has_type(field, stated))
+    if one is not None:
+        written = _spelled(stated, words)
+        own = typed(one.field.definition)
+        text = f"{one.name} is {own}, not {written}"
+        yield reading.found(TYPE, said.span.place(offset), f"{one.name} {written}", text)
+
+
+def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """Elements of an array, or bytes of a number."""
+    span = said.span
+    found = _ELEMENTS.search(span.text, said.end, said.until)
+    one = about(reading, span, said.names[-1]) if found is not None else None
+    if found is None or one is None or len(said.names) > 1:
+        return
+    gap = span.text[said.end : found.start()]
+    before = re.search(r"(?:\bin |\bthan )$", gap)
+    is_listed = said.is_listed and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap) and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end():])
+    if before or _LESS.search(gap) or _NOT.search(gap) or not (_EXACT.fullmatch(gap) or is_listed):
+        return
+    value = number(span.sentence.term(found.start()))
+    what, field = found["what"], one.field
+    if value is None or found["per"]:
+        return
+    if what.startswith(("byte", "octet")):
+        is_right = lambda other: value in (other.size, other.type.size)  # noqa: E731
+        own = f"has {field.size} bytes"
+    elif field.is_array:
+        is_right = lambda other: value == other.count  # noqa: E731
+        own = f"has {field.count} elements"
+    else:
+        return
+    if one.is_wrong(is_right):
+        written = span.sentence.term(found.start()).written
+        text = f"{one.name} {own}, not {written}"
+        yield reading.found(TYPE, span.place(found.start()), f"{one.name} {found[0]}", text)
+
+
+_SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/)")
+_TEXT = re.compile(
+    r"\b(?P<noun>names?|texts?|strings?|values?|arrays?|identifiers?|data|payload|chunks?|labels?|messages?)\b"
+    r"[^.;|]{0,40}?\b(?:of|to|at|at most|up to|with|has|have|holds?|takes?|carries|cut at|limited to|is|are|maximum of|max)? "
+    r"(?P<number>N) (?P<what>characters|chars|letters|bytes|floats|elements|entries|values)\b(?! per| a second)"
+)
+
+
+def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "2 bytes `sequence`"."""
+    for found in _SIZED.finditer(span.text):
+        one = about(reading, span, found.start("name"))
+        value = number(span.sentence.term(found.start()))
+        if one is None or value is None or re.search(r"\b(?:first|last|only|lower|upper|up to) $", span.text[: found.start()]):
+            continue
+        if one.is_wrong(lambda field, value=value: value == field.size):  # type: ignore[misc]
+            text = f"{one.name} has {one.field.size} bytes, not {span.sentence.term(found.start()).written}"
+            yield reading.found(TYPE, span.place(found.start()), f"{one.name} {found[0]}", text)

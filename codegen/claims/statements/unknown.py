@@ -1,0 +1,77 @@
+"""Values that are said to stand for unknown in fields."""
+
+import math
+import re
+from collections.abc import Iterator
+
+from codegen.claims.reading import Reading
+from codegen.claims.sentinel import SENTINEL
+from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
+from codegen.claims.statements.spans import Span, about
+from codegen.claims.unknown_value import unknown_values
+from codegen.diagnostics import Diagnostic
+from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import same_number
+
+_NOTHING = (
+    r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available|provided|measured|valid|there|used|set|present|supported|estimated)"
+    r"|isn't (?:known|available)|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
+    r"|nobody knows|cannot be (?:measured|told))"
+)
+_THERE = r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are |that (?:the|it) (?:is )?)*"
+_IS = r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel|marker|value|sentinel)\b)*"
+_FORMS = (
+    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{_NOTHING}"),
+    re.compile(rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"),
+    re.compile(rf"(?P<value>[NS]),? (?:the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"),
+    re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
+    re.compile(rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"),
+    re.compile(r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"),
+)
+_NOT = re.compile(r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known| available)|\bnever\b|\bvalid\b(?<!invalid)")
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every value for unknown of a part."""
+    for said in said_of_fields(span):
+        yield from _said(reading, said)
+
+
+def is_unknown(field: WireField, value: float) -> bool:
+    """Whether a value stands for unknown in a field, or nothing is known of that."""
+    known = unknown_values(field)
+    if known is None:
+        return True
+    if value == 0 and field.definition.enum:
+        return True
+    return any(same_number(value, each) for each in known[0])
+
+
+def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    span, text = said.span, said.span.text
+    found = [each for form in _FORMS for each in form.finditer(text, said.end, said.until)]
+    head = re.search(rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {_NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $", text[max(said.before, said.start - 50) : said.start])
+    values = [(each.start("value"), each) for each in found]
+    if head is not None:
+        values.append((max(said.before, said.start - 50) + head.start("value"), head))
+    stated = [(at, number(span.sentence.term(at))) for at, _ in values if _is_stated(text, said, at)]
+    one = about(reading, span, said.names[-1])
+    if one is None or not stated:
+        return
+    if any(value is not None and is_unknown(one.field, float(value)) for _, value in stated):
+        return
+    for offset, value in stated[:1]:
+        if value is None:
+            continue
+        wrong = claimed(reading, said, offset, lambda field: is_unknown(field, float(value)))
+        known = unknown_values(wrong.field) if wrong is not None else None
+        if wrong is not None and known is not None:
+            written = span.sentence.term(offset).written
+            words = f"{wrong.name} is unknown when it is {known[1]}, not {written}"
+            yield reading.found(SENTINEL, span.place(offset), f"{wrong.name} {written}", words)
+
+
+def _is_stated(text: str, said: Said, offset: int) -> bool:
+    low = max(offset - 40, min(said.end, offset))
+    before = text[low:offset]
+    return not _NOT.search(before + text[offset]) and not re.search(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $", before) and not re.match(r"[ ]?(?:[/*+]|\.\.|to N|bytes|times|%)", text[offset + 1 :])
