@@ -3,10 +3,8 @@
 import re
 from collections.abc import Iterator
 
-from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
 from codegen.claims.reading import Reading
-from codegen.claims.size import RULE as SIZE
-from codegen.claims.unit_claim import unit_claim
+from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.model.dialect.dialect import WireMessage
@@ -27,9 +25,6 @@ _BARE = re.compile(
 _COMMENT = re.compile(
     r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?:,?| [^.;]{1,30},) (?:message )?id:? #?(?P<id>\d{1,6})\b"
 )
-_QUOTED = re.compile(
-    r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
-)
 _NAMED = re.compile(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
 _KEY = re.compile(
     r"^\s*[\"']?(?P<key>id|crcExtra|crc_extra|minLength|min_length|maxLength|length)[\"']?\s*:\s*(?P<value>\d{1,6})\b"
@@ -46,7 +41,6 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             yield from _constants(reading, line, entries)
             yield from _comments(reading, line)
             yield from _alone(reading, line, [name for number, name in seen if number <= line.place.line][-1:])
-            yield from _quoted(reading, line)
             named = _NAMED.match(line.text)
             if named is not None:
                 about = reading.messages.get(named["message"])
@@ -117,10 +111,3 @@ def _keys(reading: Reading, line: Line, message: WireMessage) -> Iterator[Diagno
         yield from number_claims(
             reading, message, found["key"].lower(), int(found["value"]), _at(line, found.start("value"))
         )
-
-
-def _quoted(reading: Reading, line: Line) -> Iterator[Diagnostic]:
-    for found in _QUOTED.finditer(line.text):
-        message = reading.messages.get(found["message"])
-        if message is not None:
-            yield from unit_claim(reading, message, found["field"], found["unit"], _at(line, found.start("unit")))

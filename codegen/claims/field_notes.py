@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
-from codegen.claims.identifier import commented_id
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
@@ -26,6 +25,9 @@ _END = re.compile(r"\s*\}[^/#]{0,60}(?://|/\*|#)\s*(\d{1,3}) bytes?\b(?! of)")
 _ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
 _ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
 _CELL = re.compile(rf"\s*{_ELEMENT}\s*$")
+
+
+_NUMBERED = re.compile(r"(?://|/\*|#|<!--|\*)\s.*?\bmessages?\s+(?:id\s*)?#?(\d{1,8})\b", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,3 +181,12 @@ def cells(row: Passage) -> list[tuple[str, int]]:
         found.append((cell, position + len(cell) - len(cell.lstrip())))
         position += len(cell) + 1
     return found
+
+
+def commented_id(code: CodeBlock) -> tuple[int, Place] | None:
+    """The id that a comment of a block of code gives its message, and the place of its line."""
+    for line in code.lines:
+        found = _NUMBERED.search(line.text)
+        if found:
+            return int(found[1]), line.place
+    return None

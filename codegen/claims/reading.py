@@ -25,6 +25,7 @@ from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
 _WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
+_ABOUT = re.compile(r"mavlink|CRC[_ ]EXTRA", re.IGNORECASE)
 _WORD = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]{3,}(?![\w-])")
 _FRAMED = re.compile(r"CRC_EXTRA|MAVLink|on the wire|payload", re.IGNORECASE)
 _FEWEST = 3
@@ -156,7 +157,7 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
     enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
     messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
-    is_about_mavlink = "mavlink" in text.lower() or any(found[0] in messages for found in _SURE.finditer(text))
+    is_about_mavlink = _ABOUT.search(text) is not None or any(found[0] in messages for found in _SURE.finditer(text))
     is_about_mavlink |= any(found["name"] in messages for found in _CONSTANT.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}
     names |= {found[0] for found in _WORD.finditer(text) if _is_told_by_fields(messages.get(found[0]), text)}

@@ -5,18 +5,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Mention, Reading
-from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
-
-RULE = Rule(
-    "claim-message-size",
-    "A document gives a message another size than its fields have. Meant may be the payload without or with "
-    "extensions, or a whole frame of MAVLink 1 or 2, signed or not; the stated number is none of them. Correct it, and "
-    "what was computed from it.",
-)
 
 SIGNATURE = 13
 """Bytes that signing adds to a frame of MAVLink 2."""
@@ -53,16 +45,6 @@ class SizeClaim:
     end: int
     words: str
     is_version_1: bool = False
-
-
-def check(reading: Reading) -> Iterator[Diagnostic]:
-    """Every size that is said of a message."""
-    for passage, mentions in reading.passages_with_messages():
-        for claim in size_claims(reading, passage, mentions):
-            if not is_possible(claim):
-                text = _message(claim, passage)
-                place = passage.place_at(claim.start)
-                yield reading.found(RULE, place, claim.words, text, _frames(claim.message, reading))
 
 
 def size_claims(reading: Reading, passage: Passage, mentions: tuple[Mention, ...]) -> Iterator[SizeClaim]:
@@ -115,20 +97,23 @@ def frame_bytes(message: WireMessage, reading: Reading) -> Range:
     return reading.reference.sent.get(message.name, Range(low, high))
 
 
-def _message(claim: SizeClaim, passage: Passage) -> str:
-    message = claim.message
+def sizes_of(message: WireMessage) -> str:
+    """The sizes of the payload of a message, in words."""
     extended = f", {message.length} with extensions" if message.length > message.base_length else ""
-    text = f"{message.name} has a payload of {message.base_length} bytes{extended}, not {claim.bytes}"
-    start, end = passage.sentence(claim.start, claim.end)
-    rate = _RATE.search(passage.text, start, end)
-    if rate:
-        whole = HEAD_V2 + message.base_length
-        per_second = _shown(whole * Fraction(rate[1]))
-        text += f"; frames of {whole} bytes (MAVLink 2) at {rate[1]} Hz are {per_second} bytes/s"
-    return text
+    return f"has a payload of {message.base_length} bytes{extended}"
 
 
-def _frames(message: WireMessage, reading: Reading) -> str:
+def per_second(message: WireMessage, sentence: str) -> str:
+    """What frames of a message are at the rate that a sentence states, in words; empty without one."""
+    rate = _RATE.search(sentence)
+    if rate is None:
+        return ""
+    whole = HEAD_V2 + message.base_length
+    return f"; frames of {whole} bytes (MAVLink 2) at {rate[1]} Hz are {_shown(whole * Fraction(rate[1]))} bytes/s"
+
+
+def size_hint(message: WireMessage, reading: Reading) -> str:
+    """The sizes of whole frames of a message, in words."""
     low, high = HEAD_V2 + message.base_length, HEAD_V2 + message.length
     both = f"{low} to {high}" if low != high else str(low)
     sent = reading.reference.sent.get(message.name)

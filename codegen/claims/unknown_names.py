@@ -5,9 +5,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import groupby
 
-from codegen.claims.about import Surroundings, surroundings
+from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
-from codegen.claims.message_words import message_about
 from codegen.claims.reading import Reading, between
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass

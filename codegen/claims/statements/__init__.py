@@ -7,7 +7,7 @@ which messages a part may be about; the other modules each know what is said of 
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements import entries, facts, messages, nouns, types, units, unknown
+from codegen.claims.statements import entries, facts, messages, nouns, tables, types, units, unknown
 from codegen.claims.statements.spans import spans
 from codegen.diagnostics import Diagnostic
 
@@ -19,5 +19,6 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         for each in (types, units, unknown, facts, messages, nouns):
             yield from each.check(reading, span)
         yield from types.sized(reading, span)
+    yield from tables.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)

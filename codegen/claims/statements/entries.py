@@ -4,12 +4,11 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from codegen.claims.identifier import ENTRY_VALUE
 from codegen.claims.reading import Reading
+from codegen.claims.rules import ENTRY_VALUE
 from codegen.claims.statements.fields import number, said_of_fields
-from codegen.claims.statements.meaning import Meaning, meaning
+from codegen.claims.statements.meaning import meaning
 from codegen.claims.statements.spans import Span, about
-from codegen.claims.statements.units import text_of
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -18,12 +17,20 @@ from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 _WORD = r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then|per)\b)(?:\dd )?[a-zPUCV][a-z0-9PUCV /'+-]{0,44}?(?: \([a-zPUC -]{2,24}\))?"
 _ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|[-\u2013\u2014] ))"
 _PAIRS = (
-    re.compile(rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-|,|\.)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"),
-    re.compile(rf"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{{0,20}}(?: [a-zPUCV-]{{1,20}}){{0,3}}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}}]|$|\*/|\band\b))"),
+    re.compile(
+        rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-|,|\.)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
+    ),
+    re.compile(
+        r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
+    ),
 )
 _NAMED = (
-    re.compile(r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"),
-    re.compile(r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"),
+    re.compile(
+        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
+    ),
+    re.compile(
+        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
+    ),
 )
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
@@ -46,7 +53,9 @@ class _Subject:
 def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     """Every value of an enum in a document."""
     above: Span | None = None
-    for is_list, run in groupby(parts, lambda span: span.kind in (PassageKind.ITEM, PassageKind.ROW) and not span.is_code):
+    for is_list, run in groupby(
+        parts, lambda span: span.kind in (PassageKind.ITEM, PassageKind.ROW) and not span.is_code
+    ):
         spans = list(run)
         if is_list:
             subject = _subject(reading, above, spans) if above is not None else None
@@ -124,7 +133,9 @@ def _pairs(span: Span, low: int, high: int) -> list[_Pair]:
                 span.sentence.terms[at].written if at in span.sentence.terms else span.text[at]
                 for at in range(each.start("words"), each.end("words"))
             )
-            is_bit = each["bit"] is not None or span.text[max(each.start("value") - 4, 0) : each.start("value")] == "bit "
+            is_bit = (
+                each["bit"] is not None or span.text[max(each.start("value") - 4, 0) : each.start("value")] == "bit "
+            )
             found.append((1 << int(value) if is_bit and value < 32 else int(value), words, each.start("value")))
     return found
 
@@ -141,7 +152,10 @@ def _most_right(subjects: Sequence[_Subject], pairs: Sequence[_Pair]) -> _Subjec
 
 def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Values of a field or an enum that the sentence names otherwise: "NAME answers 0 (accepted), 1 (denied)"."""
-    enums = [_Subject(str(term.value), reading.enums[str(term.value)]) for _, term in span.sentence.within(0, len(span.text), "E")]
+    enums = [
+        _Subject(str(term.value), reading.enums[str(term.value)])
+        for _, term in span.sentence.within(0, len(span.text), "E")
+    ]
     for subject in enums[-1:]:
         yield from _values(reading, span, subject, 0, len(span.text))
         return
@@ -199,7 +213,15 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
     if is_bit and stated is not None and 0 <= stated < 32:
         stated = 1 << int(stated)
     before = span.text[max(found.start("value") - 24, 0) : found.start("value")]
-    if own is None or stated is None or stated == own or re.search(r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|not) ?$|[|+*<>-] ?$", before[:-1] if before.endswith(" ") else before):
+    if (
+        own is None
+        or stated is None
+        or stated == own
+        or re.search(
+            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|not) ?$|[+*<>-] ?$",
+            before[:-1] if before.endswith(" ") else before,
+        )
+    ):
         return
     written = span.sentence.term(found.start("value")).written
     text = f"{name} is {own}, not {written}"
@@ -219,9 +241,12 @@ def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
             continue
         declared = re.search(r"\b(?:enum|class)(?: class)? (?P<name>[a-z_]\w*|[PMCE])", span.text)
         if declared is not None:
-            scope = _enum_called(reading, span, declared)
+            called = _enum_called(reading, span, declared)
+            scope = called or (scope if "enum" in declared[0] else None)
             continue
-        if span.text.lstrip().startswith("}") or re.match(r"\s*(?:struct|def|fn|pub fn|impl|void|int main)\b", span.text):
+        if span.text.lstrip().startswith("}") or re.match(
+            r"\s*(?:struct|def|fn|pub fn|impl|void|int main)\b", span.text
+        ):
             scope = None
         found = _CONSTANT.match(_source(span)) if scope is not None else None
         if found is None or scope is None:
@@ -247,7 +272,11 @@ def _words(name: str) -> str:
 
 
 def _enum_called(reading: Reading, span: Span, found: "re.Match[str]") -> _Subject | None:
-    written = span.sentence.terms[found.start("name")].written if found.start("name") in span.sentence.terms else found["name"]
+    written = (
+        span.sentence.terms[found.start("name")].written
+        if found.start("name") in span.sentence.terms
+        else found["name"]
+    )
     joined = written.replace("_", "").lower()
     for name, enum in reading.enums.items():
         bare = name.replace("_", "").lower()

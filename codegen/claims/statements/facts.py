@@ -3,16 +3,13 @@
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
+from itertools import pairwise
 
-from codegen.claims.columns import ENUM_OF, OFFSET
-from codegen.claims.field_words import EXTENSION
-from codegen.claims.message_words import ORDER
 from codegen.claims.reading import Reading
+from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER
 from codegen.claims.statements.fields import Said, each_about, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.diagnostics import Diagnostic
-from codegen.load.prose import PassageKind
-from codegen.model.dialect.dialect import WireField
 
 _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| / ?| ?& ?)[FP])*)"
 _IS = r"(?:[\s,)(:\u2013-]*(?:field|fields|is|are|all|both|an?|the|only|of M|really|one of the|count as|counts as|in fact|were added as|was added as|came|come|comes|later|as|type T|T|in U)\b)*"
@@ -22,7 +19,9 @@ _EXTENSION = re.compile(
 _BASE = re.compile(
     rf"{_NAMES}{_IS}[\s,:(\u2013-]*(?P<no>not )?(?:an? |the )?(?:base fields?\b|part of the base\b|(?:belongs? to|among|in) the base(?: fields?| payload| part)?\b|no extensions?\b)"
 )
-_LIST = re.compile(rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,)+(?: the)?(?: fields?)? {_NAMES}")
+_LIST = re.compile(
+    rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,)+(?: the)?(?: fields?)? {_NAMES}"
+)
 _OFFSET = re.compile(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*|#|\*|\|)\s?)+(?:the )?"
     r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes|,? ?(?:to|\.\.|-) ?N))"
@@ -32,7 +31,9 @@ _ORDER = re.compile(
     r"(?P<first>[FP])(?: field)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
     r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
-_WIRE = re.compile(r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b|\bstruct\b")
+_WIRE = re.compile(
+    r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b|\bstruct\b"
+)
 _XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
 _ENUM = re.compile(
     r"[\s(:=,|\u2013\u2014>*#/-]*(?:(?:is|are|an?|from|of|uses?|the|enum|type|taken|see|value|values|entry|in|one|holds?|has|contains?|as|by|bitmask|bits|flags|list|code|codes|T|entries|with|its|listed|defined|comes?|given|number|field)\b[\s(:=,|*#/\u2013-]*)*(?P<enum>[EC])(?![\w*])"
@@ -57,10 +58,16 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             if is_extension is not None and found["no"]:
                 stated = not stated
             low, high = span.bounds(found.start())
-            if re.search(r"\bwithout\b|\bproposal|\bpropose|\bwould\b|\bshould\b|\?", text[low:high]) or text[: found.start("names")].endswith("M."):
+            if re.search(r"\bwithout\b|\bproposal|\bpropose|\bwould\b|\bshould\b|\?", text[low:high]) or text[
+                : found.start("names")
+            ].endswith("M."):
                 continue
             names = [offset for offset in range(found.start("names"), found.end("names")) if text[offset] in "FP"]
-            if is_extension is not None and len(names) > 1 and not re.search(r"\b(?:are|both|all|belong|as|extensions|fields)\b", found[0]):
+            if (
+                is_extension is not None
+                and len(names) > 1
+                and not re.search(r"\b(?:are|both|all|belong|as|extensions|fields)\b", found[0])
+            ):
                 names = names[-1:]
             for offset in names:
                 one = about(reading, span, offset)
@@ -72,10 +79,11 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "On the wire `device` stands before `timeout`"."""
     text = span.text
+    yield from _sequence(reading, span)
     for found in _ORDER.finditer(text):
         low, high = span.bounds(found.start())
         how = found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
-        if not how or not _WIRE.search(text[max(low - 200, 0) : high]) or _XML.search(text[low : high]):
+        if not how or not _WIRE.search(text[max(low - 200, 0) : high]) or _XML.search(text[low:high]):
             continue
         first, second = about(reading, span, found.start("first")), about(reading, span, found.start("second"))
         if first is None or second is None or first.message is not second.message or first.field is second.field:
@@ -86,13 +94,54 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         early, late = (second, first) if is_before else (first, second)
         words = f"{first.message.name}: {early.field.name} comes before {late.field.name} on the wire"
         order = ", ".join(field.name for field in first.message.fields)
-        yield reading.found(ORDER, span.place(found.start()), f"{first.name} {how} {second.field.name}", words, f"on the wire: {order}")
+        yield reading.found(
+            ORDER, span.place(found.start()), f"{first.name} {how} {second.field.name}", words, f"on the wire: {order}"
+        )
+
+
+_SEQUENCE = re.compile(r"[FP](?:(?:,? (?:and |then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}")
+_IN_ORDER = re.compile(
+    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts)|(?:sent|packed|transmitted) as|byte order:|memory order|serialized"
+)
+
+
+def _sequence(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Three fields or more in a sentence that says that it is their order on the wire."""
+    for found in _SEQUENCE.finditer(span.text):
+        low, high = span.bounds(found.start())
+        if (
+            not _IN_ORDER.search(span.text, max(low - 120, 0), high)
+            or _XML.search(span.text, low, high)
+            or re.search(r"\bnot\b", span.text[low:high])
+        ):
+            continue
+        fields = [about(reading, span, at) for at in range(found.start(), found.end()) if span.text[at] in "FP"]
+        known = [one for one in fields if one is not None]
+        if len({one.message.name for one in known}) != 1:
+            continue
+        for first, second in pairwise(known):
+            if first.field.offset > second.field.offset:
+                order = ", ".join(field.name for field in first.message.fields)
+                text = f"{first.message.name}: {second.field.name} comes before {first.field.name} on the wire"
+                yield reading.found(
+                    ORDER,
+                    span.place(found.start()),
+                    f"{first.message.name} order {first.field.name}",
+                    text,
+                    f"on the wire: {order}",
+                )
+                break
 
 
 def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = _OFFSET.search(text, said.end, said.until) or _AT.search(text, said.end, said.until)
-    if found is None or len(said.names) > 1 or _NOT.search(text[said.end : found.start()]) or found.start() - said.end > 90:
+    if (
+        found is None
+        or len(said.names) > 1
+        or _NOT.search(text[said.end : found.start()])
+        or found.start() - said.end > 90
+    ):
         return
     value = number(span.sentence.term(found.start("number")))
     one = about(reading, span, said.names[0])
@@ -120,7 +169,11 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if at not in said.names or own is None or written in enums:
             continue
         is_known = written in reading.enums
-        if not is_known and not get_close_matches(written, [own], n=1, cutoff=0.6) and written.split("_")[0] != own.split("_")[0]:
+        if (
+            not is_known
+            and not get_close_matches(written, [own], n=1, cutoff=0.6)
+            and written.split("_")[0] != own.split("_")[0]
+        ):
             continue
         if not is_known and ("_" not in written or written in reading.messages):
             continue
@@ -134,4 +187,6 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:
     """Whether a name is, or nearly is, that of an entry: another rule tells it."""
     entries = [entry.name for entry in reading.enums[enum].entries] if enum in reading.enums else []
-    return any(entry.endswith(written) for entry in entries) or bool(get_close_matches(written, entries, n=1, cutoff=0.75))
+    return any(entry.endswith(written) for entry in entries) or bool(
+        get_close_matches(written, entries, n=1, cutoff=0.75)
+    )

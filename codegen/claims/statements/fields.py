@@ -4,21 +4,27 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
+from codegen.claims.reading import Reading
 from codegen.claims.statements.spans import About, Span, about
 from codegen.claims.statements.terms import NamedField, StatedType, Term
-from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 
 _JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
 _GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
-_BEGINS = re.compile(r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly |public |private )*)")
-_SUBJECT = re.compile(r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?|comes?|stands?|takes?|uses)\b")
+_BEGINS = re.compile(
+    r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly |public |private )*)"
+)
+_SUBJECT = re.compile(
+    r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?|comes?|stands?|takes?|uses)\b"
+)
 _THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
 
 
-_EXCEPT = re.compile(r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$")
+_EXCEPT = re.compile(
+    r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +70,9 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     begins = lead is not None and lead.end() >= found.start()
     behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]
     if span.is_code:
-        return begins or behind in (":", "=", ";", ",") or text[: found.start()].endswith(("T ", "T", ": ", "# ", "// "))
+        return (
+            begins or behind in (":", "=", ";", ",") or text[: found.start()].endswith(("T ", "T", ": ", "# ", "// "))
+        )
     if span.kind is PassageKind.ROW:
         return text[: found.start()].rstrip().endswith("|") or begins
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
@@ -86,13 +94,13 @@ def last_about(reading: Reading, said: Said) -> About | None:
     return about(reading, said.span, said.names[-1])
 
 
-def claimed(
-    reading: Reading, said: Said, offset: int, fits: Callable[[WireField], bool]
-) -> About | None:
+def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField], bool]) -> About | None:
     """The field of which something is said and not true: the last one, or any where it is said of all."""
     found = each_about(reading, said)
     gap = said.span.text[said.end : offset] if offset >= said.end else ""
-    is_of_all = len(said.names) > 1 and re.match(r"\s*(?:[:|(\[=\u2013-]|\)? ?(?:are|both|all|each|have|hold)\b|# )", gap)
+    is_of_all = len(said.names) > 1 and re.match(
+        r"\s*(?:[:|(\[=\u2013-]|\)? ?(?:are|both|all|each|have|hold)\b|# )", gap
+    )
     for at, one in found if is_of_all else found[-1:]:
         if at in said.names and one.is_wrong(fits):
             return one

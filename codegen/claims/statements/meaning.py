@@ -8,12 +8,90 @@ from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 from codegen.once import once
 
 _IDLE = frozenset(
-    "a an the is are for means of to mode state type and value it in on if be was has have had with by that this its only not or as at from than"
-    " set when while treated really just vehicle current".split()
+    [
+        "a",
+        "an",
+        "the",
+        "is",
+        "are",
+        "for",
+        "means",
+        "of",
+        "to",
+        "mode",
+        "state",
+        "type",
+        "and",
+        "value",
+        "it",
+        "in",
+        "on",
+        "if",
+        "be",
+        "was",
+        "has",
+        "have",
+        "had",
+        "with",
+        "by",
+        "that",
+        "this",
+        "its",
+        "only",
+        "not",
+        "or",
+        "as",
+        "at",
+        "from",
+        "than",
+        "set",
+        "when",
+        "while",
+        "treated",
+        "really",
+        "just",
+        "vehicle",
+        "current",
+    ]
 )
 _NO_WORDS = frozenset(
-    "hz m cm mm s ms us v mv a ma deg bytes byte bits times fields elements entries values samples seconds minutes metres meters percent"
-    " messages per hours volts degrees cells channels characters floats".split()
+    [
+        "hz",
+        "m",
+        "cm",
+        "mm",
+        "s",
+        "ms",
+        "us",
+        "v",
+        "mv",
+        "a",
+        "ma",
+        "deg",
+        "bytes",
+        "byte",
+        "bits",
+        "times",
+        "fields",
+        "elements",
+        "entries",
+        "values",
+        "samples",
+        "seconds",
+        "minutes",
+        "metres",
+        "meters",
+        "percent",
+        "messages",
+        "per",
+        "hours",
+        "volts",
+        "degrees",
+        "cells",
+        "channels",
+        "characters",
+        "floats",
+    ]
 )
 _WORD = re.compile(r"[a-z0-9]+")
 _SAME = {"lost": "loss", "ok": "accepted", "temporarily": "temp"}
@@ -27,7 +105,10 @@ class Meaning:
         self._enum = enum
         names = {entry.name: entry.name.lower().split("_") for entry in enum.entries}
         shared = _shared(list(names.values()))
-        self._names = {name: [word for word in words[shared:] if word not in _IDLE] or words[shared:] for name, words in names.items()}
+        self._names = {
+            name: [word for word in words[shared:] if word not in _IDLE] or words[shared:]
+            for name, words in names.items()
+        }
 
     @cached_property
     def _texts(self) -> dict[str, list[str]]:
@@ -36,7 +117,9 @@ class Meaning:
     def is_named(self, value: int, words: str) -> bool:
         """Whether words are those of the entry that has a value."""
         content = _content(words)
-        return any(entry.value == value and content and self._named(entry, content) >= _COVERS for entry in self._enum.entries)
+        return any(
+            entry.value == value and content and self._named(entry, content) >= _COVERS for entry in self._enum.entries
+        )
 
     def meant_otherwise(self, value: int, words: str, *, is_name: bool = False) -> EnumEntry | None:
         """The one entry that words mean, where it has another value; None where that is not clear."""
@@ -103,7 +186,11 @@ _LETTER, _EXACT, _COVERS, _HALF = 4, 3, 2, 0.5
 
 def _shared(names: Sequence[Sequence[str]]) -> int:
     shared = 0
-    while names and all(len(words) > shared + 1 for words in names) and len({tuple(words[: shared + 1]) for words in names}) == 1:
+    while (
+        names
+        and all(len(words) > shared + 1 for words in names)
+        and len({tuple(words[: shared + 1]) for words in names}) == 1
+    ):
         shared += 1
     return shared
 
@@ -130,7 +217,7 @@ def _is_like(word: str, token: str) -> bool:
     short, long = sorted((word, token), key=len)
     if short == long:
         return True
-    return len(short) > 2 and long.startswith(short) and not short.isdigit()
+    return len(short) > 2 and long.startswith(short) and not long[-1].isdigit()
 
 
 @once

@@ -4,12 +4,11 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import UNIT
+from codegen.claims.rules import TYPE, UNIT
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import Span, subjects
 from codegen.claims.statements.terms import StatedType
 from codegen.claims.statements.units import has_unit
-from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
@@ -22,11 +21,46 @@ _NOT = re.compile(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
     r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bask|\bthink|\?"
 )
-_IDLE = frozenset("the a an its all both is are of this that and field fields value values everything it they numbers number data given in with every each as only time".split())
+_IDLE = frozenset(
+    [
+        "the",
+        "a",
+        "an",
+        "its",
+        "all",
+        "both",
+        "is",
+        "are",
+        "of",
+        "this",
+        "that",
+        "and",
+        "field",
+        "fields",
+        "value",
+        "values",
+        "everything",
+        "it",
+        "they",
+        "numbers",
+        "number",
+        "data",
+        "given",
+        "in",
+        "with",
+        "every",
+        "each",
+        "as",
+        "only",
+        "time",
+    ]
+)
 _TEXT = re.compile(
     r"(?P<lead>\b(?:[a-zPF]+ ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of|in a line|wide))"
 )
-_LIMIT = re.compile(r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b")
+_LIMIT = re.compile(
+    r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"
+)
 _SUBJECT = re.compile(r"\b(?:names?|texts?|strings?|labels?|identifiers?|ids?|messages?|field|values?|P|F|length|M)\b")
 _ARRAY = re.compile(r"\b(?:up to|an? array of|holds?|carries|list of|at most|has|with) T")
 
@@ -46,13 +80,20 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()]:
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
-        words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE][-3:]
+        words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE]
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
             continue
-        fields = [field for field in messages[0].fields if _is_called(field, words)]
-        if not fields or any(has_unit(field, unit) for message in messages for field in message.fields if _is_called(field, words)):
+        fields: list[WireField] = []
+        for start in range(max(len(words) - 3, 0), len(words)):
+            words = words[start:] if not fields else words
+            fields = fields or [
+                field for field in messages[0].fields if _is_called(field, words) and _is_kin(field, unit, words)
+            ]
+        if not fields or any(
+            has_unit(field, unit) for message in messages for field in message.fields if _is_called(field, words)
+        ):
             continue
         first = fields[0]
         written = span.sentence.term(found.end() - 1).written
@@ -67,6 +108,15 @@ def _is_called(field: WireField, words: list[str]) -> bool:
     return all(any(_is_like(word, token) for token in tokens) for word in words)
 
 
+def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
+    """Whether a unit measures what a field does, or the words are those of the field's name."""
+    own = Unit.parse(field.definition.units)
+    tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
+    return own is not None and (
+        own.dimension == unit.dimension or all(any(_is_like(word, token) for token in tokens) for word in words)
+    )
+
+
 def _is_like(word: str, token: str) -> bool:
     stem = re.sub(r"(?:ies|y|es|s)$", "", word)
     return len(stem) > 2 and re.sub(r"(?:ies|y|es|s)$", "", token) == stem
@@ -76,18 +126,43 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "Names of up to 12 characters" of a message with one field of characters."""
     for found in _TEXT.finditer(span.text):
         low, high = span.bounds(found.start())
-        lead = span.text[low : span.text.index("N", found.start())]
-        if not _LIMIT.search(lead) or not _SUBJECT.search(lead) or re.search(r"\bnot\b|n't|\bour\b|\blonger than\b|\bmore than\b|\bfirst\b|\blast\b|\babout\b|\bshorter\b|\bscreen|\bline\b|\bdisplay|\bless\b|\bonly\b", lead):
+        lead = span.source_text(low, span.text.index("N", found.start())).lower()
+        if (
+            not _LIMIT.search(lead)
+            or not _SUBJECT.search(span.text[low : found.end()])
+            or re.search(
+                r"\bnot\b|n't|\bour\b|\blonger than\b|\bmore than\b|\bfirst\b|\blast\b|\babout\b|\bshorter\b|\bscreen|\bline\b|\bdisplay|\bless\b|\bonly\b",
+                lead,
+            )
+        ):
             continue
         messages, is_sure = subjects(reading, span, found.start())
         offset = span.text.index("N", found.start())
         value = number(span.sentence.term(offset))
-        fields = [(message, field) for message in messages for field in message.fields if field.type.name == "char" and field.is_array]
-        if not fields or not is_sure or value in {field.count for _, field in fields} | {field.count - 1 for _, field in fields}:
+        fields = [
+            (message, field)
+            for message in messages
+            for field in message.fields
+            if field.type.name == "char" and field.is_array
+        ]
+        if (
+            not fields
+            or not is_sure
+            or value in {field.count for _, field in fields} | {field.count - 1 for _, field in fields}
+        ):
             continue
         message, field = fields[0]
-        if len([each for each in message.fields if each.type.name == "char"]) > 1:
-            continue
+        called = [
+            field
+            for _, field in fields
+            if any(
+                _is_like(word, token) for word in re.findall("[a-z]+", lead) for token in field.name.lower().split("_")
+            )
+        ]
+        if len(fields) > 1:
+            if len(called) != 1:
+                continue
+            field = called[0]
         yield _length(reading, span, offset, message, field)
 
 
@@ -98,10 +173,20 @@ def _arrays(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         stated = span.sentence.term(offset).value
         low, high = span.bounds(found.start())
         messages, is_sure = subjects(reading, span, found.start())
-        if not isinstance(stated, StatedType) or stated.length is None or not is_sure or "F" in span.text[low:high] or re.search(r"\bP\b", span.text[low:high]):
+        if (
+            not isinstance(stated, StatedType)
+            or stated.length is None
+            or not is_sure
+            or re.search(r"[FC]", span.text[low:high])
+            or re.search(r"\bP\b", span.text[low:high])
+        ):
             continue
         fields = [field for field in messages[0].fields if field.is_array and 8 * field.type.size == stated.bits]
-        if len(fields) == 1 and fields[0].count != stated.length and not re.search(r"\bour\b|\bwe\b|\bnot\b", span.text[low:high]):
+        if (
+            len(fields) == 1
+            and fields[0].count != stated.length
+            and not re.search(r"\bour\b|\bwe\b|\bnot\b", span.text[low:high])
+        ):
             yield _length(reading, span, offset, messages[0], fields[0])
 
 

@@ -17,7 +17,9 @@ _BREAK = re.compile(
     r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bno)(?<!\bapprox)(?<!\bmax)(?<!\bmin)(?<!\bresp)(?<!\bincl)[.!?;](?=\s|$)"
 )
 _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
-_COMPARED = re.compile(r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$")
+_COMPARED = re.compile(
+    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
+)
 _COMMENT = re.compile(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
 _DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
 
@@ -171,7 +173,9 @@ def _is_foreign(reading: Reading, part: Passage) -> bool:
     return bool(name) and name not in known.messages and name not in known.enums and name not in known.entries
 
 
-_CALLED = re.compile(r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))")
+_CALLED = re.compile(
+    r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))"
+)
 _CAPTION = re.compile(r"(?:^|\b[Mm]essage )(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b[^.]{0,60}:$")
 
 
@@ -207,8 +211,13 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
                 text = f"{name[0][:-1].strip()}: {joined}"
                 shift = len(text) - len(joined)
                 yield Span(
-                    read_sentence(text, 0, len(text), ((0, shift),), words), PassageKind.ITEM, own,
-                    _above(note[0], shift), code.language, True, True,
+                    read_sentence(text, 0, len(text), ((0, shift),), words),
+                    PassageKind.ITEM,
+                    own,
+                    _above(note[0], shift),
+                    code.language,
+                    True,
+                    True,
                 )
             note = []
 
@@ -275,7 +284,9 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
         return _about(value.name, [reading.messages[value.message]], [], is_sure=True)
     of = _OF.match(span.text, offset + 1)
     if of is not None:
-        return _about(value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True)
+        return _about(
+            value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True
+        )
     low, high = span.bounds(offset)
     before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
     after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
@@ -297,9 +308,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
 
 
-def _about(
-    name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool
-) -> About | None:
+def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:
     for message in messages:
         field = message.field(name)
         if field is not None:

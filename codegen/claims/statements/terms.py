@@ -20,7 +20,7 @@ from codegen.model.units.nearest_unit import worded_unit
 from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
-_ORDER = ("one two three four five six seven eight nine ten eleven twelve").split()
+_ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 NUMBER_WORDS: Mapping[str, int] = {word: index for index, word in enumerate(_ORDER, 1)}
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
@@ -35,7 +35,7 @@ _TERM = re.compile(
   | (?P<qualified>(?<![\w.])(?P<of>[A-Z][A-Z0-9_]{{2,60}})(?:\.|::|->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
   | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{3,}}(?![\w-]))
   | (?P<array>\[\s?(?P<inner>{_SCALAR})\s?;\s?(?P<held>\d{{1,4}})\s?\])
-  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{'|'.join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32|64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
+  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32|64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
   | (?P<spelled>(?<![\w.-])(?:(?P<sign>unsigned|signed)[ ,]+)?(?P<bits>8|16|32|64)[ -]?bits?\b(?:[ ](?P<after>unsigned|signed)\b)?(?:[ ](?P<kind>integers?|ints?|numbers?|words?|floats?|values?|counters?)\b)?)
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
@@ -45,19 +45,53 @@ _TERM = re.compile(
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour|s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_TOKEN})(?![\w/]))
   | (?P<number>(?<![\w.])[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)|\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
-  | (?P<name>(?<![\w.$-])[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-|:)\s?\d{{1,3}})?)\])?(?![\w(]))
+  | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-|:)\s?\d{{1,3}})?)\])?(?![\w(]))
   | (?P<symbol>(?<![\w.])[%\u00b5\u00b0][A-Za-z0-9/]{{0,10}})
     """,
     re.VERBOSE,
 )
-_PLAIN_NUMBER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)")
+_PLAIN_NUMBER = re.compile(
+    r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
+)
 _SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
 _COMPOUND = re.compile(rf"{_TOKEN}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
-_SHORT_UNITS = frozenset("m s A V g h K G N J W C T l L us min bits bit bytes byte in a rad knots x".split())
+_SHORT_UNITS = frozenset(
+    [
+        "m",
+        "s",
+        "A",
+        "V",
+        "g",
+        "h",
+        "K",
+        "G",
+        "N",
+        "J",
+        "W",
+        "C",
+        "T",
+        "l",
+        "L",
+        "us",
+        "min",
+        "bits",
+        "bit",
+        "bytes",
+        "byte",
+        "in",
+        "a",
+        "rad",
+        "knots",
+        "x",
+    ]
+)
 """What is a word or a name as often as a unit: only where a unit has to stand."""
-_UNIT_PLACE = re.compile(r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=]|^|U,? (?:and|or) )\s?['\"]?$")
-_UNIT_END = re.compile(r"['\"]?\s*(?:[,.;:)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b|[-\u2013\u2014(] ?)")
-_NO_UNIT_WORDS = frozenset("second a s deg x".split())
+_UNIT_PLACE = re.compile(
+    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
+)
+_UNIT_END = re.compile(
+    r"['\"]?\s*(?:[,.;:)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b|[-\u2013\u2014(] ?)"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +103,7 @@ class Term:
     written: str
     start: int
     end: int
+    is_quoted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,7 +223,7 @@ def _term(
     start, end, written = found.start(), found.end(), found[0]
 
     def made(letter: str, value: object, until: int = end) -> Term:
-        return Term(letter, value, text[start:until], start, until)
+        return Term(letter, value, text[start:until], start, until, _is_quoted(text, start, until))
 
     if found["constant"]:
         return made("S", constant_value(written))
@@ -209,7 +244,11 @@ def _term(
     if found["elements"]:
         some = found["some"]
         sort = found["sort"].rstrip("s") if not found["sort"].endswith("bytes") else ""
-        base = _scalar(sort, _count(some)) if sort else StatedType(None, 8, "u" if found["sort"][0] == "u" else "i", _count(some))
+        base = (
+            _scalar(sort, _count(some))
+            if sort
+            else StatedType(None, 8, "u" if found["sort"][0] == "u" else "i", _count(some))
+        )
         return made("T", base)
     if found["spelled"]:
         if not (found["sign"] or found["after"] or found["kind"]):
@@ -237,9 +276,11 @@ def _term(
     if found["long"]:
         unit = _unit(found["long"])
         is_single = found["long"].lower() in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs")
-        if unit is None or (is_single and not re.search(r"\b(?:in|of|unit:?|[(\[]) ?$|[(\[,:|] ?$", before)):
+        if unit is None or (is_single and not re.search(r"\b(?:in|of|unit:?) ?$|[(\[,:|#*/=] ?$", before)):
             return None
-        if found["long"].lower() == "seconds" and re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before):
+        if found["long"].lower() == "seconds" and re.search(
+            r"\b(?:few|some|several|many|of|every|wait|after) $", before
+        ):
             return None
         return made("U", unit)
     if found["power"]:
@@ -267,7 +308,9 @@ def _name(
     if name in words.fields:
         held = re.fullmatch(r"(\d{1,3})\]", rest)
         value = NamedField(name, None, int(held[1]) if held else None)
-        is_name = is_code or "_" in name or any(character.isdigit() for character in name) or name[1:].lower() != name[1:]
+        is_name = (
+            is_code or "_" in name or any(character.isdigit() for character in name) or name[1:].lower() != name[1:]
+        )
         if is_name:
             return Term("F", value, written, start, end)
     unit = _COMPOUND.match(text, start, high)
@@ -275,10 +318,10 @@ def _name(
         stated = worded_unit(unit[0]) if not unit[0].islower() or len(unit[0]) < 9 else _unit(unit[0])
         after = unit.end()
         if stated is not None and stated.dimension and not text[after : after + 1].isalnum():
-            is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _NO_UNIT_WORDS or len(unit[0]) == 1
+            is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
             is_place = _UNIT_PLACE.search(before) and _UNIT_END.match(text, after, high)
-            if (not is_short or is_place) and (len(unit[0]) < 3 or not unit[0].isalpha() or unit[0].lower() not in _ENGLISH):
-                return Term("U", stated, unit[0], start, after)
+            if not is_short or is_place:
+                return Term("U", stated, unit[0], start, after, is_quoted=_is_quoted(text, start, after))
     if name in words.fields:
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
@@ -292,7 +335,37 @@ def _name(
     return None
 
 
-_ENGLISH = frozenset("bar min rev pix hour day kn kt bit bits byte bytes second minute degree meter metre gram ton sec".split())
+_ENGLISH = frozenset(
+    [
+        "a",
+        "s",
+        "x",
+        "bar",
+        "min",
+        "rev",
+        "pix",
+        "hour",
+        "day",
+        "kn",
+        "kt",
+        "bit",
+        "bits",
+        "byte",
+        "bytes",
+        "second",
+        "minute",
+        "degree",
+        "meter",
+        "metre",
+        "gram",
+        "ton",
+        "sec",
+    ]
+)
+
+
+def _is_quoted(text: str, start: int, end: int) -> bool:
+    return start > 0 and text[start - 1] in "\"'" and text[end : end + 1] in ("'", '"')
 
 
 def constant_value(written: str) -> int | float | None:

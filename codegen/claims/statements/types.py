@@ -5,18 +5,17 @@ from collections.abc import Iterator
 
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
+from codegen.claims.rules import TYPE
 from codegen.claims.statements.fields import Said, claimed, named, number, said_of_fields, stated_type
 from codegen.claims.statements.spans import Span, about, is_data
 from codegen.claims.statements.terms import StatedType
-from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic
-from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 
 _WORDS = (
     r"is|are|as|an?|of|type|types|stored|sent|encoded|coded|in|the|fields?|both|all|each|every|also|only|just|declared|defined"
     r"|transmitted|carried|array|single|little[- ]endian|now|still|really|actually|has|have|uses?|with|fits|into|be|must"
-    r"|should|seconds|wire|on|its|plain|simple|one|three|named|value|values|number|numbers|member|data|set|to|travels?|u|q"
+    r"|should|seconds|wire|extension|on|its|plain|simple|one|three|named|value|values|number|numbers|member|data|set|to|travels?|u|q"
 )
 _GAP = re.compile(rf"[\s(:=,|\u2013\u2014>-]*(?:(?:{_WORDS}|U|N|E)\b[\s,:()=|-]*)*", re.IGNORECASE)
 _NOT = re.compile(
@@ -37,7 +36,9 @@ _EXACT = re.compile(
     r"[\s(:=,|\u2013\u2014-]*(?:(?:is|are|has|have|holds?|takes?|carries|contains?|with|for|an?|array|of|up to|at most|all|its|the|space|room|room for"
     r"|fixed|length|always|exactly|can|hold|carry|take|list|lists|text|string|most|long|list of|limited|cut|to|at|maximum|max|field|consists)\b[\s,:(=]*|T[\s,]*|U[\s,]*)*"
 )
-_LESS = re.compile(r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses|not|never)\b|\busually\b")
+_LESS = re.compile(
+    r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses|not|never)\b|\busually\b"
+)
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
 
 
@@ -66,7 +67,11 @@ def has_type(field: WireField, stated: StatedType) -> bool:
 
 def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     """Whether a word is a type of the language of the code and not of the wire."""
-    if span.language in ("kotlin", "java", "swift", "cs", "csharp", "dart") and stated.name in ("float", "double", "char"):
+    if span.language in ("kotlin", "java", "swift", "cs", "csharp", "dart") and stated.name in (
+        "float",
+        "double",
+        "char",
+    ):
         return True
     comment = re.search(r"//|#|/\*", span.text)
     is_comment = span.is_comment or (comment is not None and comment.start() < offset)
@@ -78,10 +83,20 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     for offset, term in span.sentence.within(said.end, said.until, "T"):
         gap = span.text[said.end : offset]
         behind = span.text[offset + 1 :]
-        is_bounded = said.is_listed and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap) and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
+        is_bounded = (
+            (said.is_listed or len(gap) < 40)
+            and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
+            and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
+        )
         if _NOT.search(gap) or _AFTER.match(behind) or not (_GAP.fullmatch(gap) or is_bounded):
             return
-        if span.is_code and not span.is_comment and re.match(r"\s*=", gap) and not re.search(r"#|//|\*", gap) and not is_data(span):
+        if (
+            span.is_code
+            and not span.is_comment
+            and re.match(r"\s*=", gap)
+            and not re.search(r"#|//|\*", gap)
+            and not is_data(span)
+        ):
             return
         if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and "," in gap:
             return  # "`a`, uint16 `b`"
@@ -131,13 +146,25 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """Elements of an array, or bytes of a number."""
     span = said.span
     found = _ELEMENTS.search(span.text, said.end, said.until)
+    is_all = found is not None and re.search(
+        r"\b(?:all|array (?:with|of)|up to|at most) (?:its |the )?$", span.text[said.end : found.start()]
+    )
     one = about(reading, span, said.names[-1]) if found is not None else None
     if found is None or one is None or len(said.names) > 1:
         return
     gap = span.text[said.end : found.start()]
     before = re.search(r"(?:\bin |\bthan )$", gap)
-    is_listed = said.is_listed and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap) and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end():])
-    if before or _LESS.search(gap) or _NOT.search(gap) or not (_EXACT.fullmatch(gap) or is_listed):
+    is_listed = (
+        said.is_listed
+        and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap)
+        and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end() :])
+    )
+    if (
+        before
+        or _LESS.search(gap)
+        or _NOT.search(gap)
+        or not (_EXACT.fullmatch(gap) or is_listed or (is_all and one.field.is_array))
+    ):
         return
     value = number(span.sentence.term(found.start()))
     what, field = found["what"], one.field
@@ -170,7 +197,11 @@ def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _SIZED.finditer(span.text):
         one = about(reading, span, found.start("name"))
         value = number(span.sentence.term(found.start()))
-        if one is None or value is None or re.search(r"\b(?:first|last|only|lower|upper|up to) $", span.text[: found.start()]):
+        if (
+            one is None
+            or value is None
+            or re.search(r"\b(?:first|last|only|lower|upper|up to) $", span.text[: found.start()])
+        ):
             continue
         if one.is_wrong(lambda field, value=value: value == field.size):  # type: ignore[misc]
             text = f"{one.name} has {one.field.size} bytes, not {span.sentence.term(found.start()).written}"

@@ -4,13 +4,10 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.field_units import SCALING
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import UNIT
-from codegen.claims.statements.fields import Said, claimed, each_about, number, said_of_fields
-from codegen.claims.statements.spans import Span, is_data
-from codegen.claims.statements.terms import Term
-from codegen.claims.unit_claim import is_same_unit
+from codegen.claims.rules import SCALING, UNIT
+from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
+from codegen.claims.statements.spans import Span, about, is_data
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -20,20 +17,26 @@ _PLACE = re.compile(
     r"(?:\b(?:in|as|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?|reports?|measured in|is|are|be)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]|\bT|\"|^)\s*$"
 )
-_IS_SHORT = re.compile(r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per|but|because|while|on|of|to|up)\b|[-\u2013\u2014])")
+_IS_SHORT = re.compile(
+    r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per|but|because|while|on|of|to|up)\b|[-\u2013\u2014])"
+)
 _NOT = re.compile(
     r"\bnot\b|n't\b|divid|multipl|convert|\bshow|display|\bplot|\blogs?\b|\bour\b|\bwe\b|\bmy\b|rather|instead|\bwas\b|\bwere\b"
     r"|changed|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
-    r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N|\bcomputed|\bfrom U|\bsteps\b(?! of)|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
+    r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N|\bcomputed|\bfrom U|\bsteps\b(?! of)|\btimes\b|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
     r"|\b(?:and|while|whereas|but) (?:the|its|all|both|their) |, the \w|\byou get\b|\bwrote\b|\btake|\blike\b|\bunlike\b|\bour"
 )
-_SCALED_AFTER = re.compile(r"[^.;|]{0,3}(?:times\b|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong|was wrong|\?|, which is wrong)")
+_SCALED_AFTER = re.compile(
+    r"[^.;|]{0,3}(?:times\b|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong|was wrong|\?|, which is wrong)"
+)
 _GAP_LONG = 90
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
     r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude|speed))*)? (?P<unit>U)"
 )
-_SIGN = re.compile(r"(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//|,))+ ?(?:in )?(?P<unit>U)")
+_SIGN = re.compile(
+    r"(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//|,))+ ?(?:in )?(?P<unit>U)"
+)
 _SCALE = re.compile(
     r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
 )
@@ -50,10 +53,21 @@ def of_field(unit: Unit, field: WireField) -> Unit:
     """The unit as the words for it are meant of a field: degrees of a temperature are degrees Celsius."""
     own = Unit.parse(field.definition.units)
     if own is not None and own.dimension == unit_named("degC").dimension and unit.name.startswith(("deg", "C")):
-        return Unit(unit.name, own.dimension, unit.scale / (1 if unit.name.startswith("deg") else unit_named("C").scale), 0, unit_named("degC").zero)
+        return Unit(
+            unit.name,
+            own.dimension,
+            unit.scale / (1 if unit.name.startswith("deg") else unit_named("C").scale),
+            0,
+            unit_named("degC").zero,
+        )
     if own is not None and own.dimension == unit_named("gauss").dimension and unit.name in ("G", "mG"):
         return unit_named("gauss" if unit.name == "G" else "mgauss")
     return unit
+
+
+def is_same_unit(one: Unit, other: Unit) -> bool:
+    """Whether numbers in either are the same."""
+    return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
 
 
 def has_unit(field: WireField, unit: Unit) -> bool:
@@ -72,12 +86,19 @@ def has_unit(field: WireField, unit: Unit) -> bool:
 def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """The first unit that is said of the names."""
     span, text = said.span, said.span.text
-    before = re.search(r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$", text[max(said.before, said.start - 30) : said.start])
+    before = re.search(
+        r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$",
+        text[max(said.before, said.start - 30) : said.start],
+    )
     if before and "U" in before[0]:
         offset = text.rindex("U", 0, said.start)
         yield from _found(reading, said, offset)
         return
-    for offset, term in span.sentence.within(said.end, said.until, "U"):
+    held = re.search(r"U \(?$", text[max(said.before, said.start - 4) : said.start])
+    if held is not None and text[said.start - 1] == "(" and text[said.end : said.end + 1] == ")":
+        yield from _found(reading, said, text.rindex("U", 0, said.start))
+        return
+    for offset, _ in span.sentence.within(said.end, said.until, "U"):
         gap = text[said.end : offset]
         behind = text[offset + 1 :]
         if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
@@ -88,12 +109,51 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         if not _PLACE.search(gap) or not _IS_SHORT.match(behind) or len(gap) > _GAP_LONG:
             continue
-        if span.is_code and not span.is_comment and not re.search(r"#|//|/\*|;", gap) and not is_data(span):
+        if (
+            span.is_code
+            and not span.is_comment
+            and not re.search(r"#|//|/\*|;|--", text[:offset])
+            and not is_data(span)
+            and not span.sentence.term(offset).is_quoted
+        ):
             continue  # what the code itself does is another matter
+        if span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)):
+            continue
         if re.search(r"\bM\b", gap.replace("of M", "").replace("in M", "").replace("from M", "")):
             return
-        yield from _found(reading, said, offset)
+        if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):
+            yield from _each(reading, said, offset)
+        else:
+            yield from _found(reading, said, offset)
         return
+
+
+_OWN_COLUMN = re.compile(
+    r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output|exported|screen|column",
+    re.IGNORECASE,
+)
+
+
+def head_of(span: Span, offset: int) -> str:
+    """The heading of the column in which a character of a row stands."""
+    column = span.text.count("|", 0, offset) - span.text.lstrip().startswith("|")
+    return span.heads[column] if column < len(span.heads) else ""
+
+
+def _each(reading: Reading, said: Said, offset: int) -> list[Diagnostic]:
+    """ "`a`, `b`: floats (m and m/s)": as many units as names."""
+    listed = re.match(r"U(?:(?:,? and |, ?| ?/ ?)U)+", said.span.text[offset : said.until])
+    if listed is None or listed[0].count("U") != len(said.names):
+        return []
+    units = [at for at, _ in said.span.sentence.within(offset, offset + listed.end(), "U")]
+    found = []
+    for name, at in zip(said.names, units, strict=True):
+        one, unit = about(reading, said.span, name), said.span.sentence.term(at).value
+        if one is not None and isinstance(unit, Unit) and one.is_wrong(lambda field, unit=unit: has_unit(field, unit)):
+            written = said.span.sentence.term(at).written
+            text = f"{one.name} is in {one.field.definition.units}, not {written}"
+            found.append(reading.found(UNIT, said.span.place(at), f"{one.name} in {written}", text))
+    return found
 
 
 def _last_clause(gap: str) -> str:
@@ -101,7 +161,9 @@ def _last_clause(gap: str) -> str:
     return _PRONOUN.split(gap)[-1]
 
 
-_PRONOUN = re.compile(r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is|are|has|comes?|counts?)\b)")
+_PRONOUN = re.compile(
+    r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is|are|has|comes?|counts?)\b)"
+)
 
 
 def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
@@ -118,7 +180,10 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """A factor between the number and another unit, which the unit of the dialect has to make the same."""
     span, text = said.span, said.span.text
     start = said.end
-    lead = re.search(r"\b(?:divid|multipl)\w* (?:the |both |all )?(?:fields? |values? (?:of )?)?$", text[max(said.before, said.start - 40) : said.start])
+    lead = re.search(
+        r"\b(?:divid|multipl)\w* (?:the |both |all )?(?:fields? |values? (?:of )?)?$",
+        text[max(said.before, said.start - 40) : said.start],
+    )
     if lead is not None:
         start = max(said.before, said.start - 40) + lead.start()
     elif re.search(r"\b(?:divid|multipl)\w*\b[^.;]{0,25}$", text[max(said.before, said.start - 40) : said.start]):
@@ -126,7 +191,11 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     yield from _named_factor(reading, said)
     for form in (_FACTOR, _SIGN):
         found = form.search(text, start, said.until)
-        if found is None or found.end() <= said.end or re.search(r"\bnot\b|n't|wrong|\bif you\b", text[start : found.start()]):
+        if (
+            found is None
+            or found.end() <= said.end
+            or re.search(r"\bnot\b|n't|wrong|\bif you\b", text[start : found.start()])
+        ):
             continue
         value = number(span.sentence.term(found.start("number")))
         unit = span.sentence.term(found.start("unit")).value
@@ -141,7 +210,9 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             yield reading.found(SCALING, span.place(found.start()), f"{one.name} {shown}", words)
         return
     found = _SCALE.search(text, said.end, said.until)
-    if found is not None and not re.search(r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=", text[said.end : found.start()]):
+    if found is not None and not re.search(
+        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=", text[said.end : found.start()]
+    ):
         value = number(span.sentence.term(found.start("number")))
         is_power = value is not None and value >= 10 and str(value).strip("0") == "1"
         one = claimed(reading, said, found.start(), lambda field: _has_scale(field, value)) if is_power else None
@@ -153,10 +224,30 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 _SUFFIXES = {
     **{name: name for name in ("km", "cm", "mm", "m", "deg", "rad", "ms", "us", "mV", "mA", "hPa", "V", "A", "s")},
-    **{"v": "V", "a": "A", "mv": "mV", "ma": "mA", "mps": "m/s", "kmh": "km/h", "kph": "km/h", "percent": "%", "pct": "%", "hpa": "hPa", "c": "degC", "celsius": "degC"},
-    **{"meters": "m", "metres": "m", "degrees": "deg", "volts": "V", "amps": "A", "seconds": "s", "millis": "ms", "radians": "rad"},
+    "v": "V",
+    "a": "A",
+    "mv": "mV",
+    "ma": "mA",
+    "mps": "m/s",
+    "kmh": "km/h",
+    "kph": "km/h",
+    "percent": "%",
+    "pct": "%",
+    "hpa": "hPa",
+    "c": "degC",
+    "celsius": "degC",
+    "meters": "m",
+    "metres": "m",
+    "degrees": "deg",
+    "volts": "V",
+    "amps": "A",
+    "seconds": "s",
+    "millis": "ms",
+    "radians": "rad",
 }
-_CALLED = re.compile(r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*?(?:_(?P<snake>[a-zA-Z]+)|(?P<camel>[A-Z][a-z]+))(?![\w(])")
+_CALLED = re.compile(
+    r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*?(?:_(?P<snake>[a-zA-Z]+)|(?P<camel>[A-Z][a-z]+))(?![\w(])"
+)
 _APPLIED = re.compile(r"(?: \||\)| as T| as f64)* ?(?P<how>[/*]) ?(?P<number>N)(?: ?[|;,)\]}]|$)")
 
 
@@ -168,7 +259,14 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     source = span.source_text(0, said.start)
     names = [each for each in _CALLED.finditer(source)]
-    suffix = next(((each["snake"] or each["camel"].lower()) for each in names if (each["snake"] or each["camel"].lower()) in _SUFFIXES), None)
+    suffix = next(
+        (
+            (each["snake"] or each["camel"].lower())
+            for each in names
+            if (each["snake"] or each["camel"].lower()) in _SUFFIXES
+        ),
+        None,
+    )
     unit = Unit.parse(_SUFFIXES[suffix]) if suffix is not None else None
     value = number(span.sentence.term(found.start("number")))
     if unit is None or not value:
@@ -184,7 +282,9 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 def text_of(span: Span, found: "re.Match[str]") -> str:
     """The words of the source that a match over the short text stands for."""
     terms = span.sentence.terms
-    return "".join(terms[at].written if at in terms else span.text[at] for at in range(found.start(), found.end())).strip()
+    return "".join(
+        terms[at].written if at in terms else span.text[at] for at in range(found.start(), found.end())
+    ).strip()
 
 
 def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
@@ -195,7 +295,9 @@ def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
     return stated in (turned.ratio, turned.ratio * field.multiplier)
 
 
-_STEPS = re.compile(r"(?:.*E(?P<tens>\d)|(?P<prefix>[mcdu])(?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*(?P<factor>\d+))")
+_STEPS = re.compile(
+    r"(?:.*E(?P<tens>\d)|(?P<prefix>[mcdu])(?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*(?P<factor>\d+))"
+)
 
 
 def _has_scale(field: WireField, value: object) -> bool:

@@ -1,11 +1,10 @@
 """Values that are said to stand for unknown in fields."""
 
-import math
 import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import SENTINEL
+from codegen.claims.rules import SENTINEL
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.claims.unknown_value import unknown_values
@@ -15,20 +14,28 @@ from codegen.model.dialect.literals import same_number
 
 _NOTHING = (
     r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available|provided|measured|valid|there|used|set|present|supported|estimated)"
-    r"|isn't (?:known|available)|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
+    r"|isn't (?:known|available)|nothing is|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
     r"|nobody knows|cannot be (?:measured|told))"
 )
 _THERE = r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are |that (?:the|it) (?:is )?)*"
 _IS = r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel|marker|value|sentinel)\b)*"
 _FORMS = (
     re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{_NOTHING}"),
-    re.compile(rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"),
+    re.compile(
+        rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
+    ),
     re.compile(rf"(?P<value>[NS]),? (?:the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"),
     re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
-    re.compile(rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"),
-    re.compile(r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"),
+    re.compile(
+        rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"
+    ),
+    re.compile(
+        r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
+    ),
 )
-_NOT = re.compile(r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known| available)|\bnever\b|\bvalid\b(?<!invalid)")
+_NOT = re.compile(
+    r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known| available)|\bnever\b|\bvalid\b(?<!invalid)"
+)
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -50,7 +57,10 @@ def is_unknown(field: WireField, value: float) -> bool:
 def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = [each for form in _FORMS for each in form.finditer(text, said.end, said.until)]
-    head = re.search(rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {_NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $", text[max(said.before, said.start - 50) : said.start])
+    head = re.search(
+        rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {_NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $",
+        text[max(said.before, said.start - 50) : said.start],
+    )
     values = [(each.start("value"), each) for each in found]
     if head is not None:
         values.append((max(said.before, said.start - 50) + head.start("value"), head))
@@ -74,4 +84,8 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 def _is_stated(text: str, said: Said, offset: int) -> bool:
     low = max(offset - 40, min(said.end, offset))
     before = text[low:offset]
-    return not _NOT.search(before + text[offset]) and not re.search(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $", before) and not re.match(r"[ ]?(?:[/*+]|\.\.|to N|bytes|times|%)", text[offset + 1 :])
+    return (
+        not _NOT.search(before + text[offset])
+        and not re.search(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $", before)
+        and not re.match(r"[ ]?(?:[/*+]|\.\.|to N|bytes|times|%)", text[offset + 1 :])
+    )

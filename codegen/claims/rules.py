@@ -1,0 +1,65 @@
+"""The rules of what documents say of messages, their fields, and the entries of enums."""
+
+from codegen.diagnostics import Rule
+
+MESSAGE_ID = Rule(
+    "claim-message-id",
+    "A document gives a message another id than its definition has, in the dialect or in the XML of the document "
+    "itself. Correct the one that is wrong.",
+)
+CRC_EXTRA = Rule(
+    "claim-crc-extra",
+    "A document gives a message another CRC_EXTRA than its name and its base fields have. Either the number is wrong, "
+    "or it belongs to another layout of the message: receivers with one drop the frames of the other.",
+)
+SIZE = Rule(
+    "claim-message-size",
+    "A document gives a message another size than its fields have. Meant may be the payload without or with "
+    "extensions, or a whole frame of MAVLink 1 or 2, signed or not; the stated number is none of them. Correct it, and "
+    "what was computed from it.",
+)
+ENTRY_VALUE = Rule(
+    "claim-enum-value",
+    "A document gives an entry of an enum another value than the dialect has. Correct it: the value is what is sent.",
+)
+TYPE = Rule(
+    "claim-struct",
+    "A struct that a document shows for a message has another type, array length or order of fields than the message, "
+    "or, where it names the message by id, lacks a base field or has one too many. The order may be that of the XML or "
+    "that of the wire; extensions may be left out.",
+)
+SENTINEL = Rule(
+    "claim-sentinel",
+    "A document names another value for unknown than the dialect has for the field, or one that the field cannot "
+    "carry. Receivers go by the dialect, and take the value for a real one. Correct it.",
+)
+UNIT = Rule(
+    "claim-unit",
+    "A document gives a field another unit than the dialect has. Whoever follows it is wrong by a power of ten, or "
+    "more. Correct it.",
+)
+SCALING = Rule(
+    "claim-scaling",
+    "A document says that the number of a field is to be multiplied or divided by another factor than its unit in the "
+    "dialect has. Whoever follows it is wrong by that factor. Correct it.",
+)
+EXTENSION = Rule(
+    "claim-extension",
+    "A document calls a base field an extension, or the other way round. Extensions come behind all other fields, do "
+    "not count for CRC_EXTRA, and are not sent in MAVLink 1. Correct it.",
+)
+ORDER = Rule(
+    "claim-wire-order",
+    "A document gives another order of the fields on the wire than the message has: the largest types come first, "
+    "fields of one size stay as they are, extensions come behind all others. Correct it.",
+)
+OFFSET = Rule(
+    "claim-offset",
+    "A document gives a field another place in the payload than it has on the wire: the largest types come first, and "
+    "extensions behind all others. Correct it.",
+)
+ENUM_OF = Rule(
+    "claim-enum-of-field",
+    "A document says that a field has another enum than the dialect gives it, in which its numbers mean something "
+    "else. Correct it.",
+)
