@@ -9,6 +9,7 @@ from codegen.claims.rules import ENTRY_VALUE
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
 from codegen.claims.statements.spans import Span, about
+from codegen.claims.statements.units import head_of
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -18,7 +19,7 @@ _WORD = r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then|per)\b)(?:\d
 _ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|[-\u2013\u2014] ))"
 _PAIRS = (
     re.compile(
-        rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-|,|\.)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
+        rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
     ),
     re.compile(
         r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
@@ -35,6 +36,10 @@ _NAMED = (
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
 _FEWEST = 2
+_VALUE_HEAD = re.compile(
+    r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content|source|sent|example|meaning|enum|default|is\b",
+    re.IGNORECASE,
+)
 _ANY_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")
 _CONSTANT = re.compile(
     r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"
@@ -222,6 +227,8 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
             before[:-1] if before.endswith(" ") else before,
         )
     ):
+        return
+    if span.kind is PassageKind.ROW and not _VALUE_HEAD.search(head_of(span, found.start("value"))):
         return
     written = span.sentence.term(found.start("value")).written
     text = f"{name} is {own}, not {written}"

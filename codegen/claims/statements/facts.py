@@ -1,26 +1,27 @@
 """What is said of the place of fields in their message: extension or not, offset, order, and of their enum."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 from itertools import pairwise
 
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER
-from codegen.claims.statements.fields import Said, each_about, number, said_of_fields
+from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.diagnostics import Diagnostic
 
-_NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| / ?| ?& ?)[FP])*)"
-_IS = r"(?:[\s,)(:\u2013-]*(?:field|fields|is|are|all|both|an?|the|only|of M|really|one of the|count as|counts as|in fact|were added as|was added as|came|come|comes|later|as|type T|T|in U)\b)*"
-_EXTENSION = re.compile(
-    rf"{_NAMES}{_IS}[\s,:(\u2013-]*(?P<no>not |no )?(?:an? |the )?(?:(?:mavlink ?(?:N|v2|2) )?(?:extensions?\b(?! of)|extension fields?\b|in the extensions?\b|among the extensions\b|belongs? to the extensions?\b))"
+_NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
+_GROUP = re.compile(_NAMES)
+_KIND = re.compile(
+    r"\b(?:extensions?|extension fields?)\b(?! of)|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
-_BASE = re.compile(
-    rf"{_NAMES}{_IS}[\s,:(\u2013-]*(?P<no>not )?(?:an? |the )?(?:base fields?\b|part of the base\b|(?:belongs? to|among|in) the base(?: fields?| payload| part)?\b|no extensions?\b)"
+_VERBS = frozenset("is are both all count counts were was came come comes later belong belongs among to in as".split())
+_IDLE = _VERBS | frozenset(
+    "field fields an a the only of really one fact added of M T U N type part mavlink v too also just not no".split()
 )
 _LIST = re.compile(
-    rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,)+(?: the)?(?: fields?)? {_NAMES}"
+    rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
 )
 _OFFSET = re.compile(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*|#|\*|\|)\s?)+(?:the )?"
@@ -35,8 +36,10 @@ _WIRE = re.compile(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b|\bstruct\b"
 )
 _XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
-_ENUM = re.compile(
-    r"[\s(:=,|\u2013\u2014>*#/-]*(?:(?:is|are|an?|from|of|uses?|the|enum|type|taken|see|value|values|entry|in|one|holds?|has|contains?|as|by|bitmask|bits|flags|list|code|codes|T|entries|with|its|listed|defined|comes?|given|number|field)\b[\s(:=,|*#/\u2013-]*)*(?P<enum>[EC])(?![\w*])"
+_ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
+_ENUM_IDLE = frozenset(
+    "is are an a from of use uses the enum type taken see value values entry in one hold holds has contains as by bitmask bits flags list code"
+    " codes T entries with its listed defined comes come given number field".split()
 )
 _NOT = re.compile(r"\bnot\b|n't\b|instead|unlike|\bwas\b|wrong|\bour\b|\blike\b")
 
@@ -51,29 +54,43 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "`a` and `b` are extensions", "`c` belongs to the base fields", "the extensions are `a` and `b`"."""
     text = span.text
-    for form, is_extension in ((_EXTENSION, True), (_BASE, False), (_LIST, None)):
-        for found in form.finditer(text):
-            stated = found["kind"].startswith("ext") if is_extension is None else is_extension
-            if is_extension is not None and found["no"]:
-                stated = not stated
-            low, high = span.bounds(found.start())
-            if re.search(r"\bwithout\b|\bproposal|\bpropose|\bwould\b|\bshould\b|\?", text[low:high]) or text[
-                : found.start("names")
-            ].endswith("M."):
-                continue
-            names = [offset for offset in range(found.start("names"), found.end("names")) if text[offset] in "FP"]
-            if (
-                is_extension is not None
-                and len(names) > 1
-                and not re.search(r"\b(?:are|both|all|belong|as|extensions|fields)\b", found[0])
-            ):
-                names = names[-1:]
-            for offset in names:
-                one = about(reading, span, offset)
-                if one is not None and one.is_wrong(lambda field: field.definition.is_extension == stated):  # noqa: B023
-                    kind = "an extension" if one.field.definition.is_extension else "a base field"
-                    yield reading.found(EXTENSION, span.place(offset), f"{one.name} {stated}", f"{one.name} is {kind}")
+    for found in _LIST.finditer(text):
+        names = [at for at in range(*found.span("names")) if text[at] in "FP"]
+        yield from _kinds(reading, span, names, is_extension=found["kind"].startswith("ext"))
+    for found in _GROUP.finditer(text) if _KIND.search(text) else ():
+        kind = _KIND.search(text, found.end(), found.end() + _NEAR)
+        gap = text[found.end() : kind.start()] if kind is not None else ""
+        words = re.findall(r"[A-Za-z]+", gap)
+        is_tied = bool(_VERBS & set(words)) or re.search(r"[:(,|\u2013]", gap) is not None
+        if (
+            kind is None
+            or not is_tied
+            or not made_of(gap, _IDLE)
+            or text[max(found.start() - 2, 0) : found.start()].endswith("M.")
+        ):
+            continue
+        names = [at for at in range(*found.span()) if text[at] in "FP"]
+        is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
+        is_extension = "extension" in kind[0] and not kind[0].startswith("no") and not {"not", "no"} & set(words)
+        yield from _kinds(reading, span, names if is_of_all else names[-1:], is_extension=is_extension)
+
+
+_NEAR = 60
+"""Characters between names and what kind of fields they are."""
+
+
+def _kinds(reading: Reading, span: Span, names: Sequence[int], *, is_extension: bool) -> Iterator[Diagnostic]:
+    """The fields that are not of the kind that is said of them."""
+    low, high = span.bounds(names[0])
+    if re.search(r"\bwithout\b|\bpropos|\bwould\b|\bshould\b|\bmake\b|\?", span.text[low:high]):
+        return
+    for offset in names:
+        one = about(reading, span, offset)
+        if one is not None and one.is_wrong(lambda field: field.definition.is_extension == is_extension):
+            kind = "an extension" if one.field.definition.is_extension else "a base field"
+            yield reading.found(EXTENSION, span.place(offset), f"{one.name} {is_extension}", f"{one.name} is {kind}")
 
 
 def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -159,7 +176,7 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """The enum that a field is said to have."""
     span, text = said.span, said.span.text
     found = _ENUM.match(text, said.end, said.until)
-    if found is None or _NOT.search(found[0]):
+    if found is None or not made_of(found[0][:-1], _ENUM_IDLE):
         return
     offset = found.start("enum")
     written = span.sentence.term(offset).written

@@ -1,7 +1,7 @@
 """What is said of fields: type, length, unit, factor, value for unknown, extension, enum, place on the wire."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
@@ -105,6 +105,11 @@ def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField
         if at in said.names and one.is_wrong(fits):
             return one
     return None
+
+
+def made_of(text: str, words: Collection[str]) -> bool:
+    """Whether all words of a text are some of a set."""
+    return all(word in words for word in re.findall(r"[A-Za-z]+", text))
 
 
 def number(term: Term) -> int | float | Fraction | None:

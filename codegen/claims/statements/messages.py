@@ -16,7 +16,7 @@ from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 _ID = re.compile(
-    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric )*(?:(?:message|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|number|packet (?:id|number|type)))\)?"
+    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric )*(?:(?:message|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
     r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,)* ?#?(?P<number>N)(?!\w| ?(?:bytes?|hz|times|of|%|fields|messages|or more)\b|[-/.][\dN])"
     r"|(?:^|[.;:(|] ?|\bas |\bis |\bread |\brequest |\basks? for |\bsends? |//[/!]? ?|# ?|\* ?|, )(?P<word>messages?|msg|packet) (?:no\.? |number |#)?(?P<alone>N)(?=\s*(?:[,.;:)(|]|$|is\b|has\b|in\b|from\b|of the|carries|with|and\b|\*/))"
 )
@@ -44,7 +44,7 @@ _LENGTHS = re.compile(
     r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
 _SHORT = re.compile(
-    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip|\bminus\b|\bfirst\b|\blast\b|becomes|\bfills?\b|complete"
+    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
 )
 _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
@@ -113,7 +113,7 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             and not (text[:offset].rstrip().endswith("id") and own)
         ):
             continue
-        if not is_called and not own and span.kind is PassageKind.ROW:
+        if not own and span.kind is PassageKind.ROW:
             continue
         yield from _id(reading, span, offset, messages[:1] if own else messages)
 
@@ -152,6 +152,8 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         messages, is_sure = subjects(reading, span, offset)
         value = number(span.sentence.term(offset))
         own = [reading.messages[name] for at, name in span.named(low, len(text)) if low <= at < span.bounds(offset)[1]]
+        if span.kind is PassageKind.ROW and not any(span.named(0, len(text))):
+            continue
         if (
             value is None
             or not messages

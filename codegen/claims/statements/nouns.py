@@ -19,7 +19,7 @@ _IN = re.compile(
 )
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
-    r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bask|\bthink|\?"
+    r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
 _IDLE = frozenset(
     [
@@ -55,6 +55,8 @@ _IDLE = frozenset(
         "time",
     ]
 )
+_MANY = 6
+"""Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = re.compile(
     r"(?P<lead>\b(?:[a-zPF]+ ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of|in a line|wide))"
 )
@@ -84,6 +86,8 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
+            continue
+        if len(span.topic.document) > _MANY and not any(span.named(0, len(span.text))):
             continue
         fields: list[WireField] = []
         for start in range(max(len(words) - 3, 0), len(words)):
@@ -137,6 +141,8 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         messages, is_sure = subjects(reading, span, found.start())
+        if len(span.topic.document) > _MANY and not any(span.named(0, len(span.text))):
+            continue
         offset = span.text.index("N", found.start())
         value = number(span.sentence.term(offset))
         fields = [

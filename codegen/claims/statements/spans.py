@@ -12,11 +12,19 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.once import once
 from codegen.source import Place
 
+_NO_CODE = (
+    "text", "txt", "plain", "console", "sh", "bash", "shell", "shell-session", "log", "output", "markdown", "md", "diff", "csv",
+    "xml", "html", "mermaid",
+)  # fmt: skip
+"""Blocks that are no declarations: what programs print, and what is quoted; XML is read as definitions."""
 _DATA = ("json", "json5", "jsonc", "yaml", "yml", "toml")
 _BREAK = re.compile(
     r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bno)(?<!\bapprox)(?<!\bmax)(?<!\bmin)(?<!\bresp)(?<!\bincl)[.!?;](?=\s|$)"
 )
 _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
+_FIELDS = re.compile(
+    r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)|float)\b"
+)
 _COMPARED = re.compile(
     r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
 )
@@ -188,8 +196,12 @@ def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ..
 
 
 def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    if code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
+        return
     if code.language in _DATA:
-        yield _block(code, topic, words)
+        span = _block(code, topic, words)
+        if any(span.named(0, len(span.text))) or _FIELDS.search(code.text):
+            yield span
         return
     seen = [(line, name) for line, name in reading.sightings if code.place.line <= line]
     note: list[Line] = []
@@ -199,7 +211,7 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
         is_comment = _COMMENT.match(line.text) is not None
         sentence = _line(line, words)
         if is_comment:
-            yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, True, True)
+            yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True, is_comment=True)
             has_name = any(term.letter in "FM" for term in sentence.terms.values())
             note = [] if has_name else [*note, line]
             continue

@@ -6,18 +6,17 @@ from collections.abc import Iterator
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE
-from codegen.claims.statements.fields import Said, claimed, named, number, said_of_fields, stated_type
+from codegen.claims.statements.fields import Said, claimed, made_of, named, number, said_of_fields, stated_type
 from codegen.claims.statements.spans import Span, about, is_data
 from codegen.claims.statements.terms import StatedType
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
-_WORDS = (
-    r"is|are|as|an?|of|type|types|stored|sent|encoded|coded|in|the|fields?|both|all|each|every|also|only|just|declared|defined"
-    r"|transmitted|carried|array|single|little[- ]endian|now|still|really|actually|has|have|uses?|with|fits|into|be|must"
-    r"|should|seconds|wire|extension|on|its|plain|simple|one|three|named|value|values|number|numbers|member|data|set|to|travels?|u|q"
+_IDLE = frozenset(
+    "is are as an a of type types stored sent encoded coded in the field fields both all each every also only just declared defined"
+    " transmitted carried array single little endian now still really actually has have use uses with fits into be must should"
+    " extension wire on its plain simple one three named value values number numbers member data set to travel travels u q U N E".split()
 )
-_GAP = re.compile(rf"[\s(:=,|\u2013\u2014>-]*(?:(?:{_WORDS}|U|N|E)\b[\s,:()=|-]*)*", re.IGNORECASE)
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast|buffer|\bour\b|\bthan\b"
     r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b|\bread as\b|\btaken as\b|\bfrom\b"
@@ -32,9 +31,9 @@ _ELEMENTS = re.compile(
     r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further|more|a second|each|in a|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )
-_EXACT = re.compile(
-    r"[\s(:=,|\u2013\u2014-]*(?:(?:is|are|has|have|holds?|takes?|carries|contains?|with|for|an?|array|of|up to|at most|all|its|the|space|room|room for"
-    r"|fixed|length|always|exactly|can|hold|carry|take|list|lists|text|string|most|long|list of|limited|cut|to|at|maximum|max|field|consists)\b[\s,:(=]*|T[\s,]*|U[\s,]*)*"
+_HOLDS = frozenset(
+    "is are has have hold holds take takes carries contain contains with for an a array of up to at most all its the space room fixed length"
+    " always exactly can carry list lists text string long limited cut maximum max field consists T U".split()
 )
 _LESS = re.compile(
     r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses|not|never)\b|\busually\b"
@@ -65,6 +64,11 @@ def has_type(field: WireField, stated: StatedType) -> bool:
     return stated.bits == 8 * own.size and (stated.sign is None or stated.sign == sign)
 
 
+def _is_plain(gap: str) -> bool:
+    """Whether nothing stands between a name and its type but words that say so."""
+    return made_of(gap, _IDLE) and re.search(r"[;.]", gap) is None
+
+
 def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     """Whether a word is a type of the language of the code and not of the wire."""
     if span.language in ("kotlin", "java", "swift", "cs", "csharp", "dart") and stated.name in (
@@ -88,7 +92,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
             and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
         )
-        if _NOT.search(gap) or _AFTER.match(behind) or not (_GAP.fullmatch(gap) or is_bounded):
+        if _NOT.search(gap) or _AFTER.match(behind) or not (_is_plain(gap) or is_bounded):
             return
         if (
             span.is_code
@@ -100,6 +104,8 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and "," in gap:
             return  # "`a`, uint16 `b`"
+        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T", behind):
+            return  # a choice of types
         stated = stated_type(term)
         if _is_foreign(span, stated, offset):
             continue
@@ -163,7 +169,7 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         before
         or _LESS.search(gap)
         or _NOT.search(gap)
-        or not (_EXACT.fullmatch(gap) or is_listed or (is_all and one.field.is_array))
+        or not ((made_of(gap, _HOLDS) and not re.search(r"[;.]", gap)) or is_listed or (is_all and one.field.is_array))
     ):
         return
     value = number(span.sentence.term(found.start()))
@@ -185,11 +191,6 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 _SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/)")
-_TEXT = re.compile(
-    r"\b(?P<noun>names?|texts?|strings?|values?|arrays?|identifiers?|data|payload|chunks?|labels?|messages?)\b"
-    r"[^.;|]{0,40}?\b(?:of|to|at|at most|up to|with|has|have|holds?|takes?|carries|cut at|limited to|is|are|maximum of|max)? "
-    r"(?P<number>N) (?P<what>characters|chars|letters|bytes|floats|elements|entries|values)\b(?! per| a second)"
-)
 
 
 def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -197,6 +198,9 @@ def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _SIZED.finditer(span.text):
         one = about(reading, span, found.start("name"))
         value = number(span.sentence.term(found.start()))
+        low, high = span.bounds(found.start())
+        if span.text[found.start("name")] == "P" and not any(span.named(low, high)):
+            continue
         if (
             one is None
             or value is None

@@ -22,7 +22,7 @@ _IS_SHORT = re.compile(
 )
 _NOT = re.compile(
     r"\bnot\b|n't\b|divid|multipl|convert|\bshow|display|\bplot|\blogs?\b|\bour\b|\bwe\b|\bmy\b|rather|instead|\bwas\b|\bwere\b"
-    r"|changed|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
+    r"|\bchanged?\b|\bfrom an? T|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
     r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N|\bcomputed|\bfrom U|\bsteps\b(?! of)|\btimes\b|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
     r"|\b(?:and|while|whereas|but) (?:the|its|all|both|their) |, the \w|\byou get\b|\bwrote\b|\btake|\blike\b|\bunlike\b|\bour"
 )
@@ -35,7 +35,8 @@ _FACTOR = re.compile(
     r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude|speed))*)? (?P<unit>U)"
 )
 _SIGN = re.compile(
-    r"(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//|,))+ ?(?:in )?(?P<unit>U)"
+    r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
+    r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
 _SCALE = re.compile(
     r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
@@ -118,6 +119,8 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         ):
             continue  # what the code itself does is another matter
         if span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)):
+            continue
+        if is_data(span) and behind.startswith(":"):
             continue
         if re.search(r"\bM\b", gap.replace("of M", "").replace("in M", "").replace("from M", "")):
             return

@@ -38,6 +38,10 @@ _NOT = re.compile(
 )
 
 
+_COMMON = 1
+"""Numbers up to this one stand beside a field for anything."""
+
+
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value for unknown of a part."""
     for said in said_of_fields(span):
@@ -70,10 +74,13 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     if any(value is not None and is_unknown(one.field, float(value)) for _, value in stated):
         return
+    others = (number(term) for _, term in span.sentence.within(said.end, said.until, "NS"))
+    if any(value is not None and abs(value) > _COMMON and is_unknown(one.field, float(value)) for value in others):
+        return
     for offset, value in stated[:1]:
         if value is None:
             continue
-        wrong = claimed(reading, said, offset, lambda field: is_unknown(field, float(value)))
+        wrong = claimed(reading, said, offset, lambda field, value=value: is_unknown(field, float(value)))
         known = unknown_values(wrong.field) if wrong is not None else None
         if wrong is not None and known is not None:
             written = span.sentence.term(offset).written
