@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements.spans import About, Span, about
+from codegen.claims.statements.spans import About, Span, about, is_data
 from codegen.claims.statements.terms import NamedField, StatedType, Term
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -56,6 +56,8 @@ def said_of_fields(span: Span) -> Iterator[Said]:
     for index, found in enumerate(groups):
         following = groups[index + 1].start() if index + 1 < len(groups) else len(span.text)
         until = max(min(span.end_of(found.end()), following, found.end() + 400), found.end())
+        if is_data(span):  # what belongs to a field ends with its braces
+            until = min(until, (span.text[: until] + "}").index("}", found.end()) if "{" not in span.text[found.end() : until] else until)
         names = tuple(offset for offset in range(found.start(), found.end()) if span.text[offset] in "FP")
         before = groups[index - 1].end() if index else 0
         yield Said(span, names, found.start(), found.end(), until, before)
