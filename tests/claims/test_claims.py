@@ -242,7 +242,7 @@ int32_t energy_consumed;
         (
             "BATTERY_STATUS in Rust:\n\n```rust\npub struct B {\n    pub voltages: [u16; 10],\n"
             "    pub temperature: u16,\n    pub type_: u8,\n    pub current_battery: i16, // -1 if unknown\n}\n```\n",
-            [("claim-struct", 6, 1, "temperature is int16_t, not uint16_t")],
+            [("claim-struct", 6, 22, "temperature is int16_t, not uint16_t")],
         ),
     ],
     ids=["table", "list", "struct", "struct-of-another-id", "rust"],

@@ -7,7 +7,7 @@ which messages a part may be about; the other modules each know what is said of 
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements import entries, facts, messages, nouns, tables, types, units, unknown
+from codegen.claims.statements import entries, facts, messages, nouns, sizes, tables, types, units, unknown
 from codegen.claims.statements.spans import spans
 from codegen.diagnostics import Diagnostic
 
@@ -16,7 +16,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every statement of a document that the dialect contradicts."""
     parts = spans(reading)
     for span in parts:
-        for each in (types, units, unknown, facts, messages, nouns):
+        for each in (types, units, unknown, facts, messages, sizes, nouns):
             yield from each.check(reading, span)
         yield from types.sized(reading, span)
     yield from tables.check(reading, parts)

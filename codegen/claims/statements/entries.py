@@ -231,7 +231,7 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
     at = found.start("value")
     cell = span.text[span.text.rfind("|", 0, at) + 1 : (span.text + "|").index("|", at)].strip()
     is_apart = "|" in found[0] and cell != "N"
-    if span.kind is PassageKind.ROW and (is_apart or not _VALUE_HEAD.search(head_of(span, at))):
+    if span.kind is PassageKind.ROW and "|" in found[0] and (is_apart or not _VALUE_HEAD.search(head_of(span, at))):
         return
     written = span.sentence.term(found.start("value")).written
     text = f"{name} is {own}, not {written}"

@@ -57,7 +57,12 @@ def said_of_fields(span: Span) -> Iterator[Said]:
         following = groups[index + 1].start() if index + 1 < len(groups) else len(span.text)
         until = max(min(span.end_of(found.end()), following, found.end() + 400), found.end())
         if is_data(span):  # what belongs to a field ends with its braces
-            until = min(until, (span.text[: until] + "}").index("}", found.end()) if "{" not in span.text[found.end() : until] else until)
+            until = min(
+                until,
+                (span.text[:until] + "}").index("}", found.end())
+                if "{" not in span.text[found.end() : until]
+                else until,
+            )
         names = tuple(offset for offset in range(found.start(), found.end()) if span.text[offset] in "FP")
         before = groups[index - 1].end() if index else 0
         yield Said(span, names, found.start(), found.end(), until, before)

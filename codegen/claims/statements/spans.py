@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements.terms import NamedField, Sentence, Vocabulary, read_sentence
@@ -25,6 +26,10 @@ _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|un
 _FIELDS = re.compile(
     r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)|float)\b"
 )
+_LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
+_FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
+_ENOUGH = 3
+"""Names that have to begin items or rows before most of them have to be fields."""
 _COMPARED = re.compile(
     r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
 )
@@ -130,7 +135,8 @@ def vocabulary(reading: Reading) -> Vocabulary:
 @once
 def spans(reading: Reading) -> tuple[Span, ...]:
     """All parts of a document, in order; none of one that names no message."""
-    return tuple(_spans(reading)) if reading.sightings else ()
+    is_about_enums = any(_LONG_NAME.search(part.text) for part in reading.prose.parts)
+    return tuple(_spans(reading)) if reading.sightings or is_about_enums else ()
 
 
 def _spans(reading: Reading) -> Iterator[Span]:
@@ -142,6 +148,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     document = tuple(reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings))
     previous: PassageKind | None = None
     is_foreign = False
+    others = _other_lists(reading, words)
     for part in reading.prose.parts:
         named = _named(reading, part)
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
@@ -152,7 +159,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
         elif isinstance(part, Passage) and part.kind is PassageKind.TEXT:
             is_foreign = not named and (_is_foreign(reading, part) or (is_foreign and not headings[-1:]))
         inside = tuple(message for _, group in reversed(headings) for message in group)
-        topic = Topic((), (), (), ()) if is_foreign else Topic(above, inside, tuple(earlier), document)
+        topic = Topic((), (), (), ()) if is_foreign or id(part) in others else Topic(above, inside, tuple(earlier), document)
         if isinstance(part, CodeBlock):
             yield from _code(reading, part, topic, words)
         else:
@@ -170,6 +177,19 @@ def _spans(reading: Reading) -> Iterator[Span]:
             if message in earlier:
                 earlier.remove(message)
             earlier.insert(0, message)
+
+
+def _other_lists(reading: Reading, words: Vocabulary) -> frozenset[int]:
+    """Rows and items of runs of which at most half of the names at the beginning are fields: they list other things."""
+    found: set[int] = set()
+    for kind, run in groupby(reading.prose.parts, lambda part: getattr(part, "kind", None)):
+        if kind in (PassageKind.ROW, PassageKind.ITEM):
+            parts = [part for part in run if isinstance(part, Passage)]
+            begun = [each["name"] for part in parts if (each := _FIRST_NAME.match(part.text)) is not None]
+            known = sum(name in words.fields for name in begun)
+            if len(begun) >= _ENOUGH and 2 * known <= len(begun):
+                found |= {id(part) for part in parts}
+    return frozenset(found)
 
 
 def _is_foreign(reading: Reading, part: Passage) -> bool:
@@ -259,9 +279,12 @@ def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
     return place_at
 
 
+_COMMENTED = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
+
+
 def _block(code: CodeBlock, topic: Topic, words: Vocabulary) -> Span:
     """A block of JSON or YAML as one part: what belongs to a field follows its name."""
-    text = code.text
+    text = _COMMENTED.sub(lambda found: " " * len(found[0]), code.text)
     sentence = read_sentence(text, 0, len(text), ((0, len(text)),), words)
     return Span(sentence, PassageKind.ITEM, topic, _places(code.lines), code.language, is_code=True)
 

@@ -1,0 +1,206 @@
+"""Sizes that are said of messages: "a frame has 47 bytes", "36 bytes, 54 with extensions", "length 28"."""
+
+import re
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from codegen.claims.reading import Reading
+from codegen.claims.rules import SIZE
+from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
+from codegen.claims.statements.fields import number
+from codegen.claims.statements.spans import Span, subjects
+from codegen.diagnostics import Diagnostic
+from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireMessage
+from codegen.model.price import HEAD_V1, HEAD_V2
+
+_BYTES = re.compile(
+    r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|M))|for each|behind|before|more|at the|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
+)
+_LENGTH = re.compile(
+    r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the|its|payload))*(?:[:=,]| is| of)* ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
+)
+_LENGTHS = re.compile(
+    r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all |its )?(?:extensions?|F|everything|them|it)\b"
+    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
+)
+_SHORT = re.compile(
+    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
+)
+_KINDS = re.compile(
+    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
+)
+_OF_ELSE = re.compile(
+    r"[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|and|file|page|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y|ies)|holds?|brings?) (?:\w+ ){0,2}$"
+)
+_BESIDE = re.compile(
+    r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:is|has|have|takes?|needs?|are|of|with|only|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
+    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|comes?|counts?|uses?|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
+)
+_VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
+_BEHIND = re.compile(
+    r"(?: |-)?(?:long |of )?(?:the )?(?P<payload>payload)"
+    r"|(?: |-)?(?:long )?(?:on (?:the|a) (?:wire|link|line)|(?P<frame>frames?|packets?))"
+    r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
+)
+_EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
+_CALCULATED = re.compile(r"[=+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
+_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
+_HYPOTHETICAL = re.compile(r"\?|\bnot\b|n't|\binstead|\bwas\b|\bwould\b|\bour\b|\bown\b|\bif\b")
+_BEGINS = re.compile(r"[\W]*(?:message|msg|id|M|number)?[ :=(]*(?:N\)?)?,? ?")
+_ABOUT = re.compile(
+    r"(?:\babout|\broughly|\baround|\bca\.?|\bapproximately|\bapprox\.?|\bnearly|\balmost|\bsome|~|\u2248) ?$"
+)
+_TOLERANCE = Fraction(1, 10)
+"""By how much a size may be off that is called about so many bytes."""
+_BASE = re.compile(r"\bbase\b|without (?:the |its |any )?extensions?|\bminimum\b")
+_EXTENDED = re.compile(r"\bwith (?:the |its |all )?extensions?|\bwith F")
+_UNSIGNED = re.compile(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
+
+
+@dataclass(frozen=True, slots=True)
+class _Size:
+    """A number of bytes at ``offset`` of the short text of ``span``, with its words up to ``end``.
+
+    ``is_doubled``: it follows another size of the same message, as that with extensions does.
+    """
+
+    span: Span
+    offset: int
+    end: int
+    words: str
+    is_doubled: bool = False
+
+    @property
+    def before(self) -> str:
+        """The sentence up to the number."""
+        low, _ = self.span.bounds(self.offset)
+        return self.span.text[low : self.offset]
+
+    @property
+    def behind(self) -> str:
+        """The sentence from the end of the words on."""
+        _, high = self.span.bounds(self.offset)
+        return self.span.text[self.end : high]
+
+    @property
+    def sentence(self) -> str:
+        """The whole sentence."""
+        low, high = self.span.bounds(self.offset)
+        return re.sub(r"\bnot (?:being )?signed\b", "unsigned", self.span.text[low:high])
+
+    @property
+    def is_first(self) -> bool:
+        """Whether nothing but an id stands before it in its sentence."""
+        return not self.before.strip(" -*/#|") or _BEGINS.fullmatch(self.before) is not None
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every size of a part."""
+    span = replace(span, sentence=span.sentence.plain())
+    for size in _stated(span):
+        kind = _kind(size)
+        if kind is None or not _is_claim(size):
+            continue
+        messages = _messages(reading, size)
+        value = number(span.sentence.term(size.offset))
+        if value is None or not messages:
+            continue
+        possible = {each for message in messages for each in _possible(message, kind, size.sentence, _versions(size))}
+        off = _TOLERANCE if _ABOUT.search(size.before) else 0
+        if not any(abs(value - each) <= off * each for each in possible):
+            yield _finding(reading, size, messages[0], kind)
+
+
+def _stated(span: Span) -> Iterator[_Size]:
+    """The numbers of bytes of a part."""
+    doubled = {
+        each.start("then") if each["then"] else each.start("last"): each.end() for each in _LENGTHS.finditer(span.text)
+    }
+    yield from (_Size(span, at, end, "size", is_doubled=True) for at, end in doubled.items())
+    for each in _BYTES.finditer(span.text):
+        if each.start() not in doubled:
+            yield _Size(span, each.start(), each.end(), each[0])
+    for each in _LENGTH.finditer(span.text):
+        is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
+        if each.start("number") not in doubled and not is_of_frame:
+            yield _Size(span, each.start("number"), each.end(), each[0])
+
+
+def _kind(size: _Size) -> str | None:
+    """Whether a payload, a frame or either is meant; None where it may be the size of something else."""
+    if size.is_doubled or _EACH.match(size.behind):
+        return "message"
+    if size.span.text.lstrip().startswith("}"):
+        return "payload"
+    kinds = [found.lastgroup or "" for found in _KINDS.finditer(size.before + size.words)]
+    behind = _BEHIND.match(size.behind)
+    if behind is not None:
+        return behind.lastgroup or "frame"
+    if not kinds:
+        low, _ = size.span.bounds(size.offset)
+        is_word = size.span.sentence.term(size.offset).written.isalpha()
+        return None if not size.is_first or is_word or re.search(r"[FP]|\?", size.span.text[:low]) else "message"
+    kind = "message" if {"payload", "frame"} <= set(kinds) else kinds[-1]
+    is_beside = size.is_first or _BESIDE.search(size.before + size.span.text[size.offset : size.end])
+    return None if kind == "message" and not is_beside else kind
+
+
+def _is_claim(size: _Size) -> bool:
+    """Whether the sentence says how large a message is, and not a part of it, or what would be."""
+    if _SHORT.search(size.sentence) or _OF_ELSE.search(size.before) or _CALCULATED.search(size.before):
+        return size.is_doubled
+    if _HYPOTHETICAL.search(size.sentence) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
+        return False
+    return size.is_doubled or _GOES_ON.match(size.behind) is None
+
+
+def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
+    """The messages that a size may be said of."""
+    span = size.span
+    low, high = span.bounds(size.offset)
+    near = [(at, name) for at, name in span.named(low, high)]
+    is_row = span.kind is PassageKind.ROW
+    if (is_row and not any(span.named(0, len(span.text)))) or (
+        size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
+    ):
+        return ()
+    messages, _ = subjects(reading, span, size.offset)
+    if len({name for _, name in near}) > 1:
+        is_after_one = any(at < size.offset for at, _ in near)
+        return messages[:1] if is_after_one else tuple(reading.messages[name] for _, name in near)
+    return messages
+
+
+def _versions(size: _Size) -> set[object]:
+    """The versions of MAVLink that a sentence is about, or else those that are named before it."""
+    span = size.span
+    low, high = span.bounds(size.offset)
+    found: set[object] = {Fraction(int(at[1])) for at in re.finditer(r"\bv([12])\b", size.sentence)}
+    found |= {number(span.sentence.term(low + at.end() - 1)) for at in _VERSION.finditer(span.text[low:high])}
+    return found or {number(span.sentence.term(at.end() - 1)) for at in _VERSION.finditer(span.text[:low])}
+
+
+def _possible(message: WireMessage, kind: str, sentence: str, versions: Collection[object]) -> set[int]:
+    """The sizes of a message in a sense that the words leave open."""
+    base, is_first = message.base_length, versions == {1}
+    payloads = (
+        {base} if is_first or (_BASE.search(sentence) and not _EXTENDED.search(sentence)) else {base, message.length}
+    )
+    frames = set() if is_first else {HEAD_V2 + each for each in payloads}
+    frames |= {HEAD_V1 + base} if versions != {2} else set()
+    frames |= set() if _UNSIGNED.search(sentence) else {each + SIGNATURE for each in frames}
+    return payloads if kind == "payload" else frames if kind == "frame" else payloads | frames
+
+
+def _finding(reading: Reading, size: _Size, message: WireMessage, kind: str) -> Diagnostic:
+    span = size.span
+    written = span.sentence.term(size.offset).written
+    rate = per_second(message, span.source_text(*span.bounds(size.offset)))
+    text = f"{message.name} {sizes_of(message)}, not {written}{rate}"
+    low, _ = span.bounds(size.offset)
+    at = next((at for at, name in reversed([*span.named(low, size.offset)]) if name == message.name), None)
+    words = span.source_text(at, size.end) if at is not None else f"{message.name} {kind} {written}"
+    return reading.found(SIZE, span.place(size.offset), words, text, size_hint(message, reading))
