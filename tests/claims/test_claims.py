@@ -39,8 +39,8 @@ WRONG = [
     ("The CRC_EXTRA of BATTERY_STATUS is 155.", "claim-crc-extra", 36, f"{STATUS.crc_extra}, not 155"),
     ("BATTERY_STATUS has CRC_EXTRA 015.", "claim-crc-extra", 30, "not 15"),
     ("BATTERY_STATUS has CRC_EXTRA 0x9B", "claim-crc-extra", 30, "not 155"),
-    ("`MAV_BATTERY_TYPE_LIPO` (2)", "claim-enum-value", 24, f"{common.MAV_BATTERY_TYPE_LIPO}, not 2"),
-    ("It is 2 (MAV_BATTERY_TYPE_LIPO).", "claim-enum-value", 4, "not 2"),
+    ("`MAV_BATTERY_TYPE_LIPO` (2)", "claim-enum-value", 26, f"{common.MAV_BATTERY_TYPE_LIPO}, not 2"),
+    ("It is 2 (MAV_BATTERY_TYPE_LIPO).", "claim-enum-value", 7, "not 2"),
     # types and units of a field in a sentence
     ("BATTERY_STATUS: `current_battery` is an int32.", "claim-struct", 41, "current_battery is int16_t, not int32_t"),
     ("BATTERY_STATUS: `temperature` is an int16 in degC.", "claim-unit", 46, "temperature is in cdegC, not degC"),

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from codegen import claims
+from codegen.claims import rules as claims_rules
 from codegen.claims import LIKELY
 from codegen.cli import main
 from codegen.diagnostics import Rule, Severity
@@ -17,6 +18,7 @@ PAGE = Path(__file__).parents[2] / "docs/claims.md"
 def rules() -> dict[str, Rule]:
     """Every rule of the checker of claims, by its id."""
     modules = [__import__(check.__module__, fromlist=["check"]) for check in checks_in(claims.__name__)]
+    modules.append(claims_rules)
     found = [value for module in modules for value in vars(module).values() if isinstance(value, Rule)]
     return {rule.id: rule for rule in found if rule.id.startswith("claim-")}
 

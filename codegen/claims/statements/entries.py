@@ -25,6 +25,7 @@ _PAIRS = (
         r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
     ),
 )
+_ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
         r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
@@ -145,6 +146,15 @@ def _pairs(span: Span, low: int, high: int) -> list[_Pair]:
     return found
 
 
+def _alone(span: Span, low: int, high: int) -> list[_Pair]:
+    """ "`type`: 1, light beacon"."""
+    found = _ALONE.match(span.text, low, high)
+    value = number(span.sentence.term(found.start("value"))) if found is not None else None
+    if found is None or value is None or value != int(value):
+        return []
+    return [(int(value), span.source_text(found.start("words"), found.end("words")), found.start("value"))]
+
+
 def _most_right(subjects: Sequence[_Subject], pairs: Sequence[_Pair]) -> _Subject | None:
     """The enum that most pairs are right about: half of them at least, and two."""
     for subject in subjects:
@@ -178,7 +188,7 @@ def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int) -> Iterator[Diagnostic]:
     known = meaning(subject.enum)
     told: set[int] = set()
-    for value, words, offset in _pairs(span, low, high):
+    for value, words, offset in (*_alone(span, low, high), *_pairs(span, low, high)):
         before = span.text[max(low, offset - 30) : offset]
         if offset in told or _NOT.search(re.split(r"[,.;(]", before)[-1]):
             continue
@@ -223,7 +233,7 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
         or stated is None
         or stated == own
         or re.search(
-            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|not) ?$|[+*<>-] ?$",
+            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|see|section|chapter|not) ?$|[+*<>-] ?$",
             before[:-1] if before.endswith(" ") else before,
         )
     ):

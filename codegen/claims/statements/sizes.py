@@ -33,7 +33,7 @@ _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
 _OF_ELSE = re.compile(
-    r"[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|and|file|page|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y|ies)|holds?|brings?) (?:\w+ ){0,2}$"
+    r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|file|page|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
 _BESIDE = re.compile(
     r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:is|has|have|takes?|needs?|are|of|with|only|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
@@ -45,6 +45,7 @@ _BEHIND = re.compile(
     r"|(?: |-)?(?:long )?(?:on (?:the|a) (?:wire|link|line)|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
 )
+_CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _CALCULATED = re.compile(r"[=+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
@@ -90,6 +91,13 @@ class _Size:
         """The whole sentence."""
         low, high = self.span.bounds(self.offset)
         return re.sub(r"\bnot (?:being )?signed\b", "unsigned", self.span.text[low:high])
+
+    @property
+    def clause(self) -> str:
+        """The part of the sentence between conjunctions in which it stands."""
+        before = self.before
+        own = f"{before}\0{self.span.text[self.offset : self.span.bounds(self.offset)[1]]}"
+        return next(part for part in _CLAUSES.split(own) if "\0" in part).replace("\0", "").replace("not signed", "unsigned")
 
     @property
     def is_first(self) -> bool:
@@ -150,9 +158,10 @@ def _kind(size: _Size) -> str | None:
 
 def _is_claim(size: _Size) -> bool:
     """Whether the sentence says how large a message is, and not a part of it, or what would be."""
-    if _SHORT.search(size.sentence) or _OF_ELSE.search(size.before) or _CALCULATED.search(size.before):
+    before = size.before.rstrip(" /*#") if size.span.is_code else size.before
+    if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
         return size.is_doubled
-    if _HYPOTHETICAL.search(size.sentence) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
+    if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
         return False
     return size.is_doubled or _GOES_ON.match(size.behind) is None
 

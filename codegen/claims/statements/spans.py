@@ -28,6 +28,7 @@ _FIELDS = re.compile(
 )
 _LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
 _FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
+_CELL = re.compile(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
 _ENOUGH = 3
 """Names that have to begin items or rows before most of them have to be fields."""
 _COMPARED = re.compile(
@@ -128,7 +129,7 @@ def vocabulary(reading: Reading) -> Vocabulary:
         messages=reading.messages,
         enums=reading.enums,
         entries={entry.name for enum in reading.enums.values() for entry in enum.entries},
-        fields={field.name for name in named for field in reading.messages[name].fields},
+        fields=frozenset(field.name for name in named for field in reading.messages[name].fields),
     )
 
 
@@ -185,8 +186,8 @@ def _other_lists(reading: Reading, words: Vocabulary) -> frozenset[int]:
     for kind, run in groupby(reading.prose.parts, lambda part: getattr(part, "kind", None)):
         if kind in (PassageKind.ROW, PassageKind.ITEM):
             parts = [part for part in run if isinstance(part, Passage)]
-            begun = [each["name"] for part in parts if (each := _FIRST_NAME.match(part.text)) is not None]
-            known = sum(name in words.fields for name in begun)
+            begun = [part for part in parts if _FIRST_NAME.match(part.text)]
+            known = sum(not words.fields.isdisjoint(_CELL.findall(part.text)) for part in begun)
             if len(begun) >= _ENOUGH and 2 * known <= len(begun):
                 found |= {id(part) for part in parts}
     return frozenset(found)
@@ -218,7 +219,7 @@ def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ..
 def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
     if code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
         return
-    if code.language in _DATA:
+    if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
         span = _block(code, topic, words)
         if any(span.named(0, len(span.text))) or _FIELDS.search(code.text):
             yield span
@@ -279,6 +280,7 @@ def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
     return place_at
 
 
+_MAPPING = re.compile(r"\s*(?:$|#|-?\s*[\w.]+:(?:\s|$))")
 _COMMENTED = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 
 

@@ -132,7 +132,7 @@ class Vocabulary:
     messages: Mapping[str, WireMessage]
     enums: Mapping[str, EnumDefinition]
     entries: Collection[str]
-    fields: Collection[str]
+    fields: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from codegen.model.dialect.dialect import WireField
 
 _IDLE = frozenset(
     "is are as an a of type types stored sent encoded coded in the field fields both all each every also only just declared defined"
-    " transmitted carried array single little endian now still really actually has have use uses with fits into be must should"
+    " transmitted carried array single M little endian now still really actually has have use uses with fits into be must should"
     " extension wire on its plain simple one three named value values number numbers member data set to travel travels u q U N E".split()
 )
 _NOT = re.compile(

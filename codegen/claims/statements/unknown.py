@@ -1,5 +1,6 @@
 """Values that are said to stand for unknown in fields."""
 
+import math
 import re
 from collections.abc import Iterator
 
@@ -70,7 +71,10 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         values.append((max(said.before, said.start - 50) + head.start("value"), head))
     stated = [(at, number(span.sentence.term(at))) for at, _ in values if _is_stated(text, said, at)]
     one = about(reading, span, said.names[-1])
-    if one is None or not stated:
+    if one is None:
+        return
+    if not stated:
+        yield from _impossible(reading, said)
         return
     if any(value is not None and is_unknown(one.field, float(value)) for _, value in stated):
         return
@@ -86,6 +90,32 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             written = span.sentence.term(offset).written
             words = f"{wrong.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, span.place(offset), f"{wrong.name} {written}", words)
+
+
+def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """``UINT32_MAX`` beside a field that cannot carry it, without a word about it."""
+    span = said.span
+    found = _BESIDE.match(span.text, said.end, said.until)
+    if found is None or span.is_code:
+        return
+    offset = found.end() - 1
+    term = span.sentence.term(offset)
+    value = number(term)
+    if value is None or not term.written.isupper():
+        return
+    wrong = claimed(reading, said, offset, lambda field: _carries(field, float(value)))
+    if wrong is not None:
+        known, field = unknown_values(wrong.field), wrong.field
+        told = f"is {field.type.name} and carries {field.type.minimum} to {field.type.maximum}"
+        words = f"{wrong.name} {f'is unknown when it is {known[1]}' if known else told}, not {term.written}"
+        yield reading.found(SENTINEL, span.place(offset), f"{wrong.name} {term.written}", words)
+
+
+_BESIDE = re.compile(r"(?:[\s:=(\u2013-]|\bis\b|\bT\b|,){0,6}S")
+
+
+def _carries(field: WireField, value: float) -> bool:
+    return not field.type.is_integer or math.isnan(value) or field.type.minimum <= value <= field.type.maximum
 
 
 def _is_stated(text: str, said: Said, offset: int) -> bool:
