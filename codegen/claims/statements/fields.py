@@ -10,6 +10,7 @@ from codegen.claims.statements.terms import NamedField, StatedType, Term
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
+from codegen.once import once
 
 _JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
 _GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
@@ -49,8 +50,13 @@ class Said:
         return self.span.kind in (PassageKind.ITEM, PassageKind.ROW) or self.span.is_code
 
 
-def said_of_fields(span: Span) -> Iterator[Said]:
+@once
+def said_of_fields(span: Span) -> tuple[Said, ...]:
     """Every group of names of fields in a part, with what is said of it."""
+    return tuple(_said(span))
+
+
+def _said(span: Span) -> Iterator[Said]:
     groups = [found for found in _GROUP.finditer(span.text) if _is_name(span, found)]
     groups = [found for found in groups if not _EXCEPT.search(span.text, max(found.start() - 40, 0), found.start())]
     for index, found in enumerate(groups):
@@ -59,7 +65,7 @@ def said_of_fields(span: Span) -> Iterator[Said]:
         if is_data(span):  # what belongs to a field ends with its braces
             until = min(
                 until,
-                (span.text[:until] + "}").index("}", found.end())
+                (span.text[found.end() : until] + "}").index("}") + found.end()
                 if "{" not in span.text[found.end() : until]
                 else until,
             )
@@ -78,15 +84,17 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]
     if span.is_code:
         return (
-            begins or behind in (":", "=", ";", ",") or text[: found.start()].endswith(("T ", "T", ": ", "# ", "// "))
+            begins
+            or behind in (":", "=", ";", ",")
+            or text[max(found.start() - 40, 0) : found.start()].endswith(("T ", "T", ": ", "# ", "// "))
         )
     if span.kind is PassageKind.ROW:
-        return text[: found.start()].rstrip().endswith("|") or begins
+        return text[max(found.start() - 40, 0) : found.start()].rstrip().endswith("|") or begins
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
         return True
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
-    is_called = text[: found.start()].endswith((" field ", "the ", "its ", "field "))
+    is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] == " field"
 
 

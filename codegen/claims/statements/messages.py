@@ -13,8 +13,8 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 
 _ID = re.compile(
-    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric )*(?:(?:message|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
-    r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,)* ?#?(?P<number>N)(?!\w| ?(?:bytes?|hz|times|of|%|fields|messages|or more)\b|[-/.][\dN])"
+    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
+    r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,){0,4} ?#?(?P<number>N)(?!\w| ?(?:bytes?|hz|times|of|%|fields|messages|or more)\b|[-/.][\dN])"
     r"|(?:^|[.;:(|] ?|\bas |\bis |\bread |\brequest |\basks? for |\bsends? |//[/!]? ?|# ?|\* ?|, )(?P<word>messages?|msg|packet) (?:no\.? |number |#)?(?P<alone>N)(?=\s*(?:[,.;:)(|]|$|is\b|has\b|in\b|from\b|of the|carries|with|and\b|\*/))"
 )
 _OTHER = re.compile(
@@ -27,7 +27,7 @@ _HELD = re.compile(
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
 _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
 _CRC = re.compile(
-    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter|with))*[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-)"
+    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
 )
 

@@ -15,7 +15,7 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
 
 _IN = re.compile(
-    r"(?P<noun>(?:[a-zP][a-zP-]* ){0,3}[a-zP][a-zP-]+)(?: values?| fields?)?(?: (?:is|are|comes?|given|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or|but|from|at|since|relative)\b))"
+    r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or|but|from|at|since|relative)\b))"
 )
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
@@ -58,7 +58,7 @@ _IDLE = frozenset(
 _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = re.compile(
-    r"(?P<lead>\b(?:[a-zPF]+ ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of|in a line|wide))"
+    r"(?P<lead>\b(?:[a-zPF]{1,24} ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of|in a line|wide))"
 )
 _LIMIT = re.compile(
     r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"

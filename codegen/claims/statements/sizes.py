@@ -20,7 +20,7 @@ _BYTES = re.compile(
     r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|M))|for each|behind|before|more|at the|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
 )
 _LENGTH = re.compile(
-    r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the|its|payload))*(?:[:=,]| is| of)* ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
+    r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
 )
 _LENGTHS = re.compile(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all |its )?(?:extensions?|F|everything|them|it)\b"
@@ -97,7 +97,11 @@ class _Size:
         """The part of the sentence between conjunctions in which it stands."""
         before = self.before
         own = f"{before}\0{self.span.text[self.offset : self.span.bounds(self.offset)[1]]}"
-        return next(part for part in _CLAUSES.split(own) if "\0" in part).replace("\0", "").replace("not signed", "unsigned")
+        return (
+            next(part for part in _CLAUSES.split(own) if "\0" in part)
+            .replace("\0", "")
+            .replace("not signed", "unsigned")
+        )
 
     @property
     def is_first(self) -> bool:

@@ -1,7 +1,9 @@
 """The parts of a document in which statements stand, each with the messages that it may be about."""
 
 import re
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
 from itertools import groupby
 
 from codegen.claims.reading import Reading
@@ -36,6 +38,20 @@ _COMPARED = re.compile(
 )
 _COMMENT = re.compile(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
 _DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
+
+
+_WINDOW = 400
+"""How far a sentence is looked for around a place, in characters."""
+_FAR = 2000
+"""How far back messages are looked for in a passage, in characters."""
+_MOST = 20
+"""So many messages that are named before a part are remembered."""
+
+
+@lru_cache(maxsize=16)
+def _ends(text: str) -> tuple[int, ...]:
+    """Where the sentences of a text end."""
+    return tuple(found.start() for found in _BREAK.finditer(text))
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,15 +96,12 @@ class Span:
         return self.place_at(self.sentence.source(offset))
 
     def bounds(self, offset: int) -> tuple[int, int]:
-        """The sentence around a character of the short text."""
-        low, high = 0, len(self.text)
-        for found in _BREAK.finditer(self.text):
-            if found.start() < offset:
-                low = found.end()
-            else:
-                high = found.start()
-                break
-        return low, high
+        """The sentence around a character of the short text; not farther than a window."""
+        ends = _ends(self.text)
+        place = bisect_left(ends, offset)
+        low = ends[place - 1] + 1 if place else 0
+        high = ends[place] if place < len(ends) else len(self.text)
+        return max(low, offset - _WINDOW), min(high, offset + _WINDOW)
 
     def end_of(self, offset: int) -> int:
         """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
@@ -160,7 +173,11 @@ def _spans(reading: Reading) -> Iterator[Span]:
         elif isinstance(part, Passage) and part.kind is PassageKind.TEXT:
             is_foreign = not named and (_is_foreign(reading, part) or (is_foreign and not headings[-1:]))
         inside = tuple(message for _, group in reversed(headings) for message in group)
-        topic = Topic((), (), (), ()) if is_foreign or id(part) in others else Topic(above, inside, tuple(earlier), document)
+        topic = (
+            Topic((), (), (), ())
+            if is_foreign or id(part) in others
+            else Topic(above, inside, tuple(earlier), document)
+        )
         if isinstance(part, CodeBlock):
             yield from _code(reading, part, topic, words)
         else:
@@ -178,6 +195,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
             if message in earlier:
                 earlier.remove(message)
             earlier.insert(0, message)
+        del earlier[_MOST:]
 
 
 def _other_lists(reading: Reading, words: Vocabulary) -> frozenset[int]:
@@ -211,8 +229,9 @@ _CAPTION = re.compile(r"(?:^|\b[Mm]essage )(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)
 def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ...]:
     if isinstance(part, Passage):
         return reading.named(part)
-    lines = {line.place.line for line in part.lines}
-    names = dict.fromkeys(name for line, name in reversed(reading.sightings) if line in lines)
+    low = bisect_left(reading.sightings, (part.place.line, ""))
+    high = bisect_left(reading.sightings, (part.lines[-1].place.line + 1, ""))
+    names = dict.fromkeys(name for _, name in reversed(reading.sightings[low:high]))
     return tuple(reading.messages[name] for name in names)
 
 
@@ -224,10 +243,11 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
         if any(span.named(0, len(span.text))) or _FIELDS.search(code.text):
             yield span
         return
-    seen = [(line, name) for line, name in reading.sightings if code.place.line <= line]
+    first = bisect_left(reading.sightings, (code.place.line, ""))
     note: list[Line] = []
     for line in code.lines:
-        near = [reading.messages[name] for number, name in seen if number <= line.place.line]
+        last = bisect_left(reading.sightings, (line.place.line + 1, ""))
+        near = [reading.messages[name] for _, name in reading.sightings[max(first, last - _MOST) : last]]
         own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
         is_comment = _COMMENT.match(line.text) is not None
         sentence = _line(line, words)
@@ -329,7 +349,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
     if found := _about(value.name, before, [], is_sure=True):
         return found
-    inside = [reading.messages[name] for at, name in span.named(0, low)][::-1]
+    inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
     if after and not inside:
         if found := _about(value.name, [*after], [*span.topic.headings], is_sure=True):
             return found
@@ -364,7 +384,7 @@ def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessa
     before = [reading.messages[name] for at, name in span.named(low, offset)][::-1]
     if own and (before or not _THAT.search(span.text, low, offset)):
         return _each((*before, *own)), True
-    inside = [reading.messages[name] for _, name in span.named(0, low)][::-1]
+    inside = [reading.messages[name] for _, name in span.named(max(low - _FAR, 0), low)][::-1]
     if inside:
         return _each(inside), True
     topic = span.topic

@@ -8,7 +8,7 @@ form of speech is one pattern over it: "`vel` is a uint16_t in cm/s" is ``F is a
 """
 
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -142,6 +142,7 @@ class Sentence:
     marked: str
     at: tuple[int, ...]
     terms: Mapping[int, Term]
+    offsets: tuple[int, ...]
 
     def term(self, offset: int) -> Term:
         """The term whose letter stands at an offset of ``marked``."""
@@ -149,8 +150,9 @@ class Sentence:
 
     def within(self, start: int, end: int, letters: str) -> Iterator[tuple[int, Term]]:
         """The terms with one of some letters between two offsets of ``marked``, each with its offset."""
-        for offset in sorted(self.terms):
-            if start <= offset < end and self.terms[offset].letter in letters:
+        low = bisect_left(self.offsets, start)
+        for offset in self.offsets[low : bisect_left(self.offsets, end)]:
+            if self.terms[offset].letter in letters:
                 yield offset, self.terms[offset]
 
     def plain(self) -> "Sentence":
@@ -170,7 +172,7 @@ class Sentence:
                 terms[len(marked)] = term
             marked.append(letter)
             at.append(self.at[offset])
-        return Sentence("".join(marked), tuple(at), terms)
+        return Sentence("".join(marked), tuple(at), terms, tuple(terms))
 
     def source(self, offset: int) -> int:
         """The offset in the source of a character of ``marked``."""
@@ -213,7 +215,7 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
         at.append(term.start)
         position = term.end
     plain(position, high)
-    return Sentence("".join(marked), tuple(at), terms)
+    return Sentence("".join(marked), tuple(at), terms, tuple(terms))
 
 
 def _term(

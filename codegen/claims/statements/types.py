@@ -204,7 +204,9 @@ def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if (
             one is None
             or value is None
-            or re.search(r"\b(?:first|last|only|lower|upper|up to) $", span.text[: found.start()])
+            or re.search(
+                r"\b(?:first|last|only|lower|upper|up to) $", span.text[max(found.start() - 20, 0) : found.start()]
+            )
         ):
             continue
         if one.is_wrong(lambda field, value=value: value == field.size):  # type: ignore[misc]

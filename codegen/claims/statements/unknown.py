@@ -18,8 +18,8 @@ _NOTHING = (
     r"|isn't (?:known|available)|nothing is|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
     r"|nobody knows|cannot be (?:measured|told))"
 )
-_THERE = r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are |that (?:the|it) (?:is )?)*"
-_IS = r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel|marker|value|sentinel)\b)*"
+_THERE = r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are |that (?:the|it) (?:is )?){0,8}"
+_IS = r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel|marker|value|sentinel)\b){0,12}"
 _FORMS = (
     re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{_NOTHING}"),
     re.compile(
