@@ -31,6 +31,7 @@ _BEHIND = {
     "step": (re.compile(rf"\bsteps? of (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),),
 }
 _RANGE = re.compile(rf"\brange(?: is| of|:|,)? (?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_DIRECT = re.compile(rf"(?:,| is| \(|:) ?(?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
 _BEFORE = re.compile(r"\bdefault of (?:the )?$")
 _FIRST = re.compile(rf"(?:,| is| of) (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
 _COUNT = re.compile(r"\b(?:all|the|list of(?: the)?)(?: all)? (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
@@ -58,8 +59,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             yield from _table(reading, passages)
         for passage in passages:
             yield from _counts(reading, passage)
-            if kind is not PassageKind.ROW:
-                yield from _sentences(reading, passage)
+            yield from _sentences(reading, passage)
 
 
 def _counts(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
@@ -81,7 +81,7 @@ def _sentences(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
             stated = next((each for form in forms if (each := form.search(passage.text, found.end(), until))), None)
             if stated is not None:
                 yield from _compared(reading, passage, facts, fact, stated, "number")
-        span = _RANGE.search(passage.text, found.end(), until)
+        span = _RANGE.search(passage.text, found.end(), until) or _DIRECT.match(passage.text, found.end(), until)
         if span is not None:
             yield from _compared(reading, passage, facts, "minimum", span, "low")
             yield from _compared(reading, passage, facts, "maximum", span, "high")

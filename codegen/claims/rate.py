@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.claims.reading import Reading, between
 from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
 from codegen.diagnostics import Diagnostic, Rule
+from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
 
@@ -20,17 +21,24 @@ RULE = Rule(
 _PER_SECOND = re.compile(
     r"(?<![\w.,-])(\d{1,7}(?:\.\d{1,3})?) ?(?:bytes?|B) ?(?:/ ?s(?:ec(?:ond)?)?|per second|a second)\b", re.IGNORECASE
 )
+_COSTS = re.compile(
+    r"(?<![\w.,-])(?P<rate>\d{1,4}(?:\.\d{1,3})?) ?Hz (?:costs?|takes?|needs?|makes?|is|are|means|=) (?:exactly )?$"
+)
 _RATE = re.compile(r"(?<![\w.,-])(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every rate in bytes per second that stands with one message and one rate in Hz."""
-    for passage, mentions in reading.passages_with_messages():
+    for passage in reading.prose.passages:
+        mentions = reading.mentioned(passage)
         claims: list[SizeClaim] | None = None
         for found in _PER_SECOND.finditer(passage.text):
             start, end = _row_or_sentence(passage.text, *passage.sentence(found.start(), found.end()))
             inside = between(mentions, start, end)
             rates = {rate[1] for rate in _RATE.finditer(passage.text, start, end)}
+            lead = _COSTS.search(passage.text, max(start, found.start() - 40), found.start())
+            if not inside and lead is not None and Fraction(lead["rate"]):
+                yield from _unnamed(reading, passage, found, Fraction(lead["rate"]))
             if len({mention.name for mention in inside}) != 1 or len(rates) != 1:
                 continue
             claims = list(size_claims(reading, passage, mentions)) if claims is None else claims
@@ -42,6 +50,18 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             if said is not None:
                 place, words = passage.place_at(found.start()), passage.text[start:end].strip()
                 yield reading.found(RULE, place, words, f"{said[0]}, not {found[1]}", said[1])
+
+
+def _unnamed(reading: Reading, passage: Passage, found: "re.Match[str]", rate: Fraction) -> Iterator[Diagnostic]:
+    """ "2 Hz costs 96 bytes/s", of one of the messages that the document names."""
+    size = Fraction(found[1]) / rate
+    messages = [reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings)]
+    ranges = [frame_bytes(message, reading) for message in messages]
+    if not messages or any(size.denominator == 1 and each.low <= size <= each.high for each in ranges):
+        return
+    own = "they are no whole bytes" if size.denominator > 1 else "no message of the document has frames of that size"
+    text = f"{found[1]} bytes/s are {_shown(size)} bytes at {_shown(rate)} Hz: {own}"
+    yield reading.found(RULE, passage.place_at(found.start()), f"{_shown(rate)} Hz {found[0]}", text)
 
 
 def _contradiction(

@@ -13,6 +13,7 @@ SERVICES = "FR-00070-ground-station-services.md"
 TELEMETRY = "FR-00068-battery-status-telemetry.md"
 VOLTAGE = "FR-00069-voltage-conversion.md"
 DECISION = "ADR-97ebh-battery-telemetry-architecture.md"
+PACKS = "FR-00073-several-batteries.md"
 PACK = "FR-00074-smart-battery.md"
 
 EDITS = [
@@ -31,6 +32,10 @@ EDITS = [
     (STORAGE, "All 39 parameters, v2 | 1443 bytes", "All 39 parameters, v2 | 999 bytes", "the list of 39 parameters is 1443 bytes, not 999"),
     (TELEMETRY, "| 12000 | 12000 |", "| 12000 | 12001 |", "claim-example: voltages[0] of 12000 is 12000, not 12001"),
     (TELEMETRY, "at 2 Hz, v2 | 96 bytes/s", "at 2 Hz, v2 | 97 bytes/s", "claim-example: BATTERY_STATUS at 2 Hz is 96 bytes/s, not 97"),
+    (DECISION, "2 Hz costs 96 bytes/s", "2 Hz costs 97 bytes/s", "97 bytes/s are 48.5 bytes at 2 Hz"),
+    (DECISION, "2 Hz costs 96 bytes/s", "2 Hz costs 160 bytes/s", "no message of the document has frames of that size"),
+    (DECISION, "`SR0_EXTRA1`, 0 to 50 Hz", "`SR0_EXTRA1`, 0 to 40 Hz", "SR0_EXTRA1 has the maximum 50 Hz, not 40"),
+    (PACKS, "beyond the 13.035 V", "beyond the 14.035 V", "claim-full-scale: full scale is 13.035 V, not 14.035"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
 ]  # fmt: skip
 
