@@ -38,7 +38,8 @@ _CONSTANT = re.compile(
 _TYPE_NAME = re.compile(
     r"\b(?:struct|class|interface|impl|type|mod) (?P<camel>[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)*)\b"
     r"|\bmavlink_(?:msg_)?(?P<c>[a-z0-9_]{3,60}?)_(?:t|send|pack|decode|encode)\b"
-    r"|\b(?P<data>[A-Z][A-Z0-9_]{2,60})_DATA\b|\bMSG_(?:ID_)?(?P<constant>[A-Z0-9_]{3,60}?)(?:_(?:ID|LEN|CRC|CRC_EXTRA))?\b"
+    r"|\b(?P<data>[A-Z][A-Z0-9_]{2,60})_DATA\b|\bMSG_(?:ID_)?(?P<constant>[A-Z0-9_]{3,60}?)(?:_(?:ID|LEN|CRC"
+    r"|CRC_EXTRA))?\b"
 )
 _CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 _MOST_RELATED = 8

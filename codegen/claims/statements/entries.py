@@ -15,36 +15,47 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 
-_WORD = r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then|per)\b)(?:\dd )?[a-zPUCV][a-z0-9PUCV /'+-]{0,44}?(?: \([a-zPUC -]{2,24}\))?"
+_WORD = (
+    r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then"
+    r"|per)\b)(?:\dd )?[a-zPUCV][a-z0-9PUCV /'+-]{0,44}?(?: \([a-zPUC -]{2,24}\))?"
+)
 _ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|[-\u2013\u2014] ))"
 _PAIRS = (
     re.compile(
-        rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
+        rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is"
+        rf"|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is"
+        rf"|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
     ),
     re.compile(
-        r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
+        r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is"
+        r"|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
     ),
 )
 _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
-        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
+        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
+        r"| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
     re.compile(
-        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
+        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for"
+        r"|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
     ),
 )
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
 _FEWEST = 2
 _VALUE_HEAD = re.compile(
-    r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content|source|sent|example|meaning|enum|default|is\b",
+    r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
+    r"|source|sent|example|meaning|enum|default|is\b",
     re.IGNORECASE,
 )
 _ANY_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")
 _CONSTANT = re.compile(
-    r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"
-    r"(?P<name>[A-Za-z][A-Za-z0-9_]{1,80})(?:\s*:\s*\w+)?\s*(?:=|\s|\()\s*\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8}|1 ?<< ?\d{1,2})\)?\s*[;,)]?\s*(?://.*|/\*.*|#.*)?$"
+    r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int"
+    r"|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"
+    r"(?P<name>[A-Za-z][A-Za-z0-9_]{1,80})(?:\s*:\s*\w+)?\s*(?:=|\s|\()\s*\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8}"
+    r"|1 ?<< ?\d{1,2})\)?\s*[;,)]?\s*(?://.*|/\*.*|#.*)?$"
 )
 
 
@@ -233,7 +244,8 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
         or stated is None
         or stated == own
         or re.search(
-            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|see|section|chapter|not) ?$|[+*<>-] ?$",
+            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|see|section"
+            r"|chapter|not) ?$|[+*<>-] ?$",
             before[:-1] if before.endswith(" ") else before,
         )
     ):

@@ -21,19 +21,26 @@ _IDLE = _VERBS | frozenset(
     "field fields an a the only of really one fact added of M T U N type part mavlink v too also just not no".split()
 )
 _LIST = re.compile(
-    rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
+    rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
+    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
 )
 _OFFSET = re.compile(
-    r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*|#|\*|\|)\s?)+(?:the )?"
-    r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes|,? ?(?:to|\.\.|-) ?N))"
+    r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*"
+    r"|#|\*|\|)\s?)+(?:the )?"
+    r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes"
+    r"|,? ?(?:to|\.\.|-) ?N))"
 )
 _AT = re.compile(r"@ ?(?P<number>N)")
 _ORDER = re.compile(
-    r"(?P<first>[FP])(?: field)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
-    r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
+    r"(?P<first>[FP])(?: field)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes"
+    r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows"
+    r"|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
+    r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows"
+    r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
 _WIRE = re.compile(
-    r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b|\bstruct\b"
+    r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
+    r"|\bstruct\b"
 )
 _XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
 _ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
@@ -118,7 +125,8 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 _SEQUENCE = re.compile(r"[FP](?:(?:,? (?:and |then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}")
 _IN_ORDER = re.compile(
-    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts)|(?:sent|packed|transmitted) as|byte order:|memory order|serialized"
+    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts)|(?:sent|packed"
+    r"|transmitted) as|byte order:|memory order|serialized"
 )
 
 

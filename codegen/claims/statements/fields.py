@@ -15,10 +15,12 @@ from codegen.once import once
 _JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
 _GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
 _BEGINS = re.compile(
-    r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly |public |private )*)"
+    r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly "
+    r"|public |private )*)"
 )
 _SUBJECT = re.compile(
-    r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?|comes?|stands?|takes?|uses)\b"
+    r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?"
+    r"|comes?|stands?|takes?|uses)\b"
 )
 _THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
 

@@ -13,21 +13,30 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 
 _ID = re.compile(
-    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
-    r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,){0,4} ?#?(?P<number>N)(?!\w| ?(?:bytes?|hz|times|of|%|fields|messages|or more)\b|[-/.][\dN])"
-    r"|(?:^|[.;:(|] ?|\bas |\bis |\bread |\brequest |\basks? for |\bsends? |//[/!]? ?|# ?|\* ?|, )(?P<word>messages?|msg|packet) (?:no\.? |number |#)?(?P<alone>N)(?=\s*(?:[,.;:)(|]|$|is\b|has\b|in\b|from\b|of the|carries|with|and\b|\*/))"
+    r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message"
+    r"|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
+    r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,){0,4} ?#?(?P<number>N)(?!\w"
+    r"| ?(?:bytes?|hz|times|of|%|fields|messages|or more)\b|[-/.][\dN])"
+    r"|(?:^|[.;:(|] ?|\bas |\bis |\bread |\brequest |\basks? for |\bsends? |//[/!]? ?|# ?|\* ?"
+    r"|, )(?P<word>messages?|msg|packet) (?:no\.? |number |#)?(?P<alone>N)(?=\s*(?:[,.;:)(|]|$|is\b|has\b|in\b"
+    r"|from\b|of the|carries|with|and\b|\*/))"
 )
 _OTHER = re.compile(
-    r"component|system|array|compid|sysid|param|sensor|camera|target|instance|gimbal|device|command|server|client|node|vehicle|\bcan\b|node|\bjob|\bissue|\bticket|\bserial|\bpart|\bbattery|\bpack\b|\bmotor|\bpage|\bphone|\bversion|\bstream|\btag\b|\bfield\b|\bproduct|\bvendor|\brequirement|\buser"
+    r"component|system|array|compid|sysid|param|sensor|camera|target|instance|gimbal|device|command|server|client"
+    r"|node|vehicle|\bcan\b|node|\bjob|\bissue|\bticket|\bserial|\bpart|\bbattery|\bpack\b|\bmotor|\bpage|\bphone"
+    r"|\bversion|\bstream|\btag\b|\bfield\b|\bproduct|\bvendor|\brequirement|\buser"
 )
 _PAIR = re.compile(r"N \(M\)")
 _HELD = re.compile(
-    r"M(?: messages?)?(?:,? (?P<mark>id |#|message |msg )?\(? ?| ?\((?P<called>(?:message |msg )?(?:id[ :=]*|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
+    r"M(?: messages?)?(?:,? (?P<mark>id |#|message |msg )?\(? ?| ?\((?P<called>(?:message |msg )?(?:id[ :=]*"
+    r"|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
 )
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
 _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
 _CRC = re.compile(
-    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-)"
+    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of"
+    r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
+    r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
 )
 

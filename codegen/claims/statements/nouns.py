@@ -15,11 +15,16 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
 
 _IN = re.compile(
-    r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or|but|from|at|since|relative)\b))"
+    r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given"
+    r"|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
+    r"|but|from|at|since|relative)\b))"
 )
 _NOT = re.compile(
-    r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
-    r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
+    r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b"
+    r"|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
+    r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike"
+    r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
+    r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
 _IDLE = frozenset(
     [
@@ -58,7 +63,8 @@ _IDLE = frozenset(
 _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = re.compile(
-    r"(?P<lead>\b(?:[a-zPF]{1,24} ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of|in a line|wide))"
+    r"(?P<lead>\b(?:[a-zPF]{1,24} ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of"
+    r"|in a line|wide))"
 )
 _LIMIT = re.compile(
     r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"
@@ -135,7 +141,8 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             not _LIMIT.search(lead)
             or not _SUBJECT.search(span.text[low : found.end()])
             or re.search(
-                r"\bnot\b|n't|\bour\b|\blonger than\b|\bmore than\b|\bfirst\b|\blast\b|\babout\b|\bshorter\b|\bscreen|\bline\b|\bdisplay|\bless\b|\bonly\b",
+                r"\bnot\b|n't|\bour\b|\blonger than\b|\bmore than\b|\bfirst\b|\blast\b|\babout\b|\bshorter\b"
+                r"|\bscreen|\bline\b|\bdisplay|\bless\b|\bonly\b",
                 lead,
             )
         ):

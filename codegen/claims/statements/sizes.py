@@ -17,27 +17,45 @@ from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 _BYTES = re.compile(
-    r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|M))|for each|behind|before|more|at the|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
+    r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message"
+    r"|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|M))|for each|behind|before|more|at the"
+    r"|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
 )
 _LENGTH = re.compile(
-    r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
+    r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
+    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
 )
 _LENGTHS = re.compile(
-    r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all |its )?(?:extensions?|F|everything|them|it)\b"
-    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
+    r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
+    r"|its )?(?:extensions?|F|everything|them|it)\b"
+    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F"
+    r"|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
 _SHORT = re.compile(
-    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
+    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
+    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
+    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
 )
 _KINDS = re.compile(
-    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
+    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)"
+    r"|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
+    r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
 _OF_ELSE = re.compile(
-    r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|file|page|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y|ies)|holds?|brings?) (?:\w+ ){0,2}$"
+    r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
+    r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
+    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string"
+    r"|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
+    r"|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|file|page"
+    r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y"
+    r"|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
 _BESIDE = re.compile(
-    r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:is|has|have|takes?|needs?|are|of|with|only|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
-    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|comes?|counts?|uses?|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
+    r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat"
+    r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
+    r"|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
+    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|comes?|counts?|uses?"
+    r"|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
 )
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
 _BEHIND = re.compile(

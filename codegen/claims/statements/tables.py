@@ -20,18 +20,23 @@ from codegen.model.price import HEAD_V1, HEAD_V2
 _ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
 _CRC = re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
 _BASE = re.compile(
-    r"(?:base|min(?:imum)?)(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1"
+    r"(?:base|min(?:imum)?)(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
+    r"|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1"
 )
 _FULL = re.compile(
-    r"(?:max(?:imum)?|full|whole|with ext(?:ensions?|\.)?|extended|(?:v2|mavlink 2) payload|payload,? (?:extended|full|max))(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
+    r"(?:max(?:imum)?|full|whole|with ext(?:ensions?|\.)?|extended|(?:v2|mavlink 2) payload|payload,? (?:extended"
+    r"|full|max))(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
 )
 _SIZE = re.compile(
-    r"(?:payload|length|len|size|bytes|frames?|packets?|(?:bytes )?on (?:the )?wire|(?:v[12]|mavlink [12]|whole|full) (?:frames?|packets?))"
-    r"(?: (?:bytes|length|len|size))?(?:,? in bytes|,? \(?(?:bytes|b|v[12]|mavlink [12])\)?)?(?:,? v[12]|,? mavlink [12])?"
+    r"(?:payload|length|len|size|bytes|frames?|packets?|(?:bytes )?on (?:the )?wire|(?:v[12]|mavlink [12]|whole"
+    r"|full) (?:frames?|packets?))"
+    r"(?: (?:bytes|length|len|size))?(?:,? in bytes|,? \(?(?:bytes|b|v[12]|mavlink [12])\)?)?(?:,? v[12]"
+    r"|,? mavlink [12])?"
 )
 _OFFSET = re.compile(r"(?:byte )?offset(?: in (?:the )?payload)?|byte|at|pos(?:ition)?|starts at")
 _UNKNOWN = re.compile(
-    r"(?:if |when )?(?:invalid|unknown|sentinel|no data|missing|n/a|not (?:known|available|used))(?: (?:value|is|if))?|value if unknown"
+    r"(?:if |when )?(?:invalid|unknown|sentinel|no data|missing|n/a|not (?:known|available|used))(?: (?:value|is"
+    r"|if))?|value if unknown"
 )
 _NOT_PAYLOAD = re.compile(r"frame|packet|wire")
 _ENOUGH = 2

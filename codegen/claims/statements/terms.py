@@ -90,7 +90,8 @@ _UNIT_PLACE = re.compile(
     r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
-    r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b|[-\u2013\u2014(] ?)"
+    r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
+    r"|[-\u2013\u2014(] ?)"
 )
 
 

@@ -18,17 +18,22 @@ _IDLE = frozenset(
     " extension wire on its plain simple one three named value values number numbers member data set to travel travels u q U N E".split()
 )
 _NOT = re.compile(
-    r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast|buffer|\bour\b|\bthan\b"
-    r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b|\bread as\b|\btaken as\b|\bfrom\b"
+    r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast"
+    r"|buffer|\bour\b|\bthan\b"
+    r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b"
+    r"|\bread as\b|\btaken as\b|\bfrom\b"
     r"|\bpack(?:ed)? into\b|\bmistake|\b(?:and|while|whereas|but) (?:the|its|their) |, the \w"
 )
 _BEFORE = re.compile(
-    r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called|named))? ?$|\bT $"
+    r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
+    r"|named))? ?$|\bT $"
 )
 _AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
 _ELEMENTS = re.compile(
-    r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors|bytes?|octets?|channels"
-    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further|more|a second|each|in a|at the|are|each))"
+    r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
+    r"|bytes?|octets?|channels"
+    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further"
+    r"|more|a second|each|in a|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )
 _HOLDS = frozenset(
@@ -36,7 +41,8 @@ _HOLDS = frozenset(
     " always exactly can carry list lists text string long limited cut maximum max field consists T U".split()
 )
 _LESS = re.compile(
-    r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses|not|never)\b|\busually\b"
+    r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"
+    r"|not|never)\b|\busually\b"
 )
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
 

@@ -14,32 +14,43 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, conversion, unit_named
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?|reports?|measured in|is|are|be)"
-    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]|\bT|\"|^)\s*$"
+    r"(?:\b(?:in|as|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"|reports?|measured in|is|are|be)"
+    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
+    r"|\bT|\"|^)\s*$"
 )
 _IS_SHORT = re.compile(
-    r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per|but|because|while|on|of|to|up)\b|[-\u2013\u2014])"
+    r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per"
+    r"|but|because|while|on|of|to|up)\b|[-\u2013\u2014])"
 )
 _NOT = re.compile(
-    r"\bnot\b|n't\b|divid|multipl|convert|\bshow|display|\bplot|\blogs?\b|\bour\b|\bwe\b|\bmy\b|rather|instead|\bwas\b|\bwere\b"
-    r"|\bchanged?\b|\bfrom an? T|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
-    r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N|\bcomputed|\bfrom U|\bsteps\b(?! of)|\btimes\b|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
-    r"|\b(?:and|while|whereas|but) (?:the|its|all|both|their) |, the \w|\byou get\b|\bwrote\b|\btake|\blike\b|\bunlike\b|\bour"
+    r"\bnot\b|n't\b|divid|multipl|convert|\bshow|display|\bplot|\blogs?\b|\bour\b|\bwe\b|\bmy\b|rather|instead"
+    r"|\bwas\b|\bwere\b"
+    r"|\bchanged?\b|\bfrom an? T|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b"
+    r"|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
+    r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N"
+    r"|\bcomputed|\bfrom U|\bsteps\b(?! of)|\btimes\b|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
+    r"|\b(?:and|while|whereas|but) (?:the|its|all|both|their) |, the \w|\byou get\b|\bwrote\b|\btake|\blike\b"
+    r"|\bunlike\b|\bour"
 )
 _SCALED_AFTER = re.compile(
-    r"[^.;|]{0,3}(?:times\b|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong|was wrong|\?|, which is wrong)"
+    r"[^.;|]{0,3}(?:times\b|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong"
+    r"|was wrong|\?|, which is wrong)"
 )
 _GAP_LONG = 90
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
-    r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude|speed))*)? (?P<unit>U)"
+    r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
+    r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
+    r"|speed))*)? (?P<unit>U)"
 )
 _SIGN = re.compile(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
     r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
 _SCALE = re.compile(
-    r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
+    r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is"
+    r"|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
 )
 
 
@@ -132,7 +143,8 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 _OWN_COLUMN = re.compile(
-    r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output|exported|screen|column",
+    r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
+    r"|exported|screen|column",
     re.IGNORECASE,
 )
 
@@ -165,7 +177,8 @@ def _last_clause(gap: str) -> str:
 
 
 _PRONOUN = re.compile(
-    r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is|are|has|comes?|counts?)\b)"
+    r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is"
+    r"|are|has|comes?|counts?)\b)"
 )
 
 

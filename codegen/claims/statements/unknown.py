@@ -14,28 +14,41 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
 
 _NOTHING = (
-    r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available|provided|measured|valid|there|used|set|present|supported|estimated)"
+    r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available"
+    r"|provided|measured|valid|there|used|set|present|supported|estimated)"
     r"|isn't (?:known|available)|nothing is|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
     r"|nobody knows|cannot be (?:measured|told))"
 )
-_THERE = r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are |that (?:the|it) (?:is )?){0,8}"
-_IS = r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel|marker|value|sentinel)\b){0,12}"
+_THERE = (
+    r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are "
+    r"|that (?:the|it) (?:is )?){0,8}"
+)
+_IS = (
+    r"(?:[\s,:=(\[\u2013\u2014>*`-]|->|\b(?:if|when|where|for|is|means|meaning|stands for|stand for|marks?|says?|as"
+    r"|while|signals?|indicates?|denotes?|tells|unless|=>|represents?|in case|the value|the marker|the sentinel"
+    r"|marker|value|sentinel)\b){0,12}"
+)
 _FORMS = (
     re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{_NOTHING}"),
     re.compile(
-        rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
+        rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
+        rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
     ),
     re.compile(rf"(?P<value>[NS]),? (?:the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"),
     re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
     re.compile(
-        rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"
+        rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+"
+        rf"|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write"
+        rf"|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"
     ),
     re.compile(
-        r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
+        r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)"
+        r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
     ),
 )
 _NOT = re.compile(
-    r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known| available)|\bnever\b|\bvalid\b(?<!invalid)"
+    r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known"
+    r"| available)|\bnever\b|\bvalid\b(?<!invalid)"
 )
 
 
