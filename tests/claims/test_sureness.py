@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from codegen import claims
-from codegen.claims import rules as claims_rules
 from codegen.claims import LIKELY
+from codegen.claims import rules as claims_rules
 from codegen.cli import main
 from codegen.diagnostics import Rule, Severity
 from codegen.rules.checks import checks_in

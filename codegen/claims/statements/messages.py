@@ -49,6 +49,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """The ids beside names, in headings, in lists of both, and in words."""
     text = span.text
     for found in _HELD.finditer(text):
         name = str(span.sentence.term(found.start()).value)
@@ -61,46 +62,43 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         offset = text.index("N", text.index("M"))
         yield from _id(reading, span, offset, (reading.messages[str(span.sentence.term(text.index("M")).value)],))
     for found in _PAIR.finditer(text):
-        low, _ = span.bounds(found.start())
-        if re.search(r"\b(?:ids?|messages?|numbers?)\b", text[low : found.start()]) and not _OTHER.search(
-            text[low : found.start()]
-        ):
+        lead = text[span.bounds(found.start())[0] : found.start()]
+        if re.search(r"\b(?:ids?|messages?|numbers?)\b", lead) and not _OTHER.search(lead):
             message = reading.messages[str(span.sentence.term(found.end() - 2).value)]
             yield from _id(reading, span, found.start(), (message,))
     for found in _LISTED.finditer(text):
-        offsets = [offset for offset, _ in span.sentence.within(found.start("numbers"), found.end("numbers"), "N")]
-        low, high = span.bounds(found.start())
-        own = [reading.messages[name] for _, name in span.named(low, high)]
-        for group in (own, list(span.topic.headings)[::-1]):
-            if len(group) == len(offsets):
-                for offset, message in zip(offsets, group, strict=True):
-                    yield from _id(reading, span, offset, tuple(group) if message not in own else (message,))
-                break
+        yield from _listed(reading, span, *found.span("numbers"))
     for found in _ID.finditer(text):
-        offset = found.start("number") if found["number"] else found.start("alone")
-        low, high = span.bounds(offset)
-        if _OTHER.search(text[low:offset]) or re.search(
-            r"\b(?:not|n't|instead|was|old|our|free|private|unused|other)\b", text[low:offset]
-        ):
-            continue
-        if text[found.end("own") if found["own"] else offset :].startswith("s ") or re.match(
-            r" ?[FP]\b", text[offset + 1 : offset + 3]
-        ):
-            continue
-        messages, is_sure = subjects(reading, span, offset)
-        if not messages or (found["own"] and text[: found.start()].endswith(("F ", ".", "_"))):
-            continue
-        own = [name for at, name in span.named(low, high)]
-        is_called = "message" in (found["own"] or "message") or "msg" in (found["own"] or "")
-        if (
-            not is_called
-            and any(_has_id(message) for message in messages[:1])
-            and not (text[:offset].rstrip().endswith("id") and own)
-        ):
-            continue
-        if not own and span.kind is PassageKind.ROW:
-            continue
+        yield from _worded(reading, span, found)
+
+
+def _listed(reading: Reading, span: Span, start: int, end: int) -> Iterator[Diagnostic]:
+    """ "Ids: 158 and 284", as many as messages of the sentence or of the heading."""
+    offsets = [offset for offset, _ in span.sentence.within(start, end, "N")]
+    own = [reading.messages[name] for _, name in span.named(*span.bounds(start))]
+    group = next((each for each in (own, list(span.topic.headings)[::-1]) if len(each) == len(offsets)), [])
+    for offset, message in zip(offsets, group, strict=False):
+        yield from _id(reading, span, offset, (message,) if group is own else tuple(group))
+
+
+def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Diagnostic]:
+    """ "Its id is 117", "message 128"."""
+    text = span.text
+    offset = found.start("number") if found["number"] else found.start("alone")
+    low, high = span.bounds(offset)
+    lead, called = text[low:offset], found["own"] or "message"
+    if _OTHER.search(lead) or _UNSURE.search(lead) or re.match(r" ?[FP]\b", text[offset + 1 : offset + 3]):
+        return
+    messages, _ = subjects(reading, span, offset)
+    own = [name for _, name in span.named(low, high)]
+    if not messages or text[: found.start()].endswith(("F ", ".", "_")) or (not own and span.kind is PassageKind.ROW):
+        return
+    is_told = "message" in called or "msg" in called or (bool(own) and text[:offset].rstrip().endswith("id"))
+    if is_told or not _has_id(messages[0]):
         yield from _id(reading, span, offset, messages[:1] if own else messages)
+
+
+_UNSURE = re.compile(r"\b(?:not|n't|instead|was|old|our|free|private|unused|other)\b")
 
 
 def _has_id(message: WireMessage) -> bool:
@@ -134,7 +132,7 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             r"\b(?:not|n't|instead|was|old|our|other|wrong)\b", text[low:offset]
         ):
             continue
-        messages, is_sure = subjects(reading, span, offset)
+        messages, _ = subjects(reading, span, offset)
         value = number(span.sentence.term(offset))
         own = [reading.messages[name] for at, name in span.named(low, len(text)) if low <= at < span.bounds(offset)[1]]
         if span.kind is PassageKind.ROW and not any(span.named(0, len(text))):

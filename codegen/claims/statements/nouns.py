@@ -135,7 +135,7 @@ def _is_like(word: str, token: str) -> bool:
 def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "Names of up to 12 characters" of a message with one field of characters."""
     for found in _TEXT.finditer(span.text):
-        low, high = span.bounds(found.start())
+        low, _high = span.bounds(found.start())
         lead = span.source_text(low, span.text.index("N", found.start())).lower()
         if (
             not _LIMIT.search(lead)

@@ -350,9 +350,8 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     if found := _about(value.name, before, [], is_sure=True):
         return found
     inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
-    if after and not inside:
-        if found := _about(value.name, [*after], [*span.topic.headings], is_sure=True):
-            return found
+    if after and not inside and (found := _about(value.name, [*after], [*span.topic.headings], is_sure=True)):
+        return found
     if found := _about(value.name, inside, inside, is_sure=True):
         return found
     topic = span.topic

@@ -27,25 +27,36 @@ _LONG_UNIT = (
     r"(?:degrees? celsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
     r"|grams?|kelvin|celsius|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
-_TOKEN = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
+_SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
 _TERM = re.compile(
     rf"""
-    (?P<constant>(?<![\w.])(?:U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|NAN|[ui](?:8|16|32|64)::M(?:AX|IN)|float\(['"]nan['"]\)|0x[fF]{{2,16}})(?!\w))
-  | (?P<qualified>(?<![\w.])(?P<of>[A-Z][A-Z0-9_]{{2,60}})(?:\.|::|->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
+    (?P<constant>(?<![\w.])(?:U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|NAN|[ui](?:8|16|32|64)::M(?:AX|IN)
+      |float\(['"]nan['"]\)|0x[fF]{{2,16}})(?!\w))
+  | (?P<qualified>(?<![\w.])(?P<of>[A-Z][A-Z0-9_]{{2,60}})(?:\.|::
+      |->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
   | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{3,}}(?![\w-]))
   | (?P<array>\[\s?(?P<inner>{_SCALAR})\s?;\s?(?P<held>\d{{1,4}})\s?\])
-  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32|64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
-  | (?P<spelled>(?<![\w.-])(?:(?P<sign>unsigned|signed)[ ,]+)?(?P<bits>8|16|32|64)[ -]?bits?\b(?:[ ](?P<after>unsigned|signed)\b)?(?:[ ](?P<kind>integers?|ints?|numbers?|words?|floats?|values?|counters?)\b)?)
+  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32
+      |64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
+  | (?P<spelled>(?<![\w.-])(?:(?P<sign>unsigned|signed)[ ,]+)?(?P<bits>8|16|32
+      |64)[ -]?bits?\b(?:[ ](?P<after>unsigned|signed)\b)?(?:[ ](?P<kind>integers?|ints?|numbers?|words?
+      |floats?|values?|counters?)\b)?)
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
-  | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_TOKEN}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
-  | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_TOKEN})\s?(?:times|multiplied\sby|scaled\sby|[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
-  | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?|millionths?)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?|{_TOKEN})\b)
-  | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour|s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
-  | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_TOKEN})(?![\w/]))
-  | (?P<number>(?<![\w.])[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)|\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
-  | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-|:)\s?\d{{1,3}})?)\])?(?![\w(]))
+  | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
+  | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
+      |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
+  | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
+      |millionths?)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
+      |{_SYMBOL})\b)
+  | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
+      |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
+  | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
+  | (?P<number>(?<![\w.])[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
+      |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
+  | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
+      |:)\s?\d{{1,3}})?)\])?(?![\w(]))
   | (?P<symbol>(?<![\w.])[%\u00b5\u00b0][A-Za-z0-9/]{{0,10}})
     """,
     re.VERBOSE,
@@ -54,7 +65,7 @@ _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
-_COMPOUND = re.compile(rf"{_TOKEN}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
+_COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset(
     [
         "m",
@@ -219,86 +230,103 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
     return Sentence("".join(marked), tuple(at), terms, tuple(terms))
 
 
+_Made = tuple[str, object]
+"""The letter and the value of a term."""
+
+
 def _term(
     found: "re.Match[str]", codes: Sequence[tuple[int, int]], words: Vocabulary, before: str, text: str, high: int
 ) -> Term | None:
     """The term of a match; None for what is only words here."""
-    start, end, written = found.start(), found.end(), found[0]
+    start, end = found.span()
+    if found["name"]:
+        return _name(found, codes, words, before, text, high)
+    if found["quantity"] and _of_quantity(found) is None:
+        number = _PLAIN_NUMBER.match(text, start, high)
+        value = _number(number[0]) if number is not None else None
+        return None if number is None or value is None else Term("N", value, number[0], start, number.end())
+    made = _of_capitals(found, words) or _of_type(found) or _of_unit(found, before) or _of_number(found)
+    return None if made is None else Term(*made, found[0], start, end, _is_quoted(text, start, end))
 
-    def made(letter: str, value: object, until: int = end) -> Term:
-        return Term(letter, value, text[start:until], start, until, _is_quoted(text, start, until))
 
-    if found["constant"]:
-        return made("S", constant_value(written))
-    if found["qualified"]:
-        if found["of"] in words.messages:
-            return made("F", NamedField(found["member"], found["of"]))
+def _of_capitals(found: "re.Match[str]", words: Vocabulary) -> _Made | None:
+    """The message, enum, entry or field that a name in capitals is."""
+    written = found[0]
+    if found["qualified"] and found["of"] in words.messages:
+        return "F", NamedField(found["member"], found["of"])
+    if not found["capitals"]:
         return None
-    if found["capitals"]:
-        if written in words.messages:
-            return made("M", written)
-        if written in words.enums:
-            return made("E", written)
-        if written in words.entries:
-            return made("V", written)
-        return made("C", written) if "_" in written and "CRC" not in written else None
+    known = (("M", words.messages), ("E", words.enums), ("V", words.entries))
+    letter = next((letter for letter, names in known if written in names), None)
+    if letter is None and "_" in written and "CRC" not in written:
+        letter = "C"
+    return None if letter is None else (letter, written)
+
+
+def _of_type(found: "re.Match[str]") -> _Made | None:
+    """The type that a spelling of any language, or words for one, are."""
+    stated: StatedType | None = None
     if found["array"]:
-        return made("T", _scalar(found["inner"], int(found["held"])))
-    if found["elements"]:
-        some = found["some"]
-        sort = found["sort"].rstrip("s") if not found["sort"].endswith("bytes") else ""
-        base = (
-            _scalar(sort, _count(some))
-            if sort
-            else StatedType(None, 8, "u" if found["sort"][0] == "u" else "i", _count(some))
-        )
-        return made("T", base)
-    if found["spelled"]:
-        if not (found["sign"] or found["after"] or found["kind"]):
-            return made("T", StatedType(None, int(found["bits"]), None))
+        stated = _scalar(found["inner"], int(found["held"]))
+    elif found["elements"] and found["sort"].endswith("bytes"):
+        stated = StatedType(None, 8, found["sort"][0].replace("s", "i"), _count(found["some"]))
+    elif found["elements"]:
+        stated = _scalar(found["sort"].rstrip("s"), _count(found["some"]))
+    elif found["spelled"]:
         said = (found["sign"] or found["after"] or "").lower()
-        kind = (found["kind"] or "").lower()
-        sign = "f" if kind.startswith("float") else {"unsigned": "u", "signed": "i"}.get(said)
-        return made("T", StatedType(None, int(found["bits"]), sign))
-    if found["byte"]:
-        return made("T", StatedType(None, 8, "u" if found["bytesign"] == "unsigned" else "i"))
-    if found["type"]:
-        return made("T", _scalar(found["scalar"], int(found["length"]) if found["length"] else None))
-    if found["quantity"]:
-        unit = worded_unit(found["in"]) if found["in"] not in ("x", "a", "b", "e", "in") else None
-        if unit is None or found["in"].lower() in ("bytes", "byte", "b", "bits", "bit"):
-            number = _PLAIN_NUMBER.match(text, start, high)
-            return None if number is None else made("N", _number(number[0]), number.end())
-        return made("Q", (_number(re.split(r"[^\d.,+-]", written)[0]), unit))
+        is_float = (found["kind"] or "").lower().startswith("float")
+        stated = StatedType(None, int(found["bits"]), "f" if is_float else _SIGNS.get(said))
+    elif found["byte"]:
+        stated = StatedType(None, 8, _SIGNS[found["bytesign"]])
+    elif found["type"]:
+        stated = _scalar(found["scalar"], int(found["length"]) if found["length"] else None)
+    return None if stated is None else ("T", stated)
+
+
+_SIGNS = {"unsigned": "u", "signed": "i"}
+
+
+def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
+    """The unit that words or symbols are, with what was done to the number."""
+    unit: Unit | None = None
     if found["scaled"]:
-        unit = _unit(found["scaledunit"])
-        return None if unit is None else made("U", _times(unit, found["by"]))
-    if found["units"]:
-        unit = _unit(found["whole"])
-        return None if unit is None else made("U", _finer(unit, _SHARES[found["share"].rstrip("s")]))
-    if found["long"]:
+        whole, power = _unit(found["scaledunit"]), _number(found["by"])
+        unit = _finer(whole, max(power, 1 / power)) if whole is not None and power else None
+    elif found["units"]:
+        whole = _unit(found["whole"])
+        unit = _finer(whole, _SHARES[found["share"].rstrip("s")]) if whole is not None else None
+    elif found["long"] and _is_unit_word(found["long"].lower(), before):
         unit = _unit(found["long"])
-        is_single = found["long"].lower() in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs")
-        if unit is None or (is_single and not re.search(r"\b(?:in|of|unit:?) ?$|[(\[,:|#*/=] ?$", before)):
-            return None
-        if found["long"].lower() == "seconds" and re.search(
-            r"\b(?:few|some|several|many|of|every|wait|after) $", before
-        ):
-            return None
-        return made("U", unit)
-    if found["power"]:
-        unit = _unit(found["small"])
-        power = _number(found["power"].split()[0])
-        if unit is None or not unit.dimension or power == 1:
-            return None
-        return made("U", _finer(unit, power if power > 1 else 1 / power))
-    if found["number"]:
-        value = _number(written)
-        return None if value is None else made("N", value)
-    if found["symbol"]:
-        unit = worded_unit(written)
-        return made("U", unit) if unit is not None else None
-    return _name(found, codes, words, before, text, high)
+    elif found["power"]:
+        whole, power = _unit(found["small"]), _number(found["power"].split()[0])
+        is_scaled = whole is not None and whole.dimension and power not in (None, 0, 1)
+        unit = _finer(whole, max(power, 1 / power)) if is_scaled and whole is not None and power else None
+    elif found["symbol"]:
+        unit = worded_unit(found[0])
+    return None if unit is None else ("U", unit)
+
+
+def _is_unit_word(word: str, before: str) -> bool:
+    """Whether a word stands where a unit does: "the second one" and "a few seconds" are none."""
+    if word in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs"):
+        return re.search(r"\b(?:in|of|unit:?) ?$|[(\[,:|#*/=] ?$", before) is not None
+    return word != "seconds" or not re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before)
+
+
+def _of_quantity(found: "re.Match[str]") -> Unit | None:
+    """The unit of a number; None where what follows it is none, or bytes."""
+    if found["in"].lower() in ("x", "a", "e", "in", "bytes", "byte", "b", "bits", "bit"):
+        return None
+    return worded_unit(found["in"])
+
+
+def _of_number(found: "re.Match[str]") -> _Made | None:
+    if found["constant"]:
+        return "S", constant_value(found[0])
+    if found["quantity"]:
+        return "Q", (_number(re.split(r"[^\d.,+-]", found[0])[0]), _of_quantity(found))
+    value = _number(found[0]) if found["number"] else None
+    return None if value is None else ("N", value)
 
 
 def _name(
@@ -316,26 +344,36 @@ def _name(
         )
         if is_name:
             return Term("F", value, written, start, end)
-    unit = _COMPOUND.match(text, start, high)
-    if unit is not None and (not is_code or name not in words.fields):
-        stated = worded_unit(unit[0]) if not unit[0].islower() or len(unit[0]) < 9 else _unit(unit[0])
-        after = unit.end()
-        if stated is not None and stated.dimension and not text[after : after + 1].isalnum():
-            is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
-            is_place = _UNIT_PLACE.search(before) and _UNIT_END.match(text, after, high)
-            if not is_short or is_place:
-                return Term("U", stated, unit[0], start, after, is_quoted=_is_quoted(text, start, after))
+    unit = None if is_code and name in words.fields else _symbol(start, before, text, high)
+    if unit is not None:
+        return unit
     if name in words.fields:
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
         return Term("P", NamedField(name.lower()), written, start, end)
     if written.lower() in NUMBER_WORDS and written.lower() != "one":
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
-    if name[:1].isupper() and sum(character.isupper() for character in name) > 1 and "_" not in name:
-        spelled = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper()
-        if "_" in spelled and spelled in words.messages:
-            return Term("M", spelled, written, start, end)
-    return None
+    return _camel(name, start, end, words)
+
+
+def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
+    """``RcChannels``: a message as languages spell types."""
+    if not name[:1].isupper() or "_" in name or name.isupper():
+        return None
+    spelled = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper()
+    return Term("M", spelled, name, start, end) if "_" in spelled and spelled in words.messages else None
+
+
+def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
+    """The symbol of a unit; one that is a word as often has to stand where a unit does."""
+    unit = _COMPOUND.match(text, start, high)
+    stated = worded_unit(unit[0]) if unit is not None else None
+    if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
+        return None
+    is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
+    if is_short and not (_UNIT_PLACE.search(before) and _UNIT_END.match(text, unit.end(), high)):
+        return None
+    return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
 _ENGLISH = frozenset(
@@ -419,11 +457,6 @@ def _unit(written: str) -> Unit | None:
         inner = worded_unit(squared)
         return Unit.parse(f"{inner.name}/s/s") if inner is not None else None
     return worded_unit(text) or worded_unit(text.replace(" a ", " per ")) or worded_unit(text.lower())
-
-
-def _times(unit: Unit, written: str) -> Unit | None:
-    power = _number(written)
-    return None if not power else _finer(unit, power if power >= 1 else 1 / power)
 
 
 def _finer(unit: Unit, parts: int | Fraction) -> Unit:

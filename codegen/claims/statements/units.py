@@ -98,48 +98,51 @@ def has_unit(field: WireField, unit: Unit) -> bool:
 def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """The first unit that is said of the names."""
     span, text = said.span, said.span.text
-    before = re.search(
-        r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$",
-        text[max(said.before, said.start - 30) : said.start],
-    )
-    if before and "U" in before[0]:
-        offset = text.rindex("U", 0, said.start)
-        yield from _found(reading, said, offset)
-        return
-    held = re.search(r"U \(?$", text[max(said.before, said.start - 4) : said.start])
-    if held is not None and text[said.start - 1] == "(" and text[said.end : said.end + 1] == ")":
-        yield from _found(reading, said, text.rindex("U", 0, said.start))
+    before = _before(said)
+    if before is not None:
+        yield from _found(reading, said, before)
         return
     for offset, _ in span.sentence.within(said.end, said.until, "U"):
-        gap = text[said.end : offset]
-        behind = text[offset + 1 :]
-        if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
+        gap, behind = text[said.end : offset], text[offset + 1 :]
+        if _is_of_else(said, gap, behind):
             return
-        if span.is_code and "N" in gap and "[" not in gap and not is_data(span):
-            return  # a factor
-        if "Q" in gap and not said.is_listed:
-            return
-        if not _PLACE.search(gap) or not _IS_SHORT.match(behind) or len(gap) > _GAP_LONG:
+        if not _PLACE.search(gap) or not _IS_SHORT.match(behind) or len(gap) > _GAP_LONG or _is_own(span, offset):
             continue
-        if (
-            span.is_code
-            and not span.is_comment
-            and not re.search(r"#|//|/\*|;|--", text[:offset])
-            and not is_data(span)
-            and not span.sentence.term(offset).is_quoted
-        ):
-            continue  # what the code itself does is another matter
-        if span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)):
-            continue
-        if is_data(span) and behind.startswith(":"):
-            continue
-        if re.search(r"\bM\b", gap.replace("of M", "").replace("in M", "").replace("from M", "")):
-            return
         if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):
             yield from _each(reading, said, offset)
         else:
             yield from _found(reading, said, offset)
         return
+
+
+def _before(said: Said) -> int | None:
+    """The offset of a unit in front of the names: "in deg/s (`xgyro`, `ygyro`)", "unit of `alt`"."""
+    text = said.span.text
+    before = _UNIT_OF.search(text, max(said.before, said.start - 30), said.start)
+    is_held = text[said.start - 1 : said.start] == "(" and text[said.end : said.end + 1] == ")"
+    held = re.search(r"U \($", text[max(said.before, said.start - 4) : said.start]) if is_held else None
+    return text.rindex("U", 0, said.start) if held is not None or (before and "U" in before[0]) else None
+
+
+_UNIT_OF = re.compile(r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$")
+
+
+def _is_of_else(said: Said, gap: str, behind: str) -> bool:
+    """Whether what follows names is no longer about their unit."""
+    if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
+        return True
+    is_factor = said.span.is_code and "N" in gap and "[" not in gap and not is_data(said.span)
+    names_other = "M" in gap.replace("of M", "").replace("in M", "").replace("from M", "")
+    return is_factor or names_other or ("Q" in gap and not said.is_listed)
+
+
+def _is_own(span: Span, offset: int) -> bool:
+    """Whether a unit is what code computes, what a column of another thing holds, or the name of a key."""
+    if is_data(span):
+        return span.text[offset + 1 : offset + 2] == ":"
+    if span.is_code and not span.is_comment and not span.sentence.term(offset).is_quoted:
+        return re.search(r"#|//|/\*|;|--", span.text[:offset]) is None
+    return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
 _OWN_COLUMN = re.compile(
@@ -219,7 +222,7 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
-        one = claimed(reading, said, found.start(), lambda field: _turns(field, unit, stated))
+        one = claimed(reading, said, found.start(), lambda field, unit=unit, stated=stated: _turns(field, unit, stated))
         if one is not None:
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
@@ -274,7 +277,7 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if found is None or not (span.is_code or span.kind is PassageKind.ROW):
         return
     source = span.source_text(0, said.start)
-    names = [each for each in _CALLED.finditer(source)]
+    names = list(_CALLED.finditer(source))
     suffix = next(
         (
             (each["snake"] or each["camel"].lower())
