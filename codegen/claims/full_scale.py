@@ -19,7 +19,8 @@ FULL_SCALE = Rule(
 
 _SAID = re.compile(
     r"\bfull[- ]scale(?: is| of| at|,| value of)? (?=\d)"
-    r"|\b(?:beyond|above|over|up to|at most|no more than) (?:the )?(?=\d{1,6}\.?\d{0,9} ?[A-Za-z%]{1,3} (?:that|which) (?:it|the) [^.;]{0,40}?"
+    r"|\b(?:beyond|above|over|up to|at most|no more than) (?:the )?"
+    r"(?=\d{1,6}\.?\d{0,9} ?[A-Za-z%]{1,3} (?:that|which) (?:it|the) [^.;]{0,40}?"
     r"\b(?:shows?|measures?|reads?|can (?:show|measure|read)))"
 )  # fmt: skip
 _NEAR = 24

@@ -1,6 +1,9 @@
 """The rules of what documents say of messages, their fields, and the entries of enums."""
 
-from codegen.diagnostics import Rule
+from dataclasses import replace
+from functools import cache
+
+from codegen.diagnostics import Rule, Severity
 
 MESSAGE_ID = Rule(
     "claim-message-id",
@@ -63,3 +66,9 @@ ENUM_OF = Rule(
     "A document says that a field has another enum than the dialect gives it, in which its numbers mean something "
     "else. Correct it.",
 )
+
+
+@cache
+def as_sure(rule: Rule, *, is_sure: bool) -> Rule:
+    """The rule of a finding whose subject is named, or, where another one may be meant, that of a likely one."""
+    return rule if is_sure else replace(rule, severity=Severity.WARNING)

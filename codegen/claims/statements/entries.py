@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import ENTRY_VALUE
+from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
 from codegen.claims.statements.spans import Span, about
@@ -115,7 +115,7 @@ def _said(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:
-    """What a list or a table tells the values of: the last field above it, an enum that is named, or a message's field."""
+    """What a list or a table tells the values of: a field above it, an enum that is named, or a field."""
     fields = _fields(reading, above)
     if fields:
         return fields[-1]
@@ -191,9 +191,9 @@ def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     topic = span.topic
     own = [name for _, name in span.named(0, len(span.text))]
     names = own or [message.name for message in (*topic.above, *topic.headings)[:2]]
-    subject = _most_right([each for name in names[:2] for each in _of_message(reading, name)], pairs)
-    if subject is not None:
-        yield from _values(reading, span, subject, 0, len(span.text))
+    likely = _most_right([each for name in names[:2] for each in _of_message(reading, name)], pairs)
+    if likely is not None:
+        yield from _values(reading, span, likely, 0, len(span.text))
 
 
 def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int) -> Iterator[Diagnostic]:
@@ -215,7 +215,8 @@ def _finding(
     at = next((entry for entry in subject.enum.entries if entry.value == value), None)
     text = f"{subject.name}: {meant.name} is {meant.value}, not {value}"
     hint = f"{value} is {at.name}" if at else None
-    return reading.found(ENTRY_VALUE, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
+    rule = as_sure(ENTRY_VALUE, is_sure=meaning(subject.enum).is_sure(meant, words) or span.is_code)
+    return reading.found(rule, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
 
 
 def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -6,7 +6,7 @@ from difflib import get_close_matches
 from itertools import pairwise
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER
+from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER, as_sure
 from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.diagnostics import Diagnostic
@@ -185,7 +185,12 @@ def _kinds(reading: Reading, span: Span, names: Sequence[int], *, is_extension: 
         one = about(reading, span, offset)
         if one is not None and one.is_wrong(lambda field: field.definition.is_extension == is_extension):
             kind = "an extension" if one.field.definition.is_extension else "a base field"
-            yield reading.found(EXTENSION, span.place(offset), f"{one.name} {is_extension}", f"{one.name} is {kind}")
+            yield reading.found(
+                as_sure(EXTENSION, is_sure=one.is_sure),
+                span.place(offset),
+                f"{one.name} {is_extension}",
+                f"{one.name} is {kind}",
+            )
 
 
 def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -265,7 +270,9 @@ def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if one.is_wrong(lambda field: field.offset == value):
         written = span.sentence.term(found.start("number")).written
         words = f"{one.name} begins at byte {one.field.offset}, not {written}"
-        yield reading.found(OFFSET, span.place(found.start("number")), f"{one.name} at {written}", words)
+        yield reading.found(
+            as_sure(OFFSET, is_sure=one.is_sure), span.place(found.start("number")), f"{one.name} at {written}", words
+        )
 
 
 def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -294,7 +301,9 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if own.startswith(f"{written}_") or (not is_known and _is_entry(reading, own, written)):
             continue
         words = f"{one.name} has the enum {own}, not {written}"
-        yield reading.found(ENUM_OF, span.place(offset), f"{one.name} {written}", words, hint)
+        yield reading.found(
+            as_sure(ENUM_OF, is_sure=one.is_sure), span.place(offset), f"{one.name} {written}", words, hint
+        )
 
 
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:

@@ -121,6 +121,10 @@ class Meaning:
             entry.value == value and content and self._named(entry, content) >= _COVERS for entry in self._enum.entries
         )
 
+    def is_sure(self, entry: EnumEntry, words: str) -> bool:
+        """Whether words are those of the name of an entry, and not only of its description."""
+        return self._named(entry, _content(words)) >= _COVERS
+
     def meant_otherwise(self, value: int, words: str, *, is_name: bool = False) -> EnumEntry | None:
         """The one entry that words mean, where it has another value; None where that is not clear."""
         content = _content(words)

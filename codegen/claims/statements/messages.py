@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID
+from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import Span, subjects
 from codegen.diagnostics import Diagnostic
@@ -89,13 +89,13 @@ def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Di
     lead, called = text[low:offset], found["own"] or "message"
     if _OTHER.search(lead) or _UNSURE.search(lead) or re.match(r" ?[FP]\b", text[offset + 1 : offset + 3]):
         return
-    messages, _ = subjects(reading, span, offset)
+    messages, is_sure = subjects(reading, span, offset)
     own = [name for _, name in span.named(low, high)]
     if not messages or text[: found.start()].endswith(("F ", ".", "_")) or (not own and span.kind is PassageKind.ROW):
         return
     is_told = "message" in called or "msg" in called or (bool(own) and text[:offset].rstrip().endswith("id"))
     if is_told or not _has_id(messages[0]):
-        yield from _id(reading, span, offset, messages[:1] if own else messages)
+        yield from _id(reading, span, offset, messages[:1] if own else messages, is_sure=is_sure)
 
 
 _UNSURE = re.compile(r"\b(?:not|n't|instead|was|old|our|free|private|unused|other)\b")
@@ -105,7 +105,9 @@ def _has_id(message: WireMessage) -> bool:
     return any(field.name == "id" for field in message.fields)
 
 
-def _id(reading: Reading, span: Span, offset: int, messages: Sequence[WireMessage]) -> Iterator[Diagnostic]:
+def _id(
+    reading: Reading, span: Span, offset: int, messages: Sequence[WireMessage], *, is_sure: bool = True
+) -> Iterator[Diagnostic]:
     term = span.sentence.term(offset)
     value = number(term)
     if (
@@ -119,7 +121,14 @@ def _id(reading: Reading, span: Span, offset: int, messages: Sequence[WireMessag
     hint = f"{term.written} is {others[0]}" if others else None
     place = messages[0].definition.place
     related = [(place, "it is defined here")] if place.file == reading.prose.path else []
-    yield reading.found(MESSAGE_ID, span.place(offset), f"{messages[0].name} id {term.written}", text, hint, related)
+    yield reading.found(
+        as_sure(MESSAGE_ID, is_sure=is_sure),
+        span.place(offset),
+        f"{messages[0].name} id {term.written}",
+        text,
+        hint,
+        related,
+    )
 
 
 def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -132,7 +141,7 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             r"\b(?:not|n't|instead|was|old|our|other|wrong)\b", text[low:offset]
         ):
             continue
-        messages, _ = subjects(reading, span, offset)
+        messages, is_sure = subjects(reading, span, offset)
         value = number(span.sentence.term(offset))
         own = [reading.messages[name] for at, name in span.named(low, len(text)) if low <= at < span.bounds(offset)[1]]
         if span.kind is PassageKind.ROW and not any(span.named(0, len(text))):
@@ -147,4 +156,6 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         first, written = messages[0], int(value)
         words = f"{first.name} has the CRC_EXTRA {first.crc_extra}, not {written}"
-        yield reading.found(CRC_EXTRA, span.place(offset), f"{first.name} crc {written}", words)
+        yield reading.found(
+            as_sure(CRC_EXTRA, is_sure=is_sure), span.place(offset), f"{first.name} crc {written}", words
+        )

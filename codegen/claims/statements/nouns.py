@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import TYPE, UNIT
+from codegen.claims.rules import TYPE, UNIT, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import Span, subjects
 from codegen.claims.statements.terms import StatedType
@@ -108,7 +108,12 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         first = fields[0]
         written = span.sentence.term(found.end() - 1).written
         text = f"{messages[0].name}.{first.name} is in {first.definition.units}, not {written}"
-        yield reading.found(UNIT, span.place(found.end() - 1), f"{messages[0].name}.{first.name} in {written}", text)
+        yield reading.found(
+            as_sure(UNIT, is_sure=False),
+            span.place(found.end() - 1),
+            f"{messages[0].name}.{first.name} in {written}",
+            text,
+        )
 
 
 def _is_called(field: WireField, words: list[str]) -> bool:
@@ -206,4 +211,6 @@ def _arrays(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _length(reading: Reading, span: Span, offset: int, message: WireMessage, field: WireField) -> Diagnostic:
     written = span.sentence.term(offset).written
     text = f"{message.name}.{field.name} has {field.count} elements, not {written}"
-    return reading.found(TYPE, span.place(offset), f"{message.name}.{field.name} {written}", text)
+    return reading.found(
+        as_sure(TYPE, is_sure=False), span.place(offset), f"{message.name}.{field.name} {written}", text
+    )

@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import SIZE
+from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import Span, subjects
@@ -136,11 +136,11 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         messages = _messages(reading, size)
         value = number(span.sentence.term(size.offset))
-        if value is None or not messages:
+        if value is None or not messages or isinstance(value, float):
             continue
         possible = {each for message in messages for each in _possible(message, kind, size.sentence, _versions(size))}
-        off = _TOLERANCE if _ABOUT.search(size.before) else 0
-        if not any(abs(value - each) <= off * each for each in possible):
+        off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
+        if not any(abs(Fraction(value) - each) <= off * each for each in possible):
             yield _finding(reading, size, messages[0], kind)
 
 
@@ -234,4 +234,7 @@ def _finding(reading: Reading, size: _Size, message: WireMessage, kind: str) -> 
     low, _ = span.bounds(size.offset)
     at = next((at for at, name in reversed([*span.named(low, size.offset)]) if name == message.name), None)
     words = span.source_text(at, size.end) if at is not None else f"{message.name} {kind} {written}"
-    return reading.found(SIZE, span.place(size.offset), words, text, size_hint(message, reading))
+    _, is_sure = subjects(reading, span, size.offset)
+    return reading.found(
+        as_sure(SIZE, is_sure=is_sure), span.place(size.offset), words, text, size_hint(message, reading)
+    )

@@ -16,9 +16,9 @@ from codegen.once import once
 from codegen.source import Place
 
 _NO_CODE = (
-    "text", "txt", "plain", "console", "sh", "bash", "shell", "shell-session", "log", "output", "markdown", "md", "diff", "csv",
-    "xml", "html", "mermaid",
-)  # fmt: skip
+    *("text", "txt", "plain", "console", "sh", "bash", "shell", "shell-session", "log", "output"),
+    *("markdown", "md", "diff", "csv", "xml", "html", "mermaid"),
+)
 """Blocks that are no declarations: what programs print, and what is quoted; XML is read as definitions."""
 _DATA = ("json", "json5", "jsonc", "yaml", "yml", "toml")
 _BREAK = re.compile(
@@ -118,7 +118,7 @@ class Span:
         return "".join(terms[at].written if at in terms else self.text[at] for at in range(low, high))
 
     def named(self, low: int, high: int) -> Iterator[tuple[int, str]]:
-        """The messages that are named between two characters, with their offsets; not those that others are compared with."""
+        """The messages that are named between two characters, with their offsets; none of a comparison."""
         for offset, term in self.sentence.within(low, high, "MF"):
             value = term.value
             if _COMPARED.search(self.text, max(offset - 20, 0), offset):

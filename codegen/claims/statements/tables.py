@@ -2,6 +2,8 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import partial
 from itertools import groupby
 
 from codegen.claims.reading import Reading
@@ -11,10 +13,10 @@ from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import About, Span, about
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
-from codegen.diagnostics import Diagnostic
+from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
-from codegen.model.dialect.dialect import WireMessage
+from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 
 _ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
@@ -111,12 +113,12 @@ def _messages(reading: Reading, rows: Sequence[_Row], column: int, head: str) ->
 
 
 def _other(
-    reading: Reading, row: _Row, at: int, own: int, rule: "object", message: WireMessage, what: str
+    reading: Reading, row: _Row, at: int, own: int, rule: Rule, message: WireMessage, what: str
 ) -> Iterator[Diagnostic]:
     term = row.span.sentence.term(at)
     if number(term) != own:
         text = f"{message.name} has the {what} {own}, not {term.written}"
-        yield reading.found(rule, row.span.place(at), f"{message.name} {what} {term.written}", text)  # type: ignore[arg-type]
+        yield reading.found(rule, row.span.place(at), f"{message.name} {what} {term.written}", text)
 
 
 _Sizes = Callable[[WireMessage], set[int]]
@@ -162,17 +164,17 @@ def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> I
         if found is None or value is None:
             continue
         written, place = row.span.sentence.term(found.start("value")).written, row.span.place(found.start("value"))
-        if is_offset and one.is_wrong(lambda field, value=value: field.offset == value):  # type: ignore[misc]
+        if is_offset and one.is_wrong(partial(_begins_at, offset=value)):
             text = f"{one.name} begins at byte {one.field.offset}, not {written}"
             yield reading.found(OFFSET, place, f"{one.name} at {written}", text)
         known = unknown_values(one.field)
-        if (
-            is_sentinel
-            and known is not None
-            and one.is_wrong(lambda field, value=value: is_unknown(field, float(value)))
-        ):  # type: ignore[misc]
+        if is_sentinel and known is not None and one.is_wrong(partial(is_unknown, value=float(value))):
             text = f"{one.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, place, f"{one.name} {written}", text)
+
+
+def _begins_at(field: WireField, offset: float | Fraction) -> bool:
+    return field.offset == offset
 
 
 def _field(reading: Reading, row: _Row) -> About | None:

@@ -44,7 +44,8 @@ _TERM = re.compile(
       |floats?|values?|counters?)\b)?)
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
-  | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
+  | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?
+      (?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
@@ -129,7 +130,7 @@ class NamedField:
 
 @dataclass(frozen=True, slots=True)
 class StatedType:
-    """A type: ``bits`` and ``sign`` (u, i or f, or None where it is not said), ``name`` as XML writes it, ``length``."""
+    """A type: ``bits`` and ``sign`` (u, i, f, or None where it is not said), ``name`` as in XML, ``length``."""
 
     name: str | None
     bits: int
@@ -149,7 +150,7 @@ class Vocabulary:
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """A text with its terms: ``marked`` is the short text, ``at`` the offset in the source of each of its characters."""
+    """A text with its terms: ``marked`` is the short text, ``at`` the offset in the source of each character."""
 
     marked: str
     at: tuple[int, ...]

@@ -2,10 +2,12 @@
 
 import re
 from collections.abc import Iterator
+from fractions import Fraction
+from functools import partial
 
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
-from codegen.claims.rules import TYPE
+from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, number, said_of_fields, stated_type
 from codegen.claims.statements.spans import Span, about, is_data
 from codegen.claims.statements.terms import StatedType
@@ -250,7 +252,7 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if one is not None and one.is_wrong(lambda field: has_type(field, stated)):
         written = _spelled(stated, span.sentence.term(offset).written)
         text = f"{one.name} is {typed(one.field.definition)}, not {written}"
-        yield reading.found(TYPE, span.place(offset), f"{one.name} {written}", text)
+        yield reading.found(as_sure(TYPE, is_sure=one.is_sure), span.place(offset), f"{one.name} {written}", text)
 
 
 def _spelled(stated: StatedType, written: str) -> str:
@@ -265,7 +267,7 @@ def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words:
         written = _spelled(stated, words)
         own = typed(one.field.definition)
         text = f"{one.name} is {own}, not {written}"
-        yield reading.found(TYPE, said.span.place(offset), f"{one.name} {written}", text)
+        yield reading.found(as_sure(TYPE, is_sure=one.is_sure), said.span.place(offset), f"{one.name} {written}", text)
 
 
 def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -307,10 +309,16 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if one.is_wrong(is_right):
         written = span.sentence.term(found.start()).written
         text = f"{one.name} {own}, not {written}"
-        yield reading.found(TYPE, span.place(found.start()), f"{one.name} {found[0]}", text)
+        yield reading.found(
+            as_sure(TYPE, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {found[0]}", text
+        )
 
 
 _SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/)")
+
+
+def _takes(field: WireField, size: float | Fraction) -> bool:
+    return field.size == size
 
 
 def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -329,6 +337,8 @@ def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             )
         ):
             continue
-        if one.is_wrong(lambda field, value=value: value == field.size):  # type: ignore[misc]
+        if one.is_wrong(partial(_takes, size=value)):
             text = f"{one.name} has {one.field.size} bytes, not {span.sentence.term(found.start()).written}"
-            yield reading.found(TYPE, span.place(found.start()), f"{one.name} {found[0]}", text)
+            yield reading.found(
+                as_sure(TYPE, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {found[0]}", text
+            )

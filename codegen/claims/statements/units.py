@@ -3,9 +3,10 @@
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import SCALING, UNIT
+from codegen.claims.rules import SCALING, UNIT, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
 from codegen.claims.statements.spans import Span, about, is_data
 from codegen.diagnostics import Diagnostic
@@ -167,10 +168,12 @@ def _each(reading: Reading, said: Said, offset: int) -> list[Diagnostic]:
     found = []
     for name, at in zip(said.names, units, strict=True):
         one, unit = about(reading, said.span, name), said.span.sentence.term(at).value
-        if one is not None and isinstance(unit, Unit) and one.is_wrong(lambda field, unit=unit: has_unit(field, unit)):
+        if one is not None and isinstance(unit, Unit) and one.is_wrong(partial(has_unit, unit=unit)):
             written = said.span.sentence.term(at).written
             text = f"{one.name} is in {one.field.definition.units}, not {written}"
-            found.append(reading.found(UNIT, said.span.place(at), f"{one.name} in {written}", text))
+            found.append(
+                reading.found(as_sure(UNIT, is_sure=one.is_sure), said.span.place(at), f"{one.name} in {written}", text)
+            )
     return found
 
 
@@ -192,7 +195,9 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
     one = claimed(reading, said, offset, lambda field: has_unit(field, unit))
     if one is not None:
         text = f"{one.name} is in {one.field.definition.units}, not {term.written}"
-        yield reading.found(UNIT, said.span.place(offset), f"{one.name} in {term.written}", text)
+        yield reading.found(
+            as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
+        )
 
 
 def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -222,11 +227,13 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
-        one = claimed(reading, said, found.start(), lambda field, unit=unit, stated=stated: _turns(field, unit, stated))
+        one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
         if one is not None:
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
-            yield reading.found(SCALING, span.place(found.start()), f"{one.name} {shown}", words)
+            yield reading.found(
+                as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
+            )
         return
     found = _SCALE.search(text, said.end, said.until)
     if found is not None and not re.search(
@@ -238,7 +245,9 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if one is not None:
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
-            yield reading.found(SCALING, span.place(found.start()), f"{one.name} {shown}", words)
+            yield reading.found(
+                as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
+            )
 
 
 _SUFFIXES = {
@@ -295,7 +304,7 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if one is not None:
         shown = f"{found['how']} {span.sentence.term(found.start('number')).written}"
         words = f"{one.name} is in {one.field.definition.units}, which {shown} does not make {unit.name}"
-        yield reading.found(SCALING, span.place(said.start), f"{one.name} {shown}", words)
+        yield reading.found(as_sure(SCALING, is_sure=one.is_sure), span.place(said.start), f"{one.name} {shown}", words)
 
 
 def text_of(span: Span, found: "re.Match[str]") -> str:
@@ -319,13 +328,13 @@ _STEPS = re.compile(
 )
 
 
-def _has_scale(field: WireField, value: object) -> bool:
+def _has_scale(field: WireField, value: float | Fraction | None) -> bool:
     """Whether a number is the factor of a field's unit over the one without a prefix."""
     found = _STEPS.fullmatch(field.definition.units or "")
     if found is None:
         return True
     if found["tens"]:
-        return value == 10 ** int(found["tens"])
+        return value == Fraction(10) ** int(found["tens"])
     if found["factor"]:
         return value == int(found["factor"])
     return value == {"m": 1000, "c": 100, "d": 10, "u": 1000000}[found["prefix"]]

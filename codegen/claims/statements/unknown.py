@@ -3,9 +3,10 @@
 import math
 import re
 from collections.abc import Iterator
+from functools import partial
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import SENTINEL
+from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.claims.unknown_value import unknown_values
@@ -91,18 +92,20 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     if any(value is not None and is_unknown(one.field, float(value)) for _, value in stated):
         return
-    others = (number(term) for _, term in span.sentence.within(said.end, said.until, "NS"))
-    if any(value is not None and abs(value) > _COMMON and is_unknown(one.field, float(value)) for value in others):
+    around = (number(term) for _, term in span.sentence.within(said.end, said.until, "NS"))
+    if any(value is not None and abs(value) > _COMMON and is_unknown(one.field, float(value)) for value in around):
         return
     for offset, value in stated[:1]:
         if value is None:
             continue
-        wrong = claimed(reading, said, offset, lambda field, value=value: is_unknown(field, float(value)))
+        wrong = claimed(reading, said, offset, partial(is_unknown, value=float(value)))
         known = unknown_values(wrong.field) if wrong is not None else None
         if wrong is not None and known is not None:
             written = span.sentence.term(offset).written
             words = f"{wrong.name} is unknown when it is {known[1]}, not {written}"
-            yield reading.found(SENTINEL, span.place(offset), f"{wrong.name} {written}", words)
+            yield reading.found(
+                as_sure(SENTINEL, is_sure=wrong.is_sure), span.place(offset), f"{wrong.name} {written}", words
+            )
 
 
 def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -121,7 +124,9 @@ def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         known, field = unknown_values(wrong.field), wrong.field
         told = f"is {field.type.name} and carries {field.type.minimum} to {field.type.maximum}"
         words = f"{wrong.name} {f'is unknown when it is {known[1]}' if known else told}, not {term.written}"
-        yield reading.found(SENTINEL, span.place(offset), f"{wrong.name} {term.written}", words)
+        yield reading.found(
+            as_sure(SENTINEL, is_sure=wrong.is_sure), span.place(offset), f"{wrong.name} {term.written}", words
+        )
 
 
 _BESIDE = re.compile(r"(?:[\s:=(\u2013-]|\bis\b|\bT\b|,){0,6}S")
