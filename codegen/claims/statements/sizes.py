@@ -32,7 +32,7 @@ _LENGTHS = re.compile(
     r"|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
 _SHORT = re.compile(
-    r"truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
+    r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
     r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
     r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
 )
@@ -60,7 +60,7 @@ _BESIDE = re.compile(
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
 _BEHIND = re.compile(
     r"(?: |-)?(?:long |of )?(?:the )?(?P<payload>payload)"
-    r"|(?: |-)?(?:long )?(?:on (?:the|a) (?:wire|link|line)|(?P<frame>frames?|packets?))"
+    r"|(?: |-)?(?:long )?(?:(?:on|in) (?:the|a) (?:wire|link|line|frame|packet)|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")

@@ -105,7 +105,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     for offset, _ in span.sentence.within(said.end, said.until, "U"):
         gap, behind = text[said.end : offset], text[offset + 1 :]
-        if _is_of_else(said, gap, behind):
+        if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
             return
         if not _PLACE.search(gap) or not _IS_SHORT.match(behind) or len(gap) > _GAP_LONG or _is_own(span, offset):
             continue

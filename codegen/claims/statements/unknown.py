@@ -93,7 +93,9 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if any(value is not None and is_unknown(one.field, float(value)) for _, value in stated):
         return
     around = (number(term) for _, term in span.sentence.within(said.end, said.until, "NS"))
-    if any(value is not None and abs(value) > _COMMON and is_unknown(one.field, float(value)) for value in around):
+    if any(
+        value is not None and abs(float(value)) > _COMMON and is_unknown(one.field, float(value)) for value in around
+    ):
         return
     for offset, value in stated[:1]:
         if value is None:
