@@ -121,7 +121,14 @@ def score(folders: Iterable[str], *, lists: bool = False) -> Score:
         for path, faults in documents(folder):
             right, wrong, found = judged(findings_of(path), faults)
             certain = [finding for finding in (*right, *wrong) if finding.is_error]
-            parts: tuple[Sized, ...] = (right, wrong, found, faults, certain, [finding for finding in right if finding.is_error])
+            parts: tuple[Sized, ...] = (
+                right,
+                wrong,
+                found,
+                faults,
+                certain,
+                [finding for finding in right if finding.is_error],
+            )
             total = [a + b for a, b in zip(total, map(len, parts), strict=True)]
             for finding in wrong if lists else ():
                 print(f"wrong   {folder}/{path.name}:{finding.place.line}: {finding.rule.id}: {finding.message}")

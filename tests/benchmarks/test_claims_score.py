@@ -16,7 +16,7 @@ def test_findings_are_right_and_most_faults_are_found(folder: str) -> None:
 
 
 def test_half_of_the_documents_are_right() -> None:
-    """A checker that finds fault with everything, or with nothing, has no score to show; `seen-4` has variants of forms."""
+    """A checker that finds fault with everything, or with nothing, has no score to show."""
     for folder in ("seen-1", "seen-2", "seen-3"):
         entries = yaml.safe_load((claims_score.CORPUS / folder / "labels.yaml").read_text())
         wrong = sum(bool(entry["faults"]) for entry in entries)

@@ -4,21 +4,34 @@
 which messages a part may be about; the other modules each know what is said of one kind of thing and compare it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements import entries, facts, messages, nouns, sizes, tables, types, units, unknown
-from codegen.claims.statements.spans import spans
+from codegen.claims.statements.spans import Span, spans
 from codegen.diagnostics import Diagnostic
+
+_CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
+    (types.check, "FP", "TN"),
+    (units.check, "FP", "UN"),
+    (unknown.check, "FP", "NS"),
+    (facts.check, "FP", ""),
+    (messages.check, "N", ""),
+    (sizes.check, "N", ""),
+    (nouns.check, "UTN", ""),
+    (types.sized, "FP", "N"),
+)
+"""What is looked for, and the terms without which nothing is: one of the first, and one of the second."""
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every statement of a document that the dialect contradicts."""
     parts = spans(reading)
     for span in parts:
-        for each in (types, units, unknown, facts, messages, sizes, nouns):
-            yield from each.check(reading, span)
-        yield from types.sized(reading, span)
+        letters = {term.letter for term in span.sentence.terms.values()}
+        for find, names, facts_of in _CHECKS:
+            if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
+                yield from find(reading, span)
     yield from tables.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)

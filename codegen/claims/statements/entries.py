@@ -14,6 +14,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
+from codegen.once import once
 
 _WORD = (
     r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then"
@@ -219,9 +220,17 @@ def _finding(
     return reading.found(rule, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
 
 
+@once
+def _entry_values(reading: Reading) -> dict[str, int]:
+    """The values of all entries by name."""
+    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+
+
 def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Entries by their names, or by the end of their names, beside a number."""
-    values = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    if "V" not in span.text:
+        return
+    values = _entry_values(reading)
     for form in _NAMED:
         for found in form.finditer(span.text):
             name = span.sentence.term(found.start("name")).written

@@ -11,12 +11,13 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import EnumDefinition, WireMessage
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
-from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.nearest_unit import worded_unit as unit_of_word
 from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
@@ -65,6 +66,7 @@ _TERM = re.compile(
 _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
+_WORD = re.compile(r"\w+")
 _SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
 _COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset(
@@ -218,7 +220,7 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
             end = found.end() if found.lastgroup in ("name", "capitals") else found.start() + 1
             end = max(end, found.start() + 1)
             if found["name"] is None and found["capitals"] is None:
-                word = re.compile(r"\w+").match(text, found.start(), high)
+                word = _WORD.match(text, found.start(), high)
                 end = word.end() if word else end
             plain(found.start(), end)
             position = end
@@ -408,6 +410,10 @@ _ENGLISH = frozenset(
 
 def _is_quoted(text: str, start: int, end: int) -> bool:
     return start > 0 and text[start - 1] in "\"'" and text[end : end + 1] in ("'", '"')
+
+
+worded_unit = lru_cache(maxsize=4096)(unit_of_word)
+"""The same words come again and again, and most are no unit."""
 
 
 def constant_value(written: str) -> int | float | None:
