@@ -16,57 +16,14 @@ _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
     r"\b(?:extensions?|extension fields?)\b(?! of)|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
-_VERBS = frozenset(
-    [
-        "is",
-        "are",
-        "both",
-        "all",
-        "count",
-        "counts",
-        "were",
-        "was",
-        "came",
-        "come",
-        "comes",
-        "later",
-        "belong",
-        "belongs",
-        "among",
-        "to",
-        "in",
-        "as",
-    ]
-)
-_IDLE = _VERBS | frozenset(
-    [
-        "field",
-        "fields",
-        "an",
-        "a",
-        "the",
-        "only",
-        "of",
-        "really",
-        "one",
-        "fact",
-        "added",
-        "of",
-        "M",
-        "T",
-        "U",
-        "N",
-        "type",
-        "part",
-        "mavlink",
-        "v",
-        "too",
-        "also",
-        "just",
-        "not",
-        "no",
-    ]
-)
+_VERBS = frozenset((
+    "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
+    "belongs", "among", "to", "in", "as",
+))  # fmt: skip
+_IDLE = _VERBS | frozenset((
+    "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
+    "type", "part", "mavlink", "v", "too", "also", "just", "not", "no",
+))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
     rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
@@ -91,51 +48,11 @@ _WIRE = re.compile(
 )
 _XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
 _ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
-_ENUM_IDLE = frozenset(
-    [
-        "is",
-        "are",
-        "an",
-        "a",
-        "from",
-        "of",
-        "use",
-        "uses",
-        "the",
-        "enum",
-        "type",
-        "taken",
-        "see",
-        "value",
-        "values",
-        "entry",
-        "in",
-        "one",
-        "hold",
-        "holds",
-        "has",
-        "contains",
-        "as",
-        "by",
-        "bitmask",
-        "bits",
-        "flags",
-        "list",
-        "code",
-        "codes",
-        "T",
-        "entries",
-        "with",
-        "its",
-        "listed",
-        "defined",
-        "comes",
-        "come",
-        "given",
-        "number",
-        "field",
-    ]
-)
+_ENUM_IDLE = frozenset((
+    "is", "are", "an", "a", "from", "of", "use", "uses", "the", "enum", "type", "taken", "see", "value", "values",
+    "entry", "in", "one", "hold", "holds", "has", "contains", "as", "by", "bitmask", "bits", "flags", "list", "code",
+    "codes", "T", "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
+))  # fmt: skip
 _NOT = re.compile(r"\bnot\b|n't\b|instead|unlike|\bwas\b|wrong|\bour\b|\blike\b")
 
 

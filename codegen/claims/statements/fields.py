@@ -5,8 +5,8 @@ from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
+from codegen.claims.statements.sentence import NamedField, StatedType, Term
 from codegen.claims.statements.spans import About, Span, about, is_data
-from codegen.claims.statements.terms import NamedField, StatedType, Term
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
 from codegen.claims.statements.fields import number
+from codegen.claims.statements.sentence import StatedType
 from codegen.claims.statements.spans import Span, subjects
-from codegen.claims.statements.terms import StatedType
 from codegen.claims.statements.units import has_unit
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -26,40 +26,11 @@ _NOT = re.compile(
     r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
     r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
-_IDLE = frozenset(
-    [
-        "the",
-        "a",
-        "an",
-        "its",
-        "all",
-        "both",
-        "is",
-        "are",
-        "of",
-        "this",
-        "that",
-        "and",
-        "field",
-        "fields",
-        "value",
-        "values",
-        "everything",
-        "it",
-        "they",
-        "numbers",
-        "number",
-        "data",
-        "given",
-        "in",
-        "with",
-        "every",
-        "each",
-        "as",
-        "only",
-        "time",
-    ]
-)
+_IDLE = frozenset((
+    "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
+    "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
+    "only", "time",
+))  # fmt: skip
 _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = re.compile(

@@ -7,7 +7,8 @@ from functools import lru_cache
 from itertools import groupby
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements.terms import NamedField, Sentence, Vocabulary, read_sentence
+from codegen.claims.statements.sentence import NamedField, Sentence, Vocabulary
+from codegen.claims.statements.terms import read_sentence
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind

@@ -8,13 +8,12 @@ form of speech is one pattern over it: "`vel` is a uint16_t in cm/s" is ``F is a
 """
 
 import re
-from bisect import bisect_left, bisect_right
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
-from codegen.frozen import dataclass
-from codegen.model.dialect.dialect import EnumDefinition, WireMessage
+from codegen.claims.statements.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word
@@ -69,36 +68,10 @@ _PLAIN_NUMBER = re.compile(
 _WORD = re.compile(r"\w+")
 _SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
 _COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
-_SHORT_UNITS = frozenset(
-    [
-        "m",
-        "s",
-        "A",
-        "V",
-        "g",
-        "h",
-        "K",
-        "G",
-        "N",
-        "J",
-        "W",
-        "C",
-        "T",
-        "l",
-        "L",
-        "us",
-        "min",
-        "bits",
-        "bit",
-        "bytes",
-        "byte",
-        "in",
-        "a",
-        "rad",
-        "knots",
-        "x",
-    ]
-)
+_SHORT_UNITS = frozenset((
+    "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",
+    "byte", "in", "a", "rad", "knots", "x",
+))  # fmt: skip
 """What is a word or a name as often as a unit: only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
     r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
@@ -107,91 +80,6 @@ _UNIT_END = re.compile(
     r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
     r"|[-\u2013\u2014(] ?)"
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """One term: its letter, what it stands for, its text, and where it stands in the source text."""
-
-    letter: str
-    value: object
-    written: str
-    start: int
-    end: int
-    is_quoted: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class NamedField:
-    """A name of a field, and the message that is named with it, ``MESSAGE.field``."""
-
-    name: str
-    message: str | None = None
-    elements: int | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class StatedType:
-    """A type: ``bits`` and ``sign`` (u, i, f, or None where it is not said), ``name`` as in XML, ``length``."""
-
-    name: str | None
-    bits: int
-    sign: str | None
-    length: int | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Vocabulary:
-    """The names that are terms in a document."""
-
-    messages: Mapping[str, WireMessage]
-    enums: Mapping[str, EnumDefinition]
-    entries: Collection[str]
-    fields: frozenset[str]
-
-
-@dataclass(frozen=True, slots=True)
-class Sentence:
-    """A text with its terms: ``marked`` is the short text, ``at`` the offset in the source of each character."""
-
-    marked: str
-    at: tuple[int, ...]
-    terms: Mapping[int, Term]
-    offsets: tuple[int, ...]
-
-    def term(self, offset: int) -> Term:
-        """The term whose letter stands at an offset of ``marked``."""
-        return self.terms[offset]
-
-    def within(self, start: int, end: int, letters: str) -> Iterator[tuple[int, Term]]:
-        """The terms with one of some letters between two offsets of ``marked``, each with its offset."""
-        low = bisect_left(self.offsets, start)
-        for offset in self.offsets[low : bisect_left(self.offsets, end)]:
-            if self.terms[offset].letter in letters:
-                yield offset, self.terms[offset]
-
-    def plain(self) -> "Sentence":
-        """The same without words that are names of fields: where only messages are spoken of, they are words."""
-        if "P" not in self.marked:
-            return self
-        marked: list[str] = []
-        at: list[int] = []
-        terms: dict[int, Term] = {}
-        for offset, letter in enumerate(self.marked):
-            term = self.terms.get(offset)
-            if term is not None and letter == "P":
-                marked += term.written.lower()
-                at += range(term.start, term.start + len(term.written))
-                continue
-            if term is not None:
-                terms[len(marked)] = term
-            marked.append(letter)
-            at.append(self.at[offset])
-        return Sentence("".join(marked), tuple(at), terms, tuple(terms))
-
-    def source(self, offset: int) -> int:
-        """The offset in the source of a character of ``marked``."""
-        return self.at[min(offset, len(self.at) - 1)] if self.at else 0
 
 
 def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int]], words: Vocabulary) -> Sentence:
@@ -379,33 +267,10 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
-_ENGLISH = frozenset(
-    [
-        "a",
-        "s",
-        "x",
-        "bar",
-        "min",
-        "rev",
-        "pix",
-        "hour",
-        "day",
-        "kn",
-        "kt",
-        "bit",
-        "bits",
-        "byte",
-        "bytes",
-        "second",
-        "minute",
-        "degree",
-        "meter",
-        "metre",
-        "gram",
-        "ton",
-        "sec",
-    ]
-)
+_ENGLISH = frozenset((
+    "a", "s", "x", "bar", "min", "rev", "pix", "hour", "day", "kn", "kt", "bit", "bits", "byte", "bytes", "second",
+    "minute", "degree", "meter", "metre", "gram", "ton", "sec",
+))  # fmt: skip
 
 
 def _is_quoted(text: str, start: int, end: int) -> bool:

@@ -9,85 +9,19 @@ from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, number, said_of_fields, stated_type
+from codegen.claims.statements.sentence import StatedType
 from codegen.claims.statements.spans import Span, about, is_data
-from codegen.claims.statements.terms import StatedType
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
-_IDLE = frozenset(
-    [
-        "is",
-        "are",
-        "as",
-        "an",
-        "a",
-        "of",
-        "type",
-        "types",
-        "stored",
-        "sent",
-        "encoded",
-        "coded",
-        "in",
-        "the",
-        "field",
-        "fields",
-        "both",
-        "all",
-        "each",
-        "every",
-        "also",
-        "only",
-        "just",
-        "declared",
-        "defined",
-        "transmitted",
-        "carried",
-        "array",
-        "single",
-        "M",
-        "little",
-        "endian",
-        "now",
-        "still",
-        "really",
-        "actually",
-        "has",
-        "have",
-        "use",
-        "uses",
-        "with",
-        "fits",
-        "into",
-        "be",
-        "must",
-        "should",
-        "extension",
-        "wire",
-        "on",
-        "its",
-        "plain",
-        "simple",
-        "one",
-        "three",
-        "named",
-        "value",
-        "values",
-        "number",
-        "numbers",
-        "member",
-        "data",
-        "set",
-        "to",
-        "travel",
-        "travels",
-        "u",
-        "q",
-        "U",
-        "N",
-        "E",
-    ]
-)
+_IDLE = frozenset((
+    "is", "are", "as", "an", "a", "of", "type", "types", "stored", "sent", "encoded", "coded", "in", "the", "field",
+    "fields", "both", "all", "each", "every", "also", "only", "just", "declared", "defined", "transmitted", "carried",
+    "array", "single", "M", "little", "endian", "now", "still", "really", "actually", "has", "have", "use", "uses",
+    "with", "fits", "into", "be", "must", "should", "extension", "wire", "on", "its", "plain", "simple", "one",
+    "three", "named", "value", "values", "number", "numbers", "member", "data", "set", "to", "travel", "travels", "u",
+    "q", "U", "N", "E",
+))  # fmt: skip
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast"
     r"|buffer|\bour\b|\bthan\b"
@@ -107,55 +41,12 @@ _ELEMENTS = re.compile(
     r"|more|a second|each|in a|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )
-_HOLDS = frozenset(
-    [
-        "is",
-        "are",
-        "has",
-        "have",
-        "hold",
-        "holds",
-        "take",
-        "takes",
-        "carries",
-        "contain",
-        "contains",
-        "with",
-        "for",
-        "an",
-        "a",
-        "array",
-        "of",
-        "up",
-        "to",
-        "at",
-        "most",
-        "all",
-        "its",
-        "the",
-        "space",
-        "room",
-        "fixed",
-        "length",
-        "always",
-        "exactly",
-        "can",
-        "carry",
-        "list",
-        "lists",
-        "text",
-        "string",
-        "long",
-        "limited",
-        "cut",
-        "maximum",
-        "max",
-        "field",
-        "consists",
-        "T",
-        "U",
-    ]
-)
+_HOLDS = frozenset((
+    "is", "are", "has", "have", "hold", "holds", "take", "takes", "carries", "contain", "contains", "with", "for",
+    "an", "a", "array", "of", "up", "to", "at", "most", "all", "its", "the", "space", "room", "fixed", "length",
+    "always", "exactly", "can", "carry", "list", "lists", "text", "string", "long", "limited", "cut", "maximum",
+    "max", "field", "consists", "T", "U",
+))  # fmt: skip
 _LESS = re.compile(
     r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"
     r"|not|never)\b|\busually\b"
