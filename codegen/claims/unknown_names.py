@@ -7,6 +7,7 @@ from itertools import groupby
 
 from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
+from codegen.claims.misspelled import is_spelled_so
 from codegen.claims.reading import Reading, between
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
@@ -188,23 +189,6 @@ def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
     return frozenset(id(passage) for passage, _ in begun)
 
 
-def _is_spelled_so(name: str, names: _Names) -> bool:
-    """Whether a name has the words of a message in another order, or all of its letters but one."""
-    words = sorted(name.split("_"))
-    return any(
-        sorted(known.split("_")) == words
-        or (abs(len(known) - len(name)) == 1 and _lacks_one(*sorted((known, name), key=len)))
-        for known in names.messages
-        if known[0] == name[0] and len(words) > 1
-    )
-
-
-def _lacks_one(short: str, long: str) -> bool:
-    """Whether a name is another one without one of its letters, digits aside."""
-    at = next((at for at, (one, other) in enumerate(zip(short, long, strict=False)) if one != other), len(short))
-    return short[at:] == long[at + 1 :] and long[at].isalpha()
-
-
 def _near_message(name: str, names: _Names) -> str | None:
     """The message that a name was meant for; None for what may be a message of its own."""
     joined = name.replace("_", "")
@@ -269,7 +253,7 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
             _JOINED.fullmatch(passage.text[min(found.end(), each.end) : max(found.start(), each.start)])
             for each in mentions[:_NEAR]
         )
-        is_same = reading.sightings and _is_spelled_so(name, names)
+        is_same = reading.sightings and is_spelled_so(name, names.messages)
         if not (is_begun or is_beside or is_told or is_joined or is_same):
             continue
         if _PARAMETER.match(name):
