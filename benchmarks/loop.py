@@ -38,7 +38,7 @@ STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     (
         "frames",
         ("frames",),
-        (Part.STREAMS, Part.TABLE, Part.OFF, Part.MESSAGE, Part.FRAME, Part.BYTE, Part.VALUE),
+        (Part.STREAMS, Part.TABLE, Part.MESSAGE, Part.FRAME, Part.BYTE, Part.VALUE),
     ),
     ("a HEARTBEAT", ("heard",), (Part.HEARD,)),
     ("readings", ("readings",), (Part.COMPONENT, Part.READING, Part.SAMPLE)),

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.loop.costs import Costs, measured_costs
-from codegen.loop.frames import HEARD_IN_A_PASS, due_work
+from codegen.loop.frames import busiest_works, due_work
 from codegen.loop.grid import slot_kinds
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
@@ -31,8 +31,8 @@ class Took:
 class Slot:
     """One kind of slot of control: the jobs that are ``due`` in it, and how often it comes in a second.
 
-    ``quiet`` is what it takes while no message is due, ``busy`` with all messages due that streams send by default, and
-    ``most`` with everything switched on, as many messages due as a pass sends, and as many arriving as it handles.
+    ``quiet`` is what it takes while no message is due, ``busy`` with all messages due that streams send by default, as
+    far as a pass sends them, and ``most`` with everything switched on, and messages that arrive where they take longer.
     Where links are not served all are the same, but for what is switched on.
     """
 
@@ -111,9 +111,9 @@ def loop_budget(system: System) -> LoopBudget | None:
     costs = measured_costs()
     timing = system.board.timing if system.board else None
     jobs = loop_jobs(system, program)
-    most = due_work(system, most=True) + Work({Part.HEARD: HEARD_IN_A_PASS})
-    around = _Around(jobs, due_work(system), most, costs, timing)
-    slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, program)]
+    most = max(busiest_works(system, program), key=costs.instructions)
+    around = _Around(jobs, due_work(system, program), most, costs, timing)
+    slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, system, program)]
     base = base_rates(jobs, program)
     return LoopBudget(
         program.control_us,
@@ -123,7 +123,7 @@ def loop_budget(system: System) -> LoopBudget | None:
         around.took(Work({Part.STATION: 1})),
         around.took(Work({Part.HEARD: 1})),
         _a_second(base, costs, timing),
-        _a_second(added(base, frame_rates(system)), costs, timing),
+        _a_second(added(base, frame_rates(system, program)), costs, timing),
         costs,
     )
 

@@ -1,13 +1,13 @@
 """What it takes to send messages, and which of them are due together."""
 
 from codegen.loop.parts import Part, Work
+from codegen.loop.pass_share import messages_of_a_pass
 from codegen.model.price import frame_size, on_by_default, sent_messages
+from codegen.model.program import Program
 from codegen.model.system import PopulatedMessage, System
 
-FRAMES_OF_A_PASS = 8
-"""So many messages of streams may go out on a link in a pass, as templates/firmware/program/connection.py has it."""
-HEARD_IN_A_PASS = 2
-"""So many messages that arrive are handled in a pass on a link; from there, too."""
+_HEARD_IN_A_PASS = 2
+"""So many messages that arrive are handled in a pass on a link, as templates/firmware/program/connection.py has it."""
 
 
 def streamed(system: System) -> tuple[PopulatedMessage, ...]:
@@ -34,16 +34,28 @@ def message_work(message: PopulatedMessage, system: System, *, most: bool = Fals
     )
 
 
-def due_work(system: System, *, most: bool = False) -> Work:
+def due_work(system: System, program: Program, *, most: bool = False) -> Work:
     """Return what a station takes at which everything is due at once that streams send by default.
 
-    ``most``: everything that there is is sent, as far as a pass sends it; of all messages the dearest.
+    So many messages as a pass sends, of all of them the dearest. ``most``: everything that there is is sent.
     """
+    return _sent_work(system, messages_of_a_pass(program), most=most)
+
+
+def busiest_works(system: System, program: Program) -> tuple[Work, ...]:
+    """Return what the fullest passes of a link take: with none, one, ... of their messages being one that arrives."""
+    share = messages_of_a_pass(program)
+    return tuple(
+        _sent_work(system, share - heard, most=True) + Work({Part.HEARD: heard})
+        for heard in range(min(share, _HEARD_IN_A_PASS) + 1)
+    )
+
+
+def _sent_work(system: System, count: int, *, most: bool) -> Work:
     looked = Work({Part.STREAMS: 1, Part.TABLE: len(system.messages)})
     due = system.messages if most else streamed(system)
     works = sorted((message_work(message, system, most=most) for message in due), key=_weight, reverse=True)
-    found = sum(works[:FRAMES_OF_A_PASS], looked)
-    return found + Work({Part.OFF: len(system.messages) - len(due)})
+    return sum(works[:count], looked)
 
 
 def _weight(work: Work) -> tuple[int, int, int]:

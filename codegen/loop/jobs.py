@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from codegen.frozen import dataclass
 from codegen.loop.parts import Part, Work
+from codegen.loop.pass_share import REMINDER_US, parts_links
 from codegen.model.failsafe import Failsafe
 from codegen.model.price import on_by_default
 from codegen.model.program import Program
@@ -13,8 +14,6 @@ from codegen.model.vehicle import Component, Parameter, by_instance
 
 LINKS = "links"
 """The name of the job that serves the links."""
-REMINDER_US = 1000000
-"""How often it is looked whether something is to be said again."""
 _REPORT, _REMINDER = Work({Part.REPORT: 1}), Work({Part.REMINDER: 1})
 
 
@@ -35,12 +34,13 @@ class Job:
 
 def loop_jobs(system: System, program: Program) -> tuple[Job, ...]:
     """Return all jobs of a program."""
-    links = Work({Part.LINK: len(system.links)})
+    turns = len(system.links) if parts_links(system, program) else 1
+    links = Work({Part.LINK: len(system.links) // turns})
     return (
         *([Job("measure", "code of yours measures", program.measure_us, None, None)] if program.measure_us else []),
         *_sensors(system, program),
         *_readings(system, program),
-        Job(LINKS, "links are served", program.links_us, links, links),
+        *[Job(LINKS, "links are served" if turns == 1 else "a link is served", program.links_us, links, links)] * turns,
         Job("report", "missed slots are reported", program.report_ms * 1000, _REPORT, _REPORT),
         Job("reminder", "what stands is said again", REMINDER_US, _REMINDER, _REMINDER),
     )

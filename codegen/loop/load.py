@@ -38,7 +38,7 @@ class TrafficLoad:
 def traffic_load(system: System) -> TrafficLoad | str:
     """Return the load of a program's board, or why none is predicted."""
     budget = loop_budget(system)
-    if budget is None or budget.timing is None or budget.base.likely_us is None:
+    if system.program is None or budget is None or budget.timing is None or budget.base.likely_us is None:
         return why_not_predicted(system)
 
     def likely(work: Work) -> Fraction:
@@ -51,7 +51,7 @@ def traffic_load(system: System) -> TrafficLoad | str:
         each = likely(Work({**work, Part.BYTE: 0})) / max(work[Part.FRAME], 1)
         frames[message.wire.name] = max(each, frames.get(message.wire.name, each))
     return TrafficLoad(
-        base=budget.base.likely_us + looks_a_second(system) * likely(looked),
+        base=budget.base.likely_us + looks_a_second(system, system.program) * likely(looked),
         frames=frames,
         frame=likely(Work({Part.MESSAGE: 1, Part.FRAME: 1})),
         byte=likely(Work({Part.BYTE: 1})),

@@ -23,8 +23,6 @@ class Part(StrEnum):
     """More for a station at whose streams it is looked: a message is due, or nobody looked for a while."""
     TABLE = "table"
     """More then for each message that there is, due or not."""
-    OFF = "off"
-    """More for each message that turns out to be switched off."""
     MESSAGE = "message"
     """More for each message that is due."""
     FRAME = "frame"

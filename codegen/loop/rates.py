@@ -5,6 +5,7 @@ from fractions import Fraction
 from codegen.loop.frames import message_work, streamed
 from codegen.loop.jobs import Job
 from codegen.loop.parts import Part, Work
+from codegen.loop.pass_share import messages_of_a_pass
 from codegen.model.price import default_rate
 from codegen.model.program import Program
 from codegen.model.system import System
@@ -33,15 +34,15 @@ def base_rates(jobs: tuple[Job, ...], program: Program) -> Rates:
     return rates
 
 
-def looks_a_second(system: System) -> Fraction:
+def looks_a_second(system: System, program: Program) -> Fraction:
     """Return how often it is looked what streams have to send, over all links: at least so often as one is due."""
     rates = [default_rate(message) for message in streamed(system)]
-    return max([Fraction(LOOK_HZ), *rates]) * len(system.links)
+    return max([Fraction(LOOK_HZ), *rates, sum(rates) / messages_of_a_pass(program)]) * len(system.links)
 
 
-def frame_rates(system: System) -> Rates:
+def frame_rates(system: System, program: Program) -> Rates:
     """Return what the messages take that streams send by default, over all links."""
-    looks = looks_a_second(system)
+    looks = looks_a_second(system, program)
     rates: Rates = {Part.STREAMS: looks, Part.TABLE: looks * len(system.messages)}
     for message in streamed(system):
         rate = default_rate(message) * len(system.links)

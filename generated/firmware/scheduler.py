@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 01618a9f8f62463b
+# Inputs: 26ee8ad60dc233a0
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -12,8 +12,11 @@ from time import sleep_us, ticks_add, ticks_diff, ticks_us
 from guard import Guard
 from micropython import const
 
+AGAIN = ("again",)  # what a job returns that has more to do
 LONGEST_PERIOD_US = (1 << 29) - 1  # ticks_diff() is right for less than half the range of ticks_us()
 _WINDOW_US = const(1000000)
+_ALL = const(1000)  # jobs
+_SPARE = const(16)  # turns that a late pass makes up for, at most
 
 
 class _Slot:
@@ -53,6 +56,9 @@ class _Slot:
 class Scheduler:
     """Runs `control`, a callable without arguments, every `period_us` microseconds, and then the jobs that are due.
 
+    A pass runs `most` jobs, and one more for each slot that was left out: others that are due have their turn in the
+    next one. So has a job that returns AGAIN, after those that wait for their first.
+
     The first pass starts the grid. Slots that came too late are left out, the phase stays. An exception in control or
     in a job is logged once until that call works again, and everything goes on. One in control is also told to
     `on_fault`, a callable without arguments that never raises.
@@ -62,11 +68,12 @@ class Scheduler:
     LONGEST_PERIOD_US, nine minutes.
     """
 
-    def __init__(self, period_us, control, log=print, on_fault=None):
+    def __init__(self, period_us, control, log=print, on_fault=None, most=_ALL):
         self.overruns = 0
         self.load = 0
         self._log = log
         self._on_fault = on_fault
+        self._most = most
         self._guard = Guard()
         self._control = _Slot(period_us, control, "control")
         self._jobs = []
@@ -74,7 +81,7 @@ class Scheduler:
         self._begin()
 
     def every(self, period_us, job, name=None):
-        """Run a job too, after control and the jobs before it; jobs of one period run in the same pass.
+        """Run a job too, after control and the jobs before it.
 
         `name` is what the job is called where it fails.
         """
@@ -116,6 +123,9 @@ class Scheduler:
         control = self._control
         period_us = control.period_us
         ticks, diff = ticks_us, ticks_diff
+        jobs = self._jobs
+        most = self._most
+        again = AGAIN
         is_failing = False
         busy_us = 0
         window_us = self._start()  # when the second began that `load` is measured over
@@ -125,6 +135,7 @@ class Scheduler:
                 due_us = control.due_us
                 if 0 <= diff(now_us, due_us) < period_us:
                     control.due_us = due_us = ticks_add(due_us, period_us)
+                    spare = 0
                 else:
                     missed = control.take(now_us)
                     due_us = control.due_us
@@ -132,6 +143,7 @@ class Scheduler:
                         yield diff(due_us, now_us)
                         continue
                     self.overruns += missed
+                    spare = missed if missed < _SPARE else _SPARE
                     self._next_us = now_us  # perhaps it only seems to lie ahead, after half a round of the ticks
                 try:
                     control.call()
@@ -141,17 +153,37 @@ class Scheduler:
                     is_failing = True
                     self._report(control, error)
                 if diff(self._next_us, now_us) <= 0:
-                    self._next_us = ticks_add(now_us, LONGEST_PERIOD_US)
-                    for job in self._jobs:
-                        if not 0 < diff(job.due_us, now_us) <= job.period_us:
-                            job.take(now_us)
-                            try:
-                                job.call()
-                                job.is_failing = False
-                            except Exception as error:
-                                self._report(job, error)
-                        if diff(job.due_us, self._next_us) < 0:
-                            self._next_us = job.due_us
+                    left = most + spare
+                    while True:
+                        least_us = LONGEST_PERIOD_US
+                        last = None
+                        for job in jobs:
+                            ahead_us = diff(job.due_us, now_us)
+                            if not 0 < ahead_us <= job.period_us:
+                                if not left:
+                                    least_us = 0
+                                    break
+                                left -= 1
+                                job.take(now_us)
+                                try:
+                                    if job.call() is again:
+                                        job.due_us = ticks_add(job.due_us, -job.period_us)  # and stays on its grid
+                                        last = job
+                                    if job.is_failing:
+                                        job.is_failing = False
+                                except Exception as error:
+                                    self._report(job, error)
+                                ahead_us = diff(job.due_us, now_us)
+                            if ahead_us < least_us:  # noqa: PLR1730  min() takes longer
+                                least_us = ahead_us
+                        if last is None or not spare:
+                            break
+                        spare -= 1
+                        left = 1
+                    self._next_us = ticks_add(now_us, least_us)
+                    if last is not None and jobs[-1] is not last:
+                        jobs.remove(last)
+                        jobs.append(last)
                     end_us = ticks()
                     if not 0 <= diff(end_us, window_us) < _WINDOW_US:
                         self._measure(diff(end_us, window_us), busy_us + diff(end_us, now_us))

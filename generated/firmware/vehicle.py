@@ -15,7 +15,7 @@ from failsafe import battery_failsafes
 from guard import Guard
 from micropython import const
 from parameters import Parameters
-from scheduler import Scheduler
+from scheduler import AGAIN, Scheduler
 from services import receivable
 from state import SystemState
 from storage import Storage
@@ -29,6 +29,7 @@ _MAV_STATE_STANDBY = const(3)
 
 CONTROL_US = 2500  # 400 Hz (FR-00071)
 LINKS_US = 10000  # 100 Hz
+_JOBS = const(1)  # in a pass, at most
 REPORT_US = 10000000  # between two texts about missed slots
 
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
@@ -50,6 +51,7 @@ class Vehicle:
     """
 
     FORCE_ARM = 21196  # in the command to arm: passes over the checks
+    MESSAGES = 1  # that a link takes in or sends in a pass
     SILENCE_MS = 10000  # without a HEARTBEAT: then a ground station is gone
 
     def __init__(self, board=None, ports=None, texts=None):
@@ -71,7 +73,7 @@ class Vehicle:
         self._started = watchdog.reset_reason()
         self.texts(self._started)
         # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
-        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, self.halt_motors)
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, self.halt_motors, _JOBS)
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
@@ -242,8 +244,11 @@ class Vehicle:
 
     def _communicate(self):
         now_ms = time.ticks_ms()
+        is_left = False
         for connection in self.connections:
-            connection.run(now_ms)
+            if connection.run(now_ms):
+                is_left = True
+        return AGAIN if is_left else None
 
     def _report(self):
         missed = self.scheduler.overruns

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 0b8d89a75992a637
+# Inputs: 6ef3c3edf127d205
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -181,7 +181,7 @@ def a_new_value_is_told_to_all():
     now = scene.craft.parameters.get(SETTABLE[0]["name"])
     value = limits[0] if now != limits[0] else limits[1]
     scene.station(2).send(messages.ParamSet, param_id=SETTABLE[0]["name"], param_value=value)
-    run_passes(scene.craft, 4)
+    run_passes(scene.craft, 12)
     for number in (1, 2, 3):
         found = [each.param_id for each in scene.station(number).received(messages.ParamValue)]
         assert found == [SETTABLE[0]["name"]], (number, found)

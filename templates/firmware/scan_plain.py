@@ -1,4 +1,7 @@
-"""What the main loop looks at all the time, in plain Python; scan_viper is the same in machine code."""
+"""What the main loop looks at all the time, in plain Python; scan_viper is the same in machine code.
+
+Functions of few variables: MicroPython puts those of larger ones on the heap at every call.
+"""
 
 LOOK_MS = 100  # no later something is looked at again
 LATE = 0x10000
@@ -17,30 +20,31 @@ def take_due(times, now_ms, left):
     parts of so many in a millisecond: 0 of those for one that is off, and late by -1 once that was noticed.
     """
     wait_ms = LOOK_MS
-    for number in range(times[0]):
-        at = 2 + 4 * number
+    at = 2
+    while at >> 2 < times[0]:
         ahead_ms = times[at] - now_ms & _MASK
         if not 0 < ahead_ms <= times[1]:  # further ahead: the ticks went half round while nobody asked
-            parts = times[at + 3]
-            if parts:
-                return number + _go_on(times, at, now_ms) if left else number
+            if times[at + 3]:
+                return (at >> 2) + _go_on(times, at, now_ms) if left else at >> 2
             times[at] = now_ms + _OFF_MS & _MASK
             times[at + 1] = -1
             ahead_ms = _OFF_MS
         if ahead_ms < wait_ms:  # noqa: PLR1730  min() takes longer
             wait_ms = ahead_ms
+        at += 4
     return -wait_ms
 
 
 def _go_on(times, at, now_ms):
     """Set the next time of a message; return LATE if that has passed as well."""
-    parts = times[at + 3]
     period = times[at + 1] + times[at + 2]
-    times[at + 1] = period % parts
-    due_ms = times[at] + period // parts & _MASK
-    is_late = not 0 < due_ms - now_ms & _MASK <= times[1]  # a pass came too late: no burst to catch up
-    times[at] = now_ms + period // parts & _MASK if is_late else due_ms
-    return LATE if is_late else 0
+    times[at + 1] = period % times[at + 3]
+    period //= times[at + 3]
+    times[at] = times[at] + period & _MASK
+    if 0 < times[at] - now_ms & _MASK <= times[1]:
+        return 0
+    times[at] = now_ms + period & _MASK  # a pass came too late: no burst to catch up
+    return LATE
 
 
 def holding(words, rows):
@@ -50,14 +54,17 @@ def holding(words, rows):
     limit is -1, above it 1; 2 is unknown, and 0 holds never.
     """
     bits = 0
-    for number in range(rows[0]):
-        at = 1 + 3 * number
-        value = words[rows[at]]
-        sense = rows[at + 1]
-        if value == _UNKNOWN:
-            holds = sense == 2
-        else:
-            holds = value < rows[at + 2] if sense == -1 else sense == 1 and value > rows[at + 2]
-        if holds:
-            bits |= 1 << number
+    number = rows[0]
+    while number:
+        number -= 1
+        bits = bits << 1 | _holds(words[rows[1 + 3 * number]], rows, 2 + 3 * number)
     return bits
+
+
+def _holds(value, rows, at):
+    """Return 1 if a condition holds, the sense of which is at a place, else 0."""
+    if value == _UNKNOWN:
+        return 1 if rows[at] == 2 else 0  # unknown
+    if rows[at] < 0:
+        return 1 if value < rows[at + 1] else 0
+    return 1 if rows[at] == 1 and value > rows[at + 1] else 0

@@ -169,7 +169,7 @@ def test_what_was_asked_for_waits_for_a_full_port(services: Services) -> None:
 def test_replies_that_wait_are_limited(services: Services) -> None:
     """A port that takes nothing for long loses the oldest, and they are counted."""
     arrived = [("in", packed(command(number))) for number in range(20)]
-    answer = services.run(("port", {"room": 10, "left": 0}), *arrived, ("port", {"room": None}), ("passes", 1))
+    answer = services.run(("port", {"room": 10, "left": 0}), *arrived, ("port", {"room": None}), ("passes", 2))
     assert [ack.command for ack in answer.of("COMMAND_ACK")] == list(range(12, 20))
     assert answer.state["lost_replies"] == 12
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 0c6f0bf189762393
+# Inputs: 6c4233bf03ca590b
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -18,12 +18,14 @@ from station import Station, TextSender
 _MAV_AUTOPILOT_INVALID = const(8)
 _MAV_TYPE_GCS = const(6)
 
-_MESSAGES = const(2)  # in a pass
-_FRAMES = const(8)  # of streams in a pass
+_MESSAGES = const(2)  # that are taken in in a pass, at most
 _REPLIES = const(8)  # that wait for the port
 _QUIET_MS = const(1000)  # between two texts about faults
 _FORGET_MS = const(1000)  # from one look at who is silent to the next
 _LOOK_MS = const(100)  # no later the streams and the port have a turn
+_ARRIVED = const(0)  # what comes first in a pass: what arrived,
+_STREAMS = const(1)  # or streams, and nothing is taken in,
+_OTHERS = const(2)  # or what else waits, and then streams
 _HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
@@ -32,8 +34,12 @@ _AUTOPILOT = const(5)
 class Connection:
     """Services and streams of one port.
 
-    run(now_ms) does one pass, at time.ticks_ms(): read, answer, send what is due. It raises nothing: a fault ends the
-    part of the pass that it is in. A pass with nothing to do finds that out from few variables.
+    run(now_ms) does one pass, at time.ticks_ms(): read, answer, send what is due. It returns whether more is left of
+    that, to be done in the next pass. It raises nothing: a fault ends the part of the pass that it is in. A pass with
+    nothing to do finds that out from few variables.
+
+    A pass takes in and sends vehicle.MESSAGES messages, all stations together. What had to wait comes first in the next
+    one: streams before what arrives, after them what else waits, and then what arrives again.
 
     `port` reads and writes bytes (see ports), `link` makes frames of messages and back: it writes to `port`, and has
     been given services.receivable() as the messages that it receives. `make_streams` returns the streams of a station,
@@ -60,7 +66,7 @@ class Connection:
         self.system_id = frame[at]
         self.component_id = frame[at + 1]
         self._log = vehicle.texts
-        self._budget = [_FRAMES, 0]  # messages of streams that may go out in this pass, and those that were left out
+        self._budget = [0, 0]  # messages that this pass may still take in and send, and those that were left out
         self._last = None  # the station that had the end of them
         self._make_streams = make_streams
         self._ends = getattr(port, "ends", None)
@@ -79,10 +85,10 @@ class Connection:
         self._is_idle = False  # whether nothing was left to do in the last pass
         self._quiet_from_ms = None
         self._forgot_ms = 0
-        self._begin(vehicle.parameters)
+        self._begin(vehicle)
 
-    def _begin(self, parameters):
-        turn = self._passes(parameters, getattr(self.port, "look", _perhaps))
+    def _begin(self, vehicle):
+        turn = self._passes(vehicle, vehicle.parameters, getattr(self.port, "look", _perhaps))
         next(turn)
         self.run = turn.send
 
@@ -90,18 +96,21 @@ class Connection:
     # exception without the heap, where a function would put all of its variables there. An interrupt or a restart ends
     # it: who goes on after it begins anew.
 
-    def _passes(self, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
-        """Do a pass for each time.ticks_ms() that is sent, for ever."""
+    def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
+        """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
         diff = ticks_diff
         log = self._log
+        budget = self._budget
         buffered = self.link._state  # frames_plain says what it holds
         is_left = False  # whether there is more to take in
+        first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
         next_ms = now_ms = yield  # when something is due
         try:
             while True:
                 for _ in look(0):
                     is_left = True
+                is_more = False
                 if (
                     is_left
                     or not self._is_idle
@@ -110,18 +119,23 @@ class Connection:
                     or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
                 ):
                     self._is_idle = True  # unless something is left
-                    self.inbox.begin()
-                    for _ in range(_MESSAGES):
-                        if not is_left:
-                            break
-                        try:
-                            self._take_in(now_ms)
-                        except Exception as error:
-                            self._note(error, now_ms)
-                        is_left = buffered[0] != buffered[1]
-                        for _ in look(0):
-                            is_left = True
-                    self._budget[0] = _FRAMES
+                    budget[0] = vehicle.MESSAGES
+                    turn = first
+                    first = _ARRIVED
+                    if is_left and turn == _ARRIVED:
+                        self.inbox.begin()
+                        for _ in range(_MESSAGES):
+                            if not is_left or budget[0] <= 0:
+                                break
+                            budget[0] -= 1
+                            try:
+                                self._take_in(now_ms)
+                            except Exception as error:
+                                self._note(error, now_ms)
+                            is_left = buffered[0] != buffered[1]
+                            for _ in look(0):
+                                is_left = True
+                    is_more = is_left
                     self._last = None
                     changes = parameters.changes
                     text = log.last
@@ -131,33 +145,44 @@ class Connection:
                         if not wait_ms:
                             if station is not self.station:
                                 self.turn_to(station)
-                            if station.waiting:
+                            for step in range(2):
+                                if (step == 0) != (turn == _OTHERS):
+                                    try:
+                                        station.streams.run(now_ms)
+                                    except Exception as error:
+                                        self._note(error, now_ms)
+                                    continue
                                 try:
-                                    self._send_waiting(station.waiting)
+                                    if budget[0] > 0 and station.waiting:
+                                        self._send_waiting(station.waiting)
+                                    if budget[0] > 0 and self.port.is_up:
+                                        station.streams.announce()
                                 except Exception as error:
                                     self._note(error, now_ms)
-                            try:
-                                station.streams.run(now_ms)
-                                if self.port.is_up:
-                                    station.streams.announce()
-                            except Exception as error:
-                                self._note(error, now_ms)
-                            if self._last is None and self._budget[0] <= 0:
+                                try:
+                                    if budget[0] > 0:
+                                        self.services.run()
+                                    if budget[0] > 0:
+                                        self._texts.run(station)
+                                except Exception as error:
+                                    self._note(error, now_ms)
+                            if self._last is None and budget[0] <= 0:
                                 self._last = station
-                            try:
-                                self.services.run()
-                                self._texts.run(station)
-                            except Exception as error:
-                                self._note(error, now_ms)
                             wait_ms = self._wait_ms(station, now_ms)
+                            if not wait_ms and budget[0] <= 0:
+                                is_more = True
+                                if turn == _ARRIVED and station.streams.has_waited:
+                                    first = _STREAMS
+                                elif turn != _OTHERS and first == _ARRIVED:
+                                    first = _OTHERS
                         if wait_ms < least_ms:  # noqa: PLR1730  min() takes longer
                             least_ms = wait_ms
                     if self._end_pass(now_ms):
                         least_ms = 0
                     next_ms = ticks_add(now_ms, least_ms)
-                now_ms = yield
+                now_ms = yield is_more
         except BaseException:
-            self._begin(parameters)
+            self._begin(vehicle)
             raise
 
     def turn_to(self, station):
@@ -178,6 +203,7 @@ class Connection:
         sequence = link.sequence
         errors = link.tx_errors
         if link.send(message):
+            self._budget[0] -= 1
             return True
         link.sequence = sequence
         link.tx_errors = errors
@@ -253,7 +279,7 @@ class Connection:
     def _end_pass(self, now_ms):
         """End a pass in which there was something to do; return whether the port has more."""
         if self._last is not None:
-            self._begin_with(self._last)  # next time others have their share first
+            self._end_with(self._last)  # next time others have their share first
         if not 0 <= ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
             self._forget(now_ms)
         return self.port.poll(now_ms)
@@ -268,12 +294,12 @@ class Connection:
         if self._stations is not None:
             self._stations.forget_silent(now_ms)
 
-    def _begin_with(self, station):
-        while self.stations[0] is not station:
+    def _end_with(self, station):
+        while self.stations[-1] is not station:
             self.stations.append(self.stations.pop(0))
 
     def _send_waiting(self, waiting):
-        while waiting:
+        while waiting and self._budget[0] > 0:
             reply = waiting.pop(0)  # before it can raise: so a faulty one goes
             if not self.port.is_up:
                 self.lost_replies += 1  # nobody expects it by the time that the port is up again

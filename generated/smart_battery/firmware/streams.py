@@ -152,7 +152,7 @@ class Streams:
         self._link = link
         # How many messages may go out in this pass, which all stations of the link share, and how many were left out.
         self._budget = [0x3FFFFFFF, 0] if budget is None else budget
-        self._has_waited = False  # whether something is late for that reason
+        self.has_waited = False  # whether something is due for which there was no room
         self._next_ms = ticks_ms()  # when something is due, or is looked at again
         due_ms = self._next_ms & _TICKS
         self._times = array("i", [len(_IDS), _FURTHEST_MS] + [due_ms, 0, 0, 0] * len(_IDS))  # scan_plain says what
@@ -190,17 +190,17 @@ class Streams:
             if index < 0:
                 break
             if budget[0] <= 0:  # what comes first goes first
-                self._has_waited = True
+                self.has_waited = True
                 return
             if index >= LATE:
                 index -= LATE
-                if self._has_waited:
+                if self.has_waited:
                     budget[1] += 1
             if self._is_waiting and not self._is_off(index) and self._is_announced_soon(index):
                 continue
             budget[0] -= 1
             _SENDERS[index](_ENCODERS[index], self._state, self._link)
-        self._has_waited = False
+        self.has_waited = False
         self._next_ms = ticks_add(now_ms, -index)
 
     def connect(self):
@@ -218,7 +218,9 @@ class Streams:
                 self._waits[place] = 0  # before it can raise: so a faulty one goes
                 if self._is_off(_ANNOUNCED[place][0]):
                     continue
-                if not self._send_announced(place):
+                if self._send_announced(place):
+                    self._pass_over(_ANNOUNCED[place][0])
+                else:
                     self._waits[place] = 1
                 return
         self._is_waiting = False
@@ -238,6 +240,14 @@ class Streams:
             if _ANNOUNCED[place][0] == index and _ANNOUNCED[place][2] == instance:
                 self._waits[place] = 1
                 self._is_waiting = True
+
+    def _pass_over(self, index):
+        """Let a message that was announced just now not be sent again because it is due as well."""
+        times = self._times
+        at = _STEP * index
+        now_ms = ticks_ms() & _TICKS
+        if times[at + _PARTS] and not 0 < times[at + _DUE_MS] - now_ms & _TICKS <= _FURTHEST_MS:
+            times[at + _DUE_MS] = now_ms + times[at + _PERIOD] // times[at + _PARTS] & _TICKS
 
     def _is_off(self, index):
         """Return whether a message is left out: by its generation, or because a ground station has switched it off."""
@@ -263,6 +273,7 @@ class Streams:
         announced = _ANNOUNCED[place]
         announced[1](_ENCODERS[announced[0]], self._state, link, announced[2], announced[3])
         if link.tx_errors == errors:
+            self._budget[0] -= 1
             return True
         link.sequence = sequence
         link.tx_errors = errors

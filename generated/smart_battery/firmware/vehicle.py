@@ -16,7 +16,7 @@ from connection import Connection
 from guard import Guard
 from micropython import const
 from parameters import Parameters
-from scheduler import Scheduler
+from scheduler import AGAIN, Scheduler
 from services import receivable
 from state import SystemState
 from storage import Storage
@@ -26,6 +26,7 @@ from twins import watch_twins
 
 CONTROL_US = 50000  # 20 Hz (FR-00071)
 LINKS_US = 50000  # 20 Hz
+_JOBS = const(6)  # in a pass, at most
 REPORT_US = 10000000  # between two texts about missed slots
 
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
@@ -46,6 +47,7 @@ class Vehicle:
     time.ticks_ms() when a restart was asked for. A board or ports that are given are used in place of the real ones.
     """
 
+    MESSAGES = 8  # that a link takes in or sends in a pass
     SILENCE_MS = 10000  # without a HEARTBEAT: then a ground station is gone
 
     def __init__(self, board=None, ports=None, texts=None):
@@ -66,7 +68,7 @@ class Vehicle:
         self._started = watchdog.reset_reason()
         self.texts(self._started)
         # The order within a pass (FR-00071): control, readings, links.
-        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, None, _JOBS)
         self.scheduler.every(100000, self.measure, "measure")  # FR-00074.9
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
@@ -115,8 +117,11 @@ class Vehicle:
 
     def _communicate(self):
         now_ms = time.ticks_ms()
+        is_left = False
         for connection in self.connections:
-            connection.run(now_ms)
+            if connection.run(now_ms):
+                is_left = True
+        return AGAIN if is_left else None
 
     def _report(self):
         missed = self.scheduler.overruns

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: ecd75effd153bc60
+# Inputs: 4bfa3d63b53bdfcb
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -203,7 +203,7 @@ def action_that_raises_does_no_harm():
         assert len(watch.craft.said(watch.facts["component"] + " failed")) == 1
         passes = watch.craft.port.looks
         watch.readings(watch.deep, 3 * watch.per_second)
-        assert watch.craft.port.looks == passes + 3 * watch.per_second
+        assert watch.craft.port.looks >= passes + 3 * watch.per_second
         assert watch.failsafe.level == (LOW if disarms else CRITICAL)
 
 

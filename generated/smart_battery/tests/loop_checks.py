@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 88f1ae9094f2a12e
+# Inputs: 95bbee9d1bd7648b
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -46,9 +46,11 @@ def jitter_is_no_drift():
 
 
 def order_within_a_pass():
-    """Control, then reading, failsafe, arming checks in the same pass, then the links; readings in their period."""
+    """Control, then reading, failsafe and arming checks in the same pass; the links soon; readings in their period."""
     needs(MEASURED, "something that is measured")
     craft = ready_craft()
+    jobs = len(craft.scheduler._jobs)
+    waiting = 0 if craft.scheduler._most >= jobs else jobs  # slots that one may have to wait for its turn
     order = []
 
     def noted(name, call, owner, attribute):
@@ -69,22 +71,25 @@ def order_within_a_pass():
         noted("arming", craft.check_arming, craft, "check_arming")
     noted("links", craft.connections[0].run, craft.connections[0], "run")
     run(craft, SECOND_US)
-    first = [name for at_us, name in order if at_us == 0]
-    assert (first[0], first[-1]) == ("control", "links"), first
-    assert FORCE_ARM is None or first[-2] == "arming", first
     for facts in FAILSAFES:
-        assert first.index(facts["component"]) < first.index("failsafe") < first.index("arming"), first
+        at_us = next(at_us for at_us, name in order if name == facts["component"])
+        found = [name for other_us, name in order if other_us == at_us]
+        assert found[0] == "control", found
+        assert found.index(facts["component"]) < found.index("failsafe") < found.index("arming"), found
     for measured in MEASURED:
         times = [at_us for at_us, name in order if name == measured["component"]]
         period = measured["period_us"]
-        due = [slot * period for slot in range(-(-SECOND_US // period))]
-        assert times == [-(-at_us // CONTROL_US) * CONTROL_US for at_us in due], times
+        due = [-(-slot * period // CONTROL_US) * CONTROL_US for slot in range(-(-SECOND_US // period))]
+        late = [(at_us - due_us) // CONTROL_US for at_us, due_us in zip(times, due)]  # noqa: B905  MicroPython cannot
+        assert len(times) == len(due), times
+        assert all([0 <= slots <= waiting for slots in late]), times  # noqa: C419  as above
     arming = [at_us for at_us, name in order if name == "arming"]
     readings = [at_us for at_us, name in order if name == MEASURED[-1]["component"]]
     assert arming == (readings if FORCE_ARM is not None else [])
     assert len([name for _, name in order if name == "control"]) == -(-SECOND_US // CONTROL_US)
-    served_us = -(-LINKS_US // CONTROL_US) * CONTROL_US
-    assert [name for at_us, name in order if at_us == served_us] == ["control", "links"]
+    served = [at_us for at_us, name in order if name == "links"]
+    assert served[0] <= waiting * CONTROL_US, served[0]
+    assert len(served) >= SECOND_US // LINKS_US, len(served)
 
 
 def missed_slots():
@@ -148,7 +153,7 @@ def faults_do_not_stop_the_loop():
         craft.scheduler._control.call = fail
         looks = craft.port.looks
         run(craft, SECOND_US)
-        assert abs(craft.port.looks - looks - SECOND_US // LINKS_US) <= 1
+        assert craft.port.looks - looks >= SECOND_US // LINKS_US - 1
         craft.scheduler._control.call = control
         run(craft, SECOND_US)
     assert len(craft.said("control failed")) == 2, craft.said()

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 93dff5f66ea1b120
+# Inputs: a93caeb5eb6867b7
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -116,7 +116,8 @@ def message_follows_the_acknowledgement():
         run_passes(craft, 1)
         found = station.received(*messages.ALL)
         kinds = [message.ID for message in found if message.ID in (messages.CommandAck.ID, number)]
-        assert kinds[:2] == [messages.CommandAck.ID, number], (number, kinds)
+        at = kinds.index(messages.CommandAck.ID)  # its stream may just have sent one before
+        assert kinds[at : at + 2] == [messages.CommandAck.ID, number], (number, kinds)
     for number in (9999, 76, 0.5, -1, 1e9):
         assert _result(craft, station, dialect.MAV_CMD_REQUEST_MESSAGE, number) == DENIED, number
     for command, name in (

@@ -14,7 +14,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import GENERATIONS, MESSAGES, SILENCE_MS
+from program_facts import CONTROL_US, GENERATIONS, LINKS_US, MESSAGES, SILENCE_MS
 
 import dialect
 
@@ -66,9 +66,9 @@ def told_at_the_start():
     port = Port()
     craft = _craft(ports=[port])
     most = 0
-    for _ in range(100):
+    for _ in range(100 * -(-LINKS_US // CONTROL_US)):
         count = len(_announced(port))
-        run_passes(craft, 1)
+        mock_time.advance_us(craft.run_pass())
         most = max(most, len(_announced(port)) - count)
     assert _announced(port) == _expected(craft)
     assert most == 1, most

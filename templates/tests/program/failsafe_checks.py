@@ -201,7 +201,7 @@ def action_that_raises_does_no_harm():
         assert len(watch.craft.said(watch.facts["component"] + " failed")) == 1
         passes = watch.craft.port.looks
         watch.readings(watch.deep, 3 * watch.per_second)
-        assert watch.craft.port.looks == passes + 3 * watch.per_second
+        assert watch.craft.port.looks >= passes + 3 * watch.per_second
         assert watch.failsafe.level == (LOW if disarms else CRITICAL)
 
 

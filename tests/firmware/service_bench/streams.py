@@ -20,6 +20,7 @@ class Streams:
         self._protocol = messages.ProtocolVersion().update(version=200, min_version=100, max_version=200)
         self._due_ms = time.ticks_ms()
         self.is_broken = False
+        self.has_waited = False
 
     def wait_ms(self, now_ms):
         """Return for how long nothing is due, at most 100 ms."""

@@ -55,6 +55,7 @@ class Vehicle:
     """Keeps what it was asked to do."""
 
     FORCE_ARM = 21196
+    MESSAGES = 8
     SILENCE_MS = 10000
 
     def __init__(self, calls):

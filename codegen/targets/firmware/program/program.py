@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from codegen.frozen import dataclass
+from codegen.loop.pass_share import jobs_of_a_pass, messages_of_a_pass, parts_links
 from codegen.model.program import LinkKind, Program
 from codegen.model.spec.program import ActionSpec
 from codegen.model.system import System
@@ -88,6 +89,9 @@ class ProgramView:
     order: tuple[str, ...]
     calls: tuple[CallView, ...]
     jobs: tuple[JobView, ...]
+    messages_of_a_pass: int
+    jobs_of_a_pass: int
+    parts_links: bool
     has_ports: bool
     has_usb: bool
     has_sources: bool
@@ -142,6 +146,9 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
         calls=call_views(system, program, jobs),
         jobs=jobs,
+        messages_of_a_pass=messages_of_a_pass(program),
+        jobs_of_a_pass=jobs_of_a_pass(system, program),
+        parts_links=parts_links(system, program),
         has_ports=bool(system.links),
         has_sources=bool(system.polled),
         received_calls=tuple(
@@ -185,6 +192,7 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         *([("listed_stations", "admit_only")] if access and access.listed else []),
         ("micropython", "const"),
         ("parameters", "Parameters"),
+        ("scheduler", "AGAIN"),
         ("scheduler", "Scheduler"),
         *([("sources", "Sources")] if system.polled else []),
         ("services", "receivable"),

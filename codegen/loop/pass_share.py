@@ -1,0 +1,44 @@
+"""How much a pass of the main loop may do, so that its slot has room for the user's code: by design, not by a clock."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.model.program import Program
+from codegen.model.sensor_turns import WATCH_US, turns_of
+from codegen.model.system import System
+
+REMINDER_US = 1000000
+"""How often it is looked whether something is to be said again."""
+_MESSAGE_US = 2500
+"""A pass takes in or sends a message for each of these of its slot: with what else there is, it takes 0.5 ms."""
+_MOST_MESSAGES = 8
+
+
+def messages_of_a_pass(program: Program) -> int:
+    """Return how many messages a link takes in or sends in a pass."""
+    return min(max(program.control_us // _MESSAGE_US, 1), _MOST_MESSAGES)
+
+
+def jobs_of_a_pass(system: System, program: Program) -> int:
+    """Return how many jobs a pass runs: as few as leave half of the turns free, so that none has to wait for long."""
+    rate = sum(Fraction(program.control_us, period_us) for period_us in _periods(system, program))
+    return -(-2 * rate // 1)
+
+
+def parts_links(system: System, program: Program) -> bool:
+    """Return whether links have their turns one by one."""
+    return len(system.links) > 1 and jobs_of_a_pass(system, program) == 1
+
+
+def _periods(system: System, program: Program) -> Iterator[int]:
+    """Yield the period of each turn that there is in the main loop, in us."""
+    if program.measure_us:
+        yield program.measure_us
+    if system.polled:
+        yield turns_of(system, program.control_us).every_us
+        yield WATCH_US
+    measured = [component for component in system.components.values() if component.readings]
+    yield from ((component.period_ms or 100) * 1000 for component in measured)
+    yield program.checks_us
+    yield from [program.links_us] * len(system.links)
+    yield from (program.report_ms * 1000, REMINDER_US)
