@@ -43,6 +43,7 @@ _NAMED = (
         r"|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
     ),
 )
+_AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
 _FEWEST = 2
@@ -233,11 +234,13 @@ def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     values = _entry_values(reading)
     for form in _NAMED:
         for found in form.finditer(span.text):
+            if form is _NAMED[1] and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
+                continue  # "FIRST 1, SECOND 2"
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)
     if span.is_code and not span.is_comment:
         comment = re.search(r"(?:#|//|/\*) ?(?:M )?(?P<name>V)\b", span.text)
-        stated = re.search(r"^[^#/]*?[=:( ] ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
+        stated = re.search(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
         if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
             name = span.sentence.term(comment.start("name")).written
             yield from _value(reading, span, name, values.get(name), stated)
@@ -246,7 +249,7 @@ def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.Match[str]") -> Iterator[Diagnostic]:
     stated = number(span.sentence.term(found.start("value")))
     is_bit = span.text[max(found.start("value") - 4, 0) : found.start("value")] == "bit "
-    if is_bit and stated is not None and 0 <= stated < 32:
+    if is_bit and stated is not None and stated != own and 0 <= stated < 32:
         stated = 1 << int(stated)
     before = span.text[max(found.start("value") - 24, 0) : found.start("value")]
     if (

@@ -22,7 +22,7 @@ _VERBS = frozenset((
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
     "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
-    "type", "part", "mavlink", "v", "too", "also", "just", "not", "no",
+    "type", "part", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
@@ -114,6 +114,7 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "On the wire `device` stands before `timeout`"."""
     text = span.text
     yield from _sequence(reading, span)
+    yield from _first(reading, span)
     for found in _ORDER.finditer(text):
         low, high = span.bounds(found.start())
         how = found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
@@ -130,6 +131,37 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         order = ", ".join(field.name for field in first.message.fields)
         yield reading.found(
             ORDER, span.place(found.start()), f"{first.name} {how} {second.field.name}", words, f"on the wire: {order}"
+        )
+
+
+_FIRST = re.compile(
+    r"\b(?P<which>first|last) (?P<what>thing|field|member|array|one)\b(?: (?:on|in|of) (?:the )?(?:wire|payload|M"
+    r"|frame)){0,3} (?:is|comes|:)(?: the)?(?: field)? (?P<name>[FP])(?! ?(?:[/*+]|of (?!M)))"
+)
+
+
+def _first(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "The first field on the wire is `id`", "the first array in the payload of NAME is `voltage`"."""
+    for found in _FIRST.finditer(span.text):
+        low, high = span.bounds(found.start())
+        one = about(reading, span, found.start("name"))
+        if one is None or not _WIRE.search(span.text, low, high) or _XML.search(span.text, low, high):
+            continue
+        of_kind = [field for field in one.message.fields if field.is_array or found["what"] != "array"]
+        if not of_kind:
+            continue
+        base = [field for field in of_kind if not field.definition.is_extension] or of_kind
+        possible = of_kind[:1] if found["which"] == "first" else [of_kind[-1], base[-1]]
+        if one.field in possible or one.others:
+            continue
+        words = f"{one.message.name}: the {found['which']} {found['what']} on the wire is {possible[0].name}"
+        order = ", ".join(field.name for field in one.message.fields)
+        yield reading.found(
+            as_sure(ORDER, is_sure=one.is_sure),
+            span.place(found.start("name")),
+            f"{one.message.name} {found['which']} {one.field.name}",
+            f"{words}, not {one.field.name}",
+            f"on the wire: {order}",
         )
 
 

@@ -118,6 +118,8 @@ def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField
     is_of_all = len(said.names) > 1 and re.match(
         r"\s*(?:[:|(\[=\u2013-]|\)? ?(?:are|both|all|each|have|hold)\b|# )", gap
     )
+    if is_of_all and gap.strip() == "(" and re.search(r"\band\b", said.span.text[said.start : said.end]):
+        is_of_all = None  # "`a` and `b` (uint32)" may be said of the last one only
     for at, one in found if is_of_all else found[-1:]:
         if at in said.names and one.is_wrong(fits):
             return one

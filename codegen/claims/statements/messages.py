@@ -36,7 +36,7 @@ _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?
 _CRC = re.compile(
     r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
-    r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-)"
+    r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
 )
 
@@ -92,6 +92,8 @@ def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Di
     messages, is_sure = subjects(reading, span, offset)
     own = [name for _, name in span.named(low, high)]
     if not messages or text[: found.start()].endswith(("F ", ".", "_")) or (not own and span.kind is PassageKind.ROW):
+        return
+    if not is_sure or ("type" in called and not own):
         return
     is_told = "message" in called or "msg" in called or (bool(own) and text[:offset].rstrip().endswith("id"))
     if is_told or not _has_id(messages[0]):

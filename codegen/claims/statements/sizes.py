@@ -46,7 +46,8 @@ _OF_ELSE = re.compile(
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
     r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string"
     r"|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
-    r"|block|chunks|pieces|blocks|ram|flash|heap|stack|extensions? (?:adds?|are|is|have|has|takes?)|file|page"
+    r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
+    r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
     r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y"
     r"|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
@@ -67,7 +68,7 @@ _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _CALCULATED = re.compile(r"[=+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
-_HYPOTHETICAL = re.compile(r"\?|\bnot\b|n't|\binstead|\bwas\b|\bwould\b|\bour\b|\bown\b|\bif\b")
+_HYPOTHETICAL = re.compile(r"\?|\bnot\b|n't|\bdraft\b|\binstead|\bwas\b|\bwould\b|\bour\b|\bown\b|\bif\b")
 _BEGINS = re.compile(r"[\W]*(?:message|msg|id|M|number)?[ :=(]*(?:N\)?)?,? ?")
 _ABOUT = re.compile(
     r"(?:\babout|\broughly|\baround|\bca\.?|\bapproximately|\bapprox\.?|\bnearly|\balmost|\bsome|~|\u2248) ?$"
@@ -75,7 +76,7 @@ _ABOUT = re.compile(
 _TOLERANCE = Fraction(1, 10)
 """By how much a size may be off that is called about so many bytes."""
 _BASE = re.compile(r"\bbase\b|without (?:the |its |any )?extensions?|\bminimum\b")
-_EXTENDED = re.compile(r"\bwith (?:the |its |all )?extensions?|\bwith F")
+_EXTENDED = re.compile(r"\bwith (?:the |its |all )?(?:extensions?|everything|them)\b|\bwith F")
 _UNSIGNED = re.compile(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
 
 
@@ -132,7 +133,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     span = replace(span, sentence=span.sentence.plain())
     for size in _stated(span):
         kind = _kind(size)
-        if kind is None or not _is_claim(size):
+        if kind is None or not _is_claim(size) or _is_amount(size):
             continue
         messages = _messages(reading, size)
         value = number(span.sentence.term(size.offset))
@@ -186,6 +187,19 @@ def _is_claim(size: _Size) -> bool:
     if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
         return False
     return size.is_doubled or _GOES_ON.match(size.behind) is None
+
+
+def _is_amount(size: _Size) -> bool:
+    """Whether a row of two columns, "NAME, frame | 44 bytes", tells an amount; zeros at the end may be cut from it."""
+    span = size.span
+    return (
+        span.kind is PassageKind.ROW
+        and len(span.heads) == _CLAIM_AND_AMOUNT
+        and re.search(r"\bM, [^|]*\bframe\b[^|]*\|\s*$", span.text[: size.offset]) is not None
+    )
+
+
+_CLAIM_AND_AMOUNT = 2
 
 
 def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:

@@ -175,6 +175,7 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     before = re.search(r"(?:\bin |\bthan )$", gap)
     is_listed = (
         said.is_listed
+        and not re.search(r"[.;]\s", gap)
         and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap)
         and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end() :])
     )
@@ -193,7 +194,8 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         is_right = lambda other: value in (other.size, other.type.size)  # noqa: E731
         own = f"has {field.size} bytes"
     elif field.is_array:
-        is_right = lambda other: value == other.count  # noqa: E731
+        is_text = what.startswith(("char", "letter")) and field.type.name == "char"  # with or without its zero
+        is_right = lambda other: value == other.count or (is_text and value == other.count - 1)  # noqa: E731
         own = f"has {field.count} elements"
     else:
         return
@@ -205,7 +207,7 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
-_SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/)")
+_SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/| ?[NQ])")
 
 
 def _takes(field: WireField, size: float | Fraction) -> bool:
@@ -218,7 +220,8 @@ def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         one = about(reading, span, found.start("name"))
         value = number(span.sentence.term(found.start()))
         low, high = span.bounds(found.start())
-        if span.text[found.start("name")] == "P" and not any(span.named(low, high)):
+        is_word = span.text[found.start("name")] == "P"
+        if is_word and (one is None or one.message.name not in [name for _, name in span.named(low, high)]):
             continue
         if (
             one is None

@@ -18,7 +18,7 @@ _NOTHING = (
     r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available"
     r"|provided|measured|valid|there|used|set|present|supported|estimated)"
     r"|isn't (?:known|available)|nothing is|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
-    r"|nobody knows|cannot be (?:measured|told))"
+    r"|nobody knows|cannot be (?:measured|told|read))"
 )
 _THERE = (
     r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are "
@@ -35,7 +35,9 @@ _FORMS = (
         rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
         rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
     ),
-    re.compile(rf"(?P<value>[NS]),? (?:the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"),
+    re.compile(
+        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"
+    ),
     re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
     re.compile(
         rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+"
@@ -46,6 +48,8 @@ _FORMS = (
         r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)"
         r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
     ),
+    re.compile(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{_NOTHING}|unused)\b"),
+    re.compile(r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))"),
 )
 _NOT = re.compile(
     r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known"
@@ -53,6 +57,8 @@ _NOT = re.compile(
 )
 
 
+_INVALID = re.compile(rf"\b{_NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
+_IS_VALUE = re.compile(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
 _COMMON = 1
 """Numbers up to this one stand beside a field for anything."""
 
@@ -81,6 +87,9 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         text[max(said.before, said.start - 50) : said.start],
     )
     values = [(each.start("value"), each) for each in found]
+    direct = _INVALID.search(text, max(said.before, said.start - 50), said.start) and _IS_VALUE.match(text, said.end)
+    if direct:
+        values.append((direct.start("value"), direct))
     if head is not None:
         values.append((max(said.before, said.start - 50) + head.start("value"), head))
     stated = [(at, number(span.sentence.term(at))) for at, _ in values if _is_stated(text, said, at)]
