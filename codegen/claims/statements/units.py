@@ -147,7 +147,7 @@ def _is_own(span: Span, offset: int) -> bool:
 
 
 _OWN_COLUMN = re.compile(
-    r"\bour|shown|display|\bapp\b|csv|\blog|conver[st]|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
+    r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
     r"|exported|screen|column",
     re.IGNORECASE,
 )
@@ -236,8 +236,8 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             )
         return
     found = _SCALE.search(text, said.end, said.until)
-    if found is not None and span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, found.start())):
-        return
+    if found is not None and span.kind is PassageKind.ROW and "Q" in text[: said.start]:
+        return  # what is in steps of 0.1 deg in another format is turned into the field
     if found is not None and not re.search(
         r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=", text[said.end : found.start()]
     ):
