@@ -175,7 +175,7 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     before = re.search(r"(?:\bin |\bthan )$", gap)
     is_listed = (
         said.is_listed
-        and not re.search(r"[.;]\s", gap)
+        and not re.search(r"\.\s", gap)
         and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap)
         and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end() :])
     )

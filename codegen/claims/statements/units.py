@@ -27,7 +27,8 @@ _IS_SHORT = re.compile(
 _NOT = re.compile(
     r"\bnot\b|n't\b|divid|multipl|convert|\bshow|display|\bplot|\blogs?\b|\bour\b|\bwe\b|\bmy\b|rather|instead"
     r"|\bwas\b|\bwere\b"
-    r"|\bchanged?\b|\bfrom an? T|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b"
+    r"|\bchanged?\b|\bfrom an? T(?! to an? T in )"
+    r"|\buntil\b|\bscaled|\binto\b|becomes?\b|\bwrong|\bold\b|\bstor|round|\bthan\b"
     r"|\bprint|\bwould\b|\bcould\b|\bbecause\b|\bafter\b"
     r"|\bif\b|\bwhen\b|\bevery\b|\blimit|\bstep\b|\berror|\baccura|\bresol|\btimeout\b|\bneed|/ ?N|\* ?N"
     r"|\bcomputed|\bfrom U|\bsteps\b(?! of)|\btimes\b|\bbetween\b|\bfeed|\bread(?:ing)?s? as\b"
