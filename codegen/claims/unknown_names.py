@@ -7,7 +7,7 @@ from itertools import groupby
 
 from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
-from codegen.claims.misspelled import is_spelled_so
+from codegen.claims.misspelled import is_spelled_so, numbered_message
 from codegen.claims.reading import Reading, between
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
@@ -222,25 +222,6 @@ def _near_message(name: str, names: _Names) -> str | None:
     return next(iter(get_close_matches(name, others, n=1, cutoff=_SAME)), None)
 
 
-def _numbered(passage: Passage, found: "re.Match[str]", names: _Names) -> str | None:
-    """The message whose id stands beside a name that begins as its own does."""
-    behind, before = _ID_BEHIND.match(passage.text, found.end()), _ID_BEFORE.search(passage.text, 0, found.start())
-    ids = {int(each["id"]) for each in (behind, before) if each is not None}
-    words = found[0].split("_")
-    alike = [
-        known
-        for known, message in names.messages.items()
-        if message.id in ids and len(words) > 1 and known.split("_")[: len(words) - 1] == words[:-1]
-    ]
-    return alike[0] if len(alike) == 1 else None
-
-
-_ID_BEHIND = re.compile(
-    r"`? ?(?:\(|\|| is | has the id |, )(?:id |ID |#)?\s*(?P<id>\d{1,5})(?=[).,;| ]|$)(?! ?(?:Hz|bytes|B\b))"
-)
-_ID_BEFORE = re.compile(r"(?:^\s*\||[(#]) ?(?P<id>\d{1,5}) ?[|:,)]? ?`?$")
-
-
 def _is_unknown(name: str, names: _Names) -> bool:
     return name not in names.messages and name not in names.known and not _entry_start(name, names)
 
@@ -261,7 +242,7 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
         low, high = passage.sentence(found.start(), found.end())
         if _OWN.search(passage.text, low, high):
             continue
-        numbered = _numbered(passage, found, names)
+        numbered = numbered_message(passage.text, *found.span(), names.messages)
         if numbered is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, numbered)
             continue
