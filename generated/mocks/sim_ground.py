@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: bbcc1bebed62f9aa
+# Inputs: d056acb0c16f1e0b
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -26,10 +26,11 @@ class Ground:
             if not data:
                 return read(port)
             self._waiting = bytearray()
-            if port.home is None:  # nobody is reached before there is a network
-                return None
+            peers = getattr(port, "peers", None)  # over TCP it speaks as who is there, or as nobody
+            if port.home is None and not getattr(port, "has_network", False):
+                return None  # nobody is reached before there is a network
             port.received += len(data)
-            port.ends[1] = port.home
+            port.ends[1] = peers[0] if peers else port.home
             return data
 
         port_class.read = heard

@@ -169,8 +169,9 @@ class Simulation:
             )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
-        self._wire.listen(udp_port.UdpPort)
-        self._ground.speak_to(udp_port.UdpPort)
+        for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way
+            self._wire.listen(port_class)
+            self._ground.speak_to(port_class)
         import texts  # noqa: PLC0415
 
         plain = texts.Texts
@@ -247,6 +248,15 @@ class Simulation:
 
     def _reset(self):
         raise SystemExit(EXIT_RESET)
+
+
+def tcp_ports():
+    """Return the class of ports over TCP, in a tuple, if the firmware has one."""
+    try:
+        import tcp_port  # noqa: PLC0415 - the firmware's own
+    except ImportError:
+        return ()
+    return (tcp_port.TcpPort,)
 
 
 def store_parameters(store):

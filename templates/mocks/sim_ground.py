@@ -24,10 +24,11 @@ class Ground:
             if not data:
                 return read(port)
             self._waiting = bytearray()
-            if port.home is None:  # nobody is reached before there is a network
-                return None
+            peers = getattr(port, "peers", None)  # over TCP it speaks as who is there, or as nobody
+            if port.home is None and not getattr(port, "has_network", False):
+                return None  # nobody is reached before there is a network
             port.received += len(data)
-            port.ends[1] = port.home
+            port.ends[1] = peers[0] if peers else port.home
             return data
 
         port_class.read = heard

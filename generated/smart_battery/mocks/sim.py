@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 2f06a120ecb68f57
+# Inputs: b5ac86e9682c26f8
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -171,8 +171,9 @@ class Simulation:
             )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
-        self._wire.listen(udp_port.UdpPort)
-        self._ground.speak_to(udp_port.UdpPort)
+        for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way
+            self._wire.listen(port_class)
+            self._ground.speak_to(port_class)
         import texts  # noqa: PLC0415
 
         plain = texts.Texts
@@ -249,6 +250,15 @@ class Simulation:
 
     def _reset(self):
         raise SystemExit(EXIT_RESET)
+
+
+def tcp_ports():
+    """Return the class of ports over TCP, in a tuple, if the firmware has one."""
+    try:
+        import tcp_port  # noqa: PLC0415 - the firmware's own
+    except ImportError:
+        return ()
+    return (tcp_port.TcpPort,)
 
 
 def store_parameters(store):
