@@ -148,4 +148,4 @@ def test_mavsdk(mast: Mast, tmp_path: Path, kind: str) -> None:
     with Program("MAVSDK", [sys.executable, str(STATION), where], tmp_path) as program:
         found = json.loads(program.wait_for(r"=system= (\{.*\})")[1])
         assert found["number"] == 1
-        assert Station(program).do("param.get_param_float", PARAMETER) == 40
+        assert Station(program).do("param.get_param_int", PARAMETER) == 40

@@ -11,6 +11,7 @@ from program_bench import SECOND_US, GroundStation, machine, messages, mock_time
 from tcp_client import TcpClient
 from tcp_peer import Peer
 from tcp_server import TcpServer
+from udp_port import UdpPort
 
 try:
     from micropython import mem_total
@@ -36,7 +37,7 @@ def kept(opened):
 def close_all():
     while opened_ones:
         opened = opened_ones.pop()
-        getattr(opened, "_close" if hasattr(opened, "peers") else "close")()
+        getattr(opened, "_close" if hasattr(opened, "_close") else "close")()
 
 
 class End:
@@ -499,6 +500,37 @@ def an_idle_link_allocates_nothing():
         assert port.sent == before
 
 
+def an_idle_pass_calls_what_that_of_udp_does():
+    """Not one function more, with two stations connected."""
+    if mem_total is not None:  # MicroPython tells nobody what it calls
+        return
+    udp = kept(UdpPort("air", "127.0.0.1", NUMBER, 0, None, RETRY_MS, Log()))
+    there = new_craft(ports=[udp])
+    run(there, 3 * SECOND_US)
+    expected = called(there.connections[0])
+    craft, port, _log = server()
+    for number in range(2):
+        GroundStation(End(), system_id=255 - number).command(NOBODY)
+    run(craft, 3 * SECOND_US)
+    assert len(port.peers) == 2
+    assert called(craft.connections[0]) == expected
+    assert 0 < expected < 10, expected
+
+
+def called(connection):
+    """Return how many functions a pass calls in which nothing is due."""
+    found = []
+    for _ in range(3):
+        mock_time.advance_us(1000)
+        calls = []
+        now_ms = mock_time.ticks_ms()
+        sys.setprofile(lambda _frame, event, _argument, calls=calls: calls.append(event.endswith("call")))
+        connection.run(now_ms)
+        sys.setprofile(None)
+        found.append(sum(calls))
+    return min(found) - 1  # without the call that ends the count
+
+
 CHECKS = (
     four_stations_are_served_at_once,
     who_comes_too_late_is_turned_away_until_somebody_is_silent,
@@ -514,6 +546,7 @@ CHECKS = (
     it_connects_again,
     a_try_that_comes_to_nothing_is_given_up,
     an_idle_link_allocates_nothing,
+    an_idle_pass_calls_what_that_of_udp_does,
 )
 
 
