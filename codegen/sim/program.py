@@ -72,7 +72,7 @@ class SimulatedProgram:
             "unique_id": unique_id(self.key or "", stretch.number),
             "names": {str(number): name for number, name in self.messages.items()},
             "told": self.telling.ids,
-            "watched": [[each.label, each.component, each.instance, each.name] for each in self.watched],
+            "watched": [[each.label, each.component, each.instance, each.name, each.ages] for each in self.watched],
             "actions": self.actions,
             "mocked": self.mocked,
             "store": store,

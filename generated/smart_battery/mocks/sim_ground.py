@@ -1,8 +1,9 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: d056acb0c16f1e0b
+# Inputs: 1f3194baa2c61570
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
+_NEVER_MS = 1 << 40
 HERE = (True,)  # what a port returns that has something
 
 
@@ -35,7 +36,7 @@ class Ground:
 
         port_class.read = heard
         init = getattr(port_class, "__init__", None)
-        if init is not None:  # one without has nothing to look with either
+        if init is not None and self._sendings:  # one without has nothing to look with either
 
             def made(port, *arguments, **named):
                 init(port, *arguments, **named)
@@ -44,6 +45,10 @@ class Ground:
                     port.look = lambda wait_ms: HERE if self._waiting else look(wait_ms)
 
             port_class.__init__ = made
+
+    def next_ms(self):
+        """Return when something is sent next, far ahead for never."""
+        return min([entry[0] for entry in self._sendings if entry[0] is not None] + [_NEVER_MS])
 
     def turn(self, now_ms):
         """Send what is due."""
