@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_asyncio.py: do not edit.
-# Inputs: 0fa32b1e0bd2d699
+# Inputs: b8545c9928eb798a
 """Lets asyncio run on the clock of mock_time: while all tasks wait, the clock goes on to the first that is due.
 
 A program calls install() after mock_time.install() and before it makes a task. MicroPython keeps its own asyncio, with
@@ -73,6 +73,8 @@ def _install_micropython():
 
         def __init__(self):
             core_init(self)
+            if not hasattr(self, "map"):  # nobody says whether tasks wait for streams
+                self.map = (None,)
             started[0] = host.ticks_add(host.ticks_ms(), _LATER_MS)
             started[1] = mock_time.elapsed_us() // 1000
             if fast is not None:

@@ -71,6 +71,8 @@ def _install_micropython():
 
         def __init__(self):
             core_init(self)
+            if not hasattr(self, "map"):  # nobody says whether tasks wait for streams
+                self.map = (None,)
             started[0] = host.ticks_add(host.ticks_ms(), _LATER_MS)
             started[1] = mock_time.elapsed_us() // 1000
             if fast is not None:
