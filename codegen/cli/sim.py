@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.model.scenario import Scenario
     from codegen.model.system import System
+    from codegen.sim.address import LinkEnd
     from codegen.sim.run import Simulation
 
 DEFAULT_TARGET = "udp:127.0.0.1:14550"
@@ -51,6 +52,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         metavar="udp:HOST:PORT",
         default=DEFAULT_TARGET,
         help=f"where the vehicle sends to, until somebody speaks to it (default: {DEFAULT_TARGET})",
+    )
+    parser.add_argument(
+        "--link",
+        metavar="NAME=[HOST:]PORT",
+        action="append",
+        default=[],
+        help="where a link over TCP listens or connects to (default: on this computer, the port in board.yaml)",
     )
     parser.add_argument(
         "--speed", metavar="N", default="1", help="1 is real time, 10 ten times faster, max as fast as it can"
@@ -144,6 +152,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         target = parse_address(arguments.out)
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
+    ends = _ends(arguments.link, cast)
     _check_files(arguments)
     code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     with working("comparing the firmware with the specification"):
@@ -158,7 +167,26 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         to=target,
         flash=arguments.flash,
         programs=simulated_programs(scenario, cast, folders, code),
+        ends=ends,
     )
+
+
+def _ends(given: "Sequence[str]", systems: "Sequence[System]") -> "dict[str, LinkEnd]":
+    """The ends of links over TCP that the user states, by their names. UsageError: there is no such link."""
+    from codegen.sim.address import AddressError, parse_link
+
+    known = {link.name for system in systems for link in system.links if link.spec.is_tcp}
+    ends = {}
+    for text in given:
+        try:
+            name, end = parse_link(text)
+        except AddressError as problem:
+            raise UsageError(f"--link: {problem}") from None
+        if name not in known:
+            names = ", ".join(sorted(known)) or "none"
+            raise UsageError(f"--link: there is no link {name!r} over TCP; there is {names}")
+        ends[name] = end
+    return ends
 
 
 def _speed(text: str) -> float:

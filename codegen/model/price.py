@@ -152,7 +152,7 @@ def price(generations: Generations, choice: Generation, system: System) -> Range
 
 
 def capacity(link: BoardLink) -> Fraction | None:
-    """Bytes per second that a link carries each way; None where none is known: UDP, USB."""
+    """Bytes per second that a link carries each way; None where none is known: over Wi-Fi, USB."""
     if link.kind is LinkKind.UART and link.spec.baud is not None:
         return Fraction(link.spec.baud, BITS_OF_A_BYTE)
     return None

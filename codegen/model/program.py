@@ -24,6 +24,18 @@ class LinkKind(Enum):
     UART = "uart"
     USB = "usb"
     UDP = "udp"
+    TCP_SERVER = "tcp_server"
+    TCP_CLIENT = "tcp_client"
+
+    @property
+    def words(self) -> str:
+        """What people call it."""
+        return self.value.upper() if self.value in ("uart", "usb", "udp") else self.value.replace("tcp_", "TCP ")
+
+    @property
+    def is_wireless(self) -> bool:
+        """Whether it needs Wi-Fi."""
+        return self in (LinkKind.UDP, LinkKind.TCP_SERVER, LinkKind.TCP_CLIENT)
 
 
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
@@ -56,13 +68,18 @@ _NOT_OF_ALL = (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL, SETUP_SIGNING)
 
 @dataclass(frozen=True, slots=True)
 class BoardLink:
-    """A link of the board; ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links."""
+    """A link of the board.
+
+    ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links, ``timeout_ms`` that after which
+    a TCP connection is given up.
+    """
 
     name: str
     kind: LinkKind
     retry_ms: int
     spec: LinkSpec
     citation: Citation | None
+    timeout_ms: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -149,7 +149,7 @@ class Passage:
         if given is not None and self._program.folder:
             number = f".{board.number}" if board.number > 1 else ""
             given = os.path.join(given, self._program.folder + number)
-        return flash_folder(given, self._simulation.to, free_port())
+        return flash_folder(given, self._simulation.to, free_port(), {**self._program.ends, **self._simulation.ends})
 
     def _take(self, item: Item, watch: Watch) -> None:
         recording = self.recording

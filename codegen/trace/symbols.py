@@ -59,6 +59,8 @@ _PORTS = {
     LinkKind.UART: ("firmware/serial_port.py", "open_uart"),
     LinkKind.USB: ("firmware/serial_port.py", "open_usb"),
     LinkKind.UDP: ("firmware/udp_port.py", "UdpPort"),
+    LinkKind.TCP_SERVER: ("firmware/tcp_server.py", "TcpServer"),
+    LinkKind.TCP_CLIENT: ("firmware/tcp_client.py", "TcpClient"),
 }
 
 

@@ -150,6 +150,19 @@ def test_a_board_of_the_project(tmp_path):
             "  air: {udp: 14550, to: 1.2.3.4, credentials: w.json, retry: 5 s}\n  radio: {uart: 1, tx: 4, rx: 5, ",
             "board.yaml:5 bad-link: the Raspberry Pi Pico has no Wi-Fi",
         ),
+        (
+            "pico",
+            27,
+            "  air: {tcp_server: 1, credentials: w.json, retry: 5 s, timeout: 9 s}\n  radio: {uart: 1, tx: 4, rx: 5, ",
+            "board.yaml:5 bad-link: the Raspberry Pi Pico has no Wi-Fi",
+        ),
+        (
+            "pico_2",
+            27,
+            "  air: {tcp_client: 1, to: 1.2.3.4, credentials: w.json, retry: 5 s, timeout: 9 s}\n"
+            "  radio: {uart: 1, tx: 4, rx: 5, ",
+            "board.yaml:5 bad-link: the Raspberry Pi Pico 2 has no Wi-Fi",
+        ),
         ("", 27, "", "board.yaml:2 bad-adc: the pin of pack is on no known board (say which board it is, such as"),
     ],
 )

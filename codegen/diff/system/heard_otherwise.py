@@ -15,7 +15,7 @@ from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel
 
 _STATION = (Victim.OLD_STATION,)
-_ADDRESSED = ("uart", "baud", "udp", "to", "local_port")
+_ADDRESSED = ("uart", "baud", "udp", "tcp_server", "tcp_client", "to", "local_port")
 _WIRED = ("tx", "rx")
 
 

@@ -1,7 +1,7 @@
 """The MicroPython firmware: what the specification decides is rendered, the rest is copied as it is."""
 
 from codegen.model.dialect.dialect import WireMessage
-from codegen.model.program import Program
+from codegen.model.program import LinkKind, Program
 from codegen.model.system import System
 from codegen.render.rendered import rendered
 from codegen.targets.codec.layout import message_files
@@ -120,7 +120,12 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
     if program is None:
         return {}
     takes_long = any(command.spec.long for command in program.commands)
+    kinds = {link.kind for link in system.links}
+    has_server, has_client = LinkKind.TCP_SERVER in kinds, LinkKind.TCP_CLIENT in kinds
     optional = {
+        "tcp_server": has_server,
+        "tcp_client": has_client,
+        **dict.fromkeys(("tcp_port", "tcp_peer", "tcp_stations"), has_server or has_client),
         "clock_service": program.takes_time,
         "heard": program.takes_time or bool(system.receptions) or bool(program.commands),
         "reception": bool(system.receptions),

@@ -111,8 +111,8 @@ def bandwidth_page(system: System, origin: Origin) -> BandwidthPage:
 def _carries(link: BoardLink) -> str:
     carried = capacity(link)
     if carried is None:
-        return f"{link.kind.value.upper()}, no limit known"
-    return f"{link.kind.value.upper()}, {decimal(carried)} bytes/s"
+        return f"{link.kind.words}, no limit known"
+    return f"{link.kind.words}, {decimal(carried)} bytes/s"
 
 
 def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) -> Chart:

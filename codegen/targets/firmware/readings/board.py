@@ -232,13 +232,12 @@ def _link(link: BoardLink, board: BoardModel | None) -> LinkView:
         return LinkView("serial_port", "open_uart" if tells_pins else "open_fixed_uart", arguments, citation)
     if link.kind is LinkKind.USB:
         return LinkView("serial_port", "open_usb", (name, f"size={spec.buffer}"), citation)
-    udp = (
-        name,
-        quoted(spec.to or ""),
-        f"{spec.udp}",
-        f"local_port={spec.local_port}",
-        f"credentials={quoted(spec.credentials or '')}",
-        f"retry_ms={link.retry_ms}",
-        "log=self._log",
-    )
-    return LinkView("udp_port", "UdpPort", udp, citation)
+    wifi = (f"credentials={quoted(spec.credentials or '')}", f"retry_ms={link.retry_ms}")
+    if link.kind is LinkKind.UDP:
+        udp = (name, quoted(spec.to or ""), f"{spec.udp}", f"local_port={spec.local_port}", *wifi, "log=self._log")
+        return LinkView("udp_port", "UdpPort", udp, citation)
+    tcp = (*wifi, f"timeout_ms={link.timeout_ms}", "log=self._log")
+    if link.kind is LinkKind.TCP_SERVER:
+        server = (name, f"{spec.tcp_server}", f"backlog={spec.tcp_backlog}", *tcp)
+        return LinkView("tcp_server", "TcpServer", server, citation)
+    return LinkView("tcp_client", "TcpClient", (name, quoted(spec.to or ""), f"{spec.tcp_client}", *tcp), citation)
