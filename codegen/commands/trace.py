@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from codegen.decode.marked_tests import read_tests_below
 from codegen.decode.reach import folders_of
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
-from codegen.diagnostics import Report
+from codegen.diagnostics import Report, did_you_mean
+from codegen.frozen import dataclass
 from codegen.load.confined import confined
 from codegen.load.text import is_refused
 from codegen.model.spec.spec import Requirement
@@ -20,6 +21,13 @@ from codegen.source import Place
 if TYPE_CHECKING:
     from codegen.trace.graph import Row, Test, Trace
 from codegen.project.systems import project_folder
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Why something cannot be done with what the user names, in words."""
+
+    why: str
 
 
 def read_trace(systems: Sequence[System], report: Report) -> "Trace":
@@ -77,6 +85,20 @@ def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
     with confined(folders_of(project_file)):
         text = read_trace_lock_text(path, report)
     return None if text is None else decode_trace_lock(text, path, report)
+
+
+def chosen_criteria(names: Sequence[str], trace: "Trace") -> set[str] | Refused:
+    """Return the criteria that are meant, of a document all of them; all there are where nothing is named."""
+    if not names:
+        return set(trace.criteria)
+    chosen: set[str] = set()
+    for name in names:
+        called = trace.called(name)
+        if called is None:
+            hint = did_you_mean(name, [*trace.names, *trace.criteria])
+            return Refused(f"no document has {name}{f'; {hint}' if hint else ''}")
+        chosen |= {one for one in trace.criteria if one == called or one.startswith(f"{called}.")}
+    return chosen
 
 
 def trace_lock_path(project_file: str) -> str:
