@@ -36,7 +36,10 @@ def print_review(found: Review, form: str) -> None:
 
 
 def _in_work_tree(finding: Diagnostic) -> Diagnostic:
-    """What is gone is shown at the head of its file as it is: services know no other version, nor lines of one."""
+    """Return a finding whose place is in the work tree: what is gone is shown at the head of its file as it is.
+
+    Services that take findings know no other version, nor lines of one.
+    """
     file = on_disk(finding.place.file)
     if file == finding.place.file:
         return finding

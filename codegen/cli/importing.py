@@ -122,7 +122,7 @@ def _merge(found: "Imported", table: "ExistingTable", report: "Report") -> None:
 
 
 def _nonsense(arguments: argparse.Namespace) -> str | None:
-    """Why the options cannot go together, or None."""
+    """Return why the options cannot go together, or None."""
     foreign = next((name for name in importing_requirements.OPTIONS if getattr(arguments, name)), None)
     if foreign is not None:
         return f"--{foreign} belongs to the import of a FILE.reqif or needs.json"

@@ -101,7 +101,7 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def what_is_made(systems: Sequence[System]) -> list[str]:
-    """What a build has made, and what one can do with it now, for people."""
+    """Return what a build has made, and what one can do with it now, for people."""
     main, *others = systems
     folder = shown_path(output_folder(main)).replace("\\", "/")
     count = len(main.messages)

@@ -28,7 +28,7 @@ def check_project(project: str, report: "Report", listed: "list[Number] | None")
 
 
 def reference_for(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":
-    """What documents are compared with. What is wrong with a project is told only where it cannot be used."""
+    """Return what documents are compared with. What is wrong with a project is told only where it cannot be used."""
     from codegen.commands import documents
     from codegen.diagnostics import Report
     from codegen.project.systems import read_systems

@@ -52,7 +52,7 @@ def review_of(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "R
 
 
 def _trace(side: "Side") -> "Trace":
-    """What hangs together on one side; of a specification with errors nothing is known."""
+    """Return what hangs together on one side; of a specification with errors nothing is known."""
     from codegen.commands.trace import read_trace
     from codegen.diagnostics import Report
     from codegen.trace.graph import linked

@@ -89,7 +89,7 @@ def _reference(systems: Sequence[System]) -> "Reference":
 def _finder(
     text: str, path: str, systems: Sequence[System], reference: "Callable[[], Reference]"
 ) -> Callable[[], Found]:
-    """What finds what is wrong in a document: it imports all that this needs."""
+    """Return what finds what is wrong in a document: it imports all that this needs."""
 
     def find() -> Found:
         from codegen.commands.documents import found_claims

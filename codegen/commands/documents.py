@@ -24,13 +24,13 @@ from codegen.project.other_overlays import other_dialect
 
 
 def dialect_reference(written: str, report: Report) -> Reference | None:
-    """What a dialect says, by its name or the path of its file; None after a diagnostic."""
+    """Return what a dialect says, by its name or the path of its file; None after a diagnostic."""
     dialect = read_codec_dialect(written, report)
     return None if dialect is None else Reference(dialect)
 
 
 def project_reference(systems: Sequence[System]) -> Reference:
-    """What a project says, with all its programs, of which there is at least one."""
+    """Return what a project says, with all its programs, of which there is at least one."""
     sent: dict[str, Range] = {}
     for system in systems:
         protocol = system.spec.project.protocol
@@ -49,7 +49,9 @@ def project_reference(systems: Sequence[System]) -> Reference:
 
 
 def _with_overlay(reference: Reference, spec: Spec, overlay: str) -> Reference | None:
-    """What a project would say with an overlay that it does not list; of the messages that differ it sends none."""
+    """Return what a project would say with an overlay that it does not list; of the
+    messages that differ it sends none.
+    """
     other = other_dialect(spec, reference.dialect, overlay)
     if other is None:
         return None
@@ -112,7 +114,7 @@ def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Numb
 
 
 def found_claims(text: str, path: str, reference: Reference) -> list[Diagnostic]:
-    """What is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
+    """Return what is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
     reading = read_document(text, path, reference)
     found: list[Diagnostic] = []
     elsewhere: set[int] = set()

@@ -59,7 +59,7 @@ class Imported:
 
     @property
     def differs(self) -> bool:
-        """Whether a field is answered otherwise by the table."""
+        """Return whether a field is answered otherwise by the table."""
         return any(row.verdict is Verdict.DIFFERENT for row in self.rows)
 
 

@@ -120,7 +120,9 @@ def boards() -> Iterator[tuple[str, str]]:
 
 
 def _dialect(wish: Wish, report: Report) -> tuple[str | None, dict[str, str]]:
-    """How the project names its dialect (None: as its kind does), and the files that are copied for it by name."""
+    """Return how the project names its dialect (None: as its kind does), and the
+    files that are copied for it by name.
+    """
     written = wish.dialect
     if written is None or shipped_dialect_path(written) is not None:
         return written, {}

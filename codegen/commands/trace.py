@@ -31,7 +31,7 @@ class Refused:
 
 
 def read_trace(systems: Sequence[System], report: Report) -> "Trace":
-    """What criteria, tables, symbols and tests of a project have to do with one another.
+    """Return what criteria, tables, symbols and tests of a project have to do with one another.
 
     A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
     """
@@ -80,7 +80,7 @@ def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
 
 
 def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
-    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    """Return which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
     path = trace_lock_path(project_file)
     with confined(folders_of(project_file)):
         text = read_trace_lock_text(path, report)

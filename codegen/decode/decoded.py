@@ -19,7 +19,7 @@ _Stated = TypeVar("_Stated")
 def decoded(
     kind: str, content: str | bytes, path: str, decode: Callable[[Report], _Stated | None], report: Report
 ) -> _Stated | None:
-    """What ``decode`` makes of the ``content`` of the file ``path`` (absolute, as places name it).
+    """Return what ``decode`` makes of the ``content`` of the file ``path`` (absolute, as places name it).
 
     ``decode`` depends on nothing else, and ``kind`` tells it from others.
     """
@@ -38,7 +38,8 @@ def decoded(
 def decoded_with_includes(
     kind: str, inputs: object, decode: Callable[[Report], _Stated | None], report: Report
 ) -> tuple[_Stated | None, str]:
-    """What ``decode`` returns, which depends on ``inputs``, on which dialects are shipped, and on files that it reads.
+    """Return what ``decode`` returns, which depends on ``inputs``, on which dialects are shipped, and on files that it
+    reads.
 
     Which files these are shows while it reads them; later they are compared before anything is decoded again. The
     second value is a hash of all that it depends on, which is empty where there was something to report.
@@ -58,7 +59,7 @@ def decoded_with_includes(
 
 
 def with_files_read(inputs: object, find: Callable[[], _Stated], seen: dict[str, str]) -> _Stated:
-    """What ``find`` returns, whether it is good or bad; it depends on the same things.
+    """Return what ``find`` returns, whether it is good or bad; it depends on the same things.
 
     ``seen`` has by path what was found at files that were compared before, for whoever asks often.
     """

@@ -30,7 +30,7 @@ class Overlays:
         self.spare: list[Correction] = []
 
     def is_used(self, record: Written, overlay: str | None, project: Project | None) -> bool:
-        """Whether the project has the overlay for which a record is written; one that is no file is reported."""
+        """Return whether the project has the overlay for which a record is written; one that is no file is reported."""
         if overlay is None:
             return True
         path = self._path(overlay)

@@ -102,7 +102,7 @@ def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> I
 
 
 def _is_base(own: ProgramProject, base: Project, report: Report) -> bool:
-    """Whether the base that a program states is the project that lists it."""
+    """Return whether the base that a program states is the project that lists it."""
     stated = os.path.normpath(os.path.join(os.path.dirname(own.place.file), own.base))
     folder = os.path.dirname(base.place.file)
     if stated == folder:

@@ -23,7 +23,7 @@ def folders_of(project_file: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=1)
 def _outside(path: str, data: bytes) -> tuple[str, ...]:
-    """What the project file lists; each step of a command asks for it."""
+    """Return what the project file lists; each step of a command asks for it."""
     text = decode_text(data, path, Report())
     project = None if text is None else decode_record_text(text, path, Project, Report())
     return project.outside if project else ()

@@ -192,7 +192,7 @@ class _SpecReader:
         return None if node is None else decode_record(node, Project, self._report)
 
     def _program_project(self, program: ListedProgram) -> Project | None:
-        """What the program states, and its base for the rest."""
+        """Return what the program states, and its base for the rest."""
         self._text(self._base_file, None)
         own = self._record(self._project_file, ProgramProject, program.place)
         return None if own is None else program.project(own)
@@ -218,7 +218,7 @@ class _SpecReader:
         return self._record(path, cls, Place(path)) if exists(path) else None
 
     def _board_model(self, board: BoardSpec) -> BoardModelSpec | None:
-        """What there is to know about the board; None where none is named, or after a finding."""
+        """Return what there is to know about the board; None where none is named, or after a finding."""
         if board.board is None:
             return None
         place = board.at("board")

@@ -16,5 +16,5 @@ def read_trace_lock_text(path: str, report: Report) -> str | None:
 
 
 def decode_trace_lock(text: str, path: str, report: Report) -> TraceLockSpec | None:
-    """What the text of a lock file says; None, after a finding, where it says nothing that can be used."""
+    """Return what the text of a lock file says; None, after a finding, where it says nothing that can be used."""
     return decode_record_text(text, path, TraceLockSpec, report)

@@ -49,7 +49,7 @@ def _in_library(path: str) -> str:
 
 
 def _first(system: System, has_main: bool) -> Iterator[str]:
-    """What the generated modules import of the user's; without a program the user's own main.py."""
+    """Yield what the generated modules import of the user's; without a program the user's own main.py."""
     if system.program is not None:
         yield system.program.module
     if not has_main:

@@ -43,7 +43,7 @@ def unchanged(project: str, folder: str) -> int | None:
 
 
 def read_last_time(project: str, folder: str) -> list[str]:
-    """What that build read, as ``everything_read`` has it. May raise OSError."""
+    """Return what that build read, as ``everything_read`` has it. May raise OSError."""
     kept = _kept(folder)
     return everything_read(project, kept["read"], kept["folders"])
 

@@ -35,7 +35,7 @@ FACTS = ("aliases", "refers_to", "bench")
 
 
 def read_needs(path: str, types: Collection[str], version: str | None, report: Report) -> StatedFile | None:
-    """What a file states with its needs of some ``types``; None, after a finding, where it is no needs.json.
+    """Return what a file states with its needs of some ``types``; None, after a finding, where it is no needs.json.
 
     ``version`` is the one that is read, by default the current one. An older file calls the content description.
     """
@@ -127,7 +127,7 @@ class _Reader:
 
 
 def _wrong(need: Any) -> str:
-    """What is wrong with a need, or nothing."""
+    """Return what is wrong with a need, or nothing."""
     if not isinstance(need, dict):
         return "is no object"
     for name in ("title", "content", "description", "status", "name", *FACTS):
@@ -141,7 +141,7 @@ def _wrong(need: Any) -> str:
 
 
 def _lines_of(text: str, needs: Mapping[str, Any]) -> dict[str, Place]:
-    """Where the key of each need stands: in the text, a key is followed by a colon and a brace."""
+    """Return where the key of each need stands: in the text, a key is followed by a colon and a brace."""
     found: dict[str, Place] = {}
     line, start = 1, 0
     for key in re.finditer(r'\n|"((?:[^"\\\n]|\\.)*)"\s*:\s*(?=[{\[\w"])', text):

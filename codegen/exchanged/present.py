@@ -19,7 +19,9 @@ _TITLE = re.compile(r"^#\s+([A-Z]+-[0-9a-z]+)\s*\|", re.MULTILINE)
 
 
 def check_absent(folder: str, wanted: Mapping[str, tuple[str, Place]], report: Report) -> bool:
-    """Whether a folder, which may not exist, has none of the documents; ``wanted`` has by id file name and place."""
+    """Return whether a folder, which may not exist, has none of the documents;
+    ``wanted`` has by id file name and place.
+    """
     is_free = True
     present: dict[str, str] = {}
     names = file_names(folder) if os.path.isdir(folder) else ()

@@ -20,7 +20,7 @@ def confined(folders: Iterable[str]) -> Iterator[None]:
 
 
 def is_outside(path: str) -> bool:
-    """Whether a file of the disk lies, links followed, in none of the folders that may be read."""
+    """Return whether a file of the disk lies, links followed, in none of the folders that may be read."""
     if not _ALLOWED:
         return False
     try:

@@ -43,7 +43,7 @@ def files_of_tests(folders: Iterable[str]) -> list[str]:
 
 
 def has_marks(data: bytes) -> bool:
-    """Whether a file with that content may have tests that are marked."""
+    """Return whether a file with that content may have tests that are marked."""
     return f".{MARKER}(".encode() in data
 
 
@@ -77,7 +77,7 @@ def _marked(body: Iterable[ast.stmt], owner: str, inherited: list[ast.expr], pat
 
 
 def _assigned(statement: ast.stmt) -> list[ast.expr]:
-    """What ``pytestmark = ...`` of a module or a class marks all of its tests with."""
+    """Return what ``pytestmark = ...`` of a module or a class marks all of its tests with."""
     if not isinstance(statement, ast.Assign):
         return []
     is_mark = any(isinstance(target, ast.Name) and target.id == "pytestmark" for target in statement.targets)

@@ -24,7 +24,7 @@ def shipped_in(folder: str) -> Iterator[None]:
 
 
 def is_another_given() -> bool:
-    """Whether the dialects are those of another pymavlink than the installed one."""
+    """Return whether the dialects are those of another pymavlink than the installed one."""
     return bool(_GIVEN)
 
 
@@ -39,7 +39,7 @@ def shipped_dialect_names() -> tuple[str, ...]:
 
 
 def is_shipped(path: str) -> bool:
-    """Whether the absolute ``path`` is the XML file of a shipped dialect."""
+    """Return whether the absolute ``path`` is the XML file of a shipped dialect."""
     return path in _shipped().values()
 
 

@@ -66,7 +66,10 @@ def noting() -> Iterator[dict[str, str]]:
 
 
 def asked_once(find: Callable[[], _Found]) -> Callable[[], _Found]:
-    """What asks ``find`` only once. Whoever notes files at a later question gets those that were read at the first."""
+    """Return what asks ``find`` only once.
+
+    Whoever notes files at a later question gets those that were read at the first.
+    """
     known: list[tuple[_Found, dict[str, str]]] = []
 
     def found() -> _Found:
@@ -94,7 +97,7 @@ def _found_at(path: str, content: bytes | None) -> str:
 
 
 def real_path(path: str) -> str:
-    """What makes two paths the same file, whatever links lead there."""
+    """Return what makes two paths the same file, whatever links lead there."""
     try:
         return os.path.realpath(path)
     except (OSError, ValueError):

@@ -21,10 +21,12 @@ class Tree(Protocol):
 
     @property
     def version(self) -> str:
-        """What tells its files from those of any other tree, such as the hash of a commit; empty where nothing does."""
+        """Return what tells its files from those of any other tree, such as the hash of
+        a commit; empty where nothing does.
+        """
 
     def holds(self, path: str) -> bool:
-        """Whether there is such a file."""
+        """Return whether there is such a file."""
 
     def read(self, path: str) -> bytes | None:
         """The content of a file, or None where there is none."""
@@ -47,7 +49,7 @@ def hung(root: str, tree: Tree) -> Iterator[None]:
 
 
 def is_in_tree(path: str) -> bool:
-    """Whether a path lies in a tree, and so not on the disk."""
+    """Return whether a path lies in a tree, and so not on the disk."""
     return _found(path) is not None
 
 
@@ -58,7 +60,7 @@ def tree_content(path: str) -> bytes | None:
 
 
 def exists(path: str) -> bool:
-    """Whether there is a file, a folder, or a link, even a broken one."""
+    """Return whether there is a file, a folder, or a link, even a broken one."""
     found = _found(path)
     if found is None:
         return os.path.lexists(path)
@@ -66,7 +68,7 @@ def exists(path: str) -> bool:
 
 
 def is_file(path: str) -> bool:
-    """Whether there is a file, or a link to one."""
+    """Return whether there is a file, or a link to one."""
     found = _found(path)
     return os.path.isfile(path) if found is None else found[0].holds(found[1])
 
@@ -85,7 +87,7 @@ def file_names(folder: str) -> list[str]:
 
 
 def why_not_listed(folder: str) -> str | None:
-    """Why the names in a folder cannot be read; None where they can, and where there is no folder."""
+    """Return why the names in a folder cannot be read; None where they can, and where there is no folder."""
     if _found(folder) is not None or not os.path.lexists(folder):
         return None
     try:
@@ -98,7 +100,7 @@ def why_not_listed(folder: str) -> str | None:
 
 
 def is_folder(path: str) -> bool:
-    """Whether there is a folder, or a link to one."""
+    """Return whether there is a folder, or a link to one."""
     found = _found(path)
     return os.path.isdir(path) if found is None else found[0].names(found[1]) is not None
 

@@ -28,7 +28,7 @@ def built_specification(project_file: str) -> str | None:
 
 
 def _inputs(path: str) -> str | None:
-    """What a generated suite was made of, as the file of its cases says."""
+    """Return what a generated suite was made of, as the file of its cases says."""
     text = read_text(path, Report())
     try:
         inputs = json.loads(text or "")["generated"]["inputs"]

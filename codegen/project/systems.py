@@ -52,7 +52,7 @@ def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
 
 
 def _said(finding: Diagnostic) -> tuple[Place, str, str]:
-    """What makes two findings the same: hints may differ, as they name what each program has."""
+    """Return what makes two findings the same: hints may differ, as they name what each program has."""
     return finding.place, finding.rule.id, finding.message
 
 

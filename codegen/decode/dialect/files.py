@@ -78,7 +78,7 @@ def decode_overlay(
 
 @lru_cache(maxsize=64)
 def _decoded(data: bytes, path: str) -> tuple[DialectFile | None, tuple[Diagnostic, ...]]:
-    """What the content of a file defines, and what is wrong with it.
+    """Return what the content of a file defines, and what is wrong with it.
 
     Kept: whoever reads several specifications mostly finds the same dialect files in them.
     """

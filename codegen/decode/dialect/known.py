@@ -46,8 +46,9 @@ def taken_elsewhere(
     listed: Iterable[KnownMessage],
     others: Collection[str] = (),
 ) -> tuple[KnownMessage, ...]:
-    """Which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have the name
-    or the id of one of ``messages``, or one of the names ``others``."""
+    """Return which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have
+    the name or the id of one of ``messages``, or one of the names ``others``.
+    """
     messages = tuple(messages)
     names = {message.name for message in messages} | set(others)
     ids = {message.id for message in messages}

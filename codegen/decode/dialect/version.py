@@ -17,7 +17,8 @@ SOURCE = "pymavlink"
 
 
 def is_stated_version(project: Project, report: Report) -> bool:
-    """Whether the dialects are those that a project states, or it states none; else a finding says how to compare them.
+    """Return whether the dialects are those that a project states, or it states none; else a finding says how to
+    compare them.
 
     A release that a command was given in place of the installed one is compared as it is.
     """

@@ -55,19 +55,21 @@ def _side(text: str | None, around: Around, stack: ExitStack) -> Side | Unreadab
 
 
 def _means_nothing(path: str) -> bool:
-    """Whether a path is a file of no kind that is read here, such as the file HEAD of a bare repository."""
+    """Return whether a path is a file of no kind that is read here, such as the file HEAD of a bare repository."""
     return os.path.isfile(path) and not path.endswith(_FILES)
 
 
 def _ambiguous(text: str, kind: str, plain: str, around: Around) -> Unreadable | None:
-    """What is said where a revision has the name of something else: taking either would compare what was not meant."""
+    """Return what is said where a revision has the name of something else: taking
+    either would compare what was not meant.
+    """
     if text.startswith((".", os.sep)) or text.endswith(_FILES) or not is_revision(text, around):
         return None
     return Unreadable(f"{text} is a {kind} and a revision", f"{plain} is the {kind}, {text}~0 the revision")
 
 
 def _existing(path: str, around: Around, stack: ExitStack) -> Side | Unreadable:
-    """What a path means: a dialect, a project, or a release of pymavlink."""
+    """Return what a path means: a dialect, a project, or a release of pymavlink."""
     if path.endswith(".xml") and os.path.isfile(path):
         return dialect_side(os.path.abspath(path), path)
     candidates = [os.path.join(path, name) for name in PROJECT_FILES]
@@ -80,5 +82,5 @@ def _existing(path: str, around: Around, stack: ExitStack) -> Side | Unreadable:
 
 
 def default_head(base: Side) -> str | None:
-    """What a side is compared with where only one is named: None for the project as it is."""
+    """Return what a side is compared with where only one is named: None for the project as it is."""
     return f"{INSTALLED}:{base.dialect.name}" if base.is_release else None

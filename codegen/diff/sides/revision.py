@@ -14,7 +14,7 @@ from codegen.project import PROJECT_FILES
 
 
 def is_revision(text: str, around: Around) -> bool:
-    """Whether git knows a revision of this name."""
+    """Return whether git knows a revision of this name."""
     repository = _repository(around)
     return isinstance(repository, str) and isinstance(commit_of(repository, text), str)
 
@@ -49,7 +49,7 @@ def _repository(around: Around) -> str | GitFault:
 
 
 def _in_tree(text: str, path: str, root: str, repository: str, around: Around) -> Side | Unreadable:
-    """What a revision that hangs at ``root`` has: at ``path``, or without one where the project is.
+    """Return what a revision that hangs at ``root`` has: at ``path``, or without one where the project is.
 
     A folder without a project is one of dialects, of which the one is meant that ``--dialect`` names.
     """

@@ -28,7 +28,7 @@ class Side:
 
     @property
     def is_project(self) -> bool:
-        """Whether it has a specification and not only a dialect."""
+        """Return whether it has a specification and not only a dialect."""
         return bool(self.systems)
 
 

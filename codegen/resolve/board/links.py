@@ -85,7 +85,7 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[
 
 
 def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[tuple[str, str]]:
-    """What a link needs that the board lacks."""
+    """Yield what a link needs that the board lacks."""
     if kind is LinkKind.USB and not model.spec.usb:
         yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART"
     if kind is LinkKind.UDP and not model.spec.wifi:

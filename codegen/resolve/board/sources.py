@@ -69,7 +69,7 @@ def resolve_sources(
 def _polling(
     name: str, spec: SourceSpec, usual: str, index: Mapping[str, Requirement], report: Report
 ) -> Polling | None:
-    """What all sensors have in common; None after a finding."""
+    """Return what all sensors have in common; None after a finding."""
     rate = read_rate(spec.rate or usual, spec.at("rate"), report)
     limit = None if spec.limit is None else read_time(spec.limit, unit_named("us"), spec.at("limit"), report)
     retry = _RETRY_MS if spec.retry is None else read_time(spec.retry, unit_named("ms"), spec.at("retry"), report)
