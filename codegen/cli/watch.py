@@ -121,9 +121,10 @@ def named_files(project: str) -> frozenset[str]:
     """The absolute paths of the project file, and of the files that it names wherever they lie."""
     from codegen.decode.record_file import decode_record_file
     from codegen.diagnostics import Report
+    from codegen.load.files import DISK
     from codegen.model.spec.spec import Project
 
-    found = decode_record_file(project, Project, Report())
+    found = decode_record_file(project, Project, DISK, Report())
     if found is None:
         return frozenset({project})
     names = [found.dialect, *found.overlays, *found.known, *found.corrections, *found.programs.values()]

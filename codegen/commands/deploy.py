@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 def wifi_of(path: str, system: "System", report: "Report") -> tuple[str, bytes] | None:
     """Return what --wifi says: the name on the board, and the content; None after a finding."""
     from codegen.deploy.wifi import wifi_file
-    from codegen.load.text import read_text
+    from codegen.load.files import DISK
 
-    text = read_text(os.path.abspath(path), report)
+    text = DISK.read_text(os.path.abspath(path), report)
     return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
 
 

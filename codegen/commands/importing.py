@@ -20,7 +20,7 @@ from codegen.importing.proposal import (
     report_unmentioned,
 )
 from codegen.importing.table_text import Heading, table_text
-from codegen.load.text import read_text
+from codegen.load.files import DISK
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.model.system import System
 from codegen.project.systems import read_systems
@@ -101,7 +101,7 @@ def unknown_name(wanted: Wanted, systems: Sequence[System]) -> str | None:
 
 def read_document(wanted: Wanted, report: Report) -> str | None:
     """Return the text of the document; None after a finding."""
-    return read_text(os.path.abspath(wanted.document), report)
+    return DISK.read_text(os.path.abspath(wanted.document), report)
 
 
 def imported(
@@ -151,7 +151,7 @@ def _table_path(wanted: Wanted, message: WireMessage, systems: Sequence[System])
 
 def _existing(path: str, message: WireMessage, systems: Sequence[System], report: Report) -> ExistingTable | None:
     """Return the table in a file; None after a finding."""
-    text = read_text(path, report)
+    text = DISK.read_text(path, report)
     if text is None:
         return None
     tables = (table for system in systems for table in system.tables(message.name))

@@ -5,12 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from codegen.decode.marked_tests import read_tests_below
-from codegen.decode.reach import folders_of
+from codegen.decode.reach import within
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Report, did_you_mean
 from codegen.frozen import dataclass
-from codegen.load.confined import confined
-from codegen.load.text import is_refused
+from codegen.load.files import DISK, Files
 from codegen.model.spec.spec import Requirement
 from codegen.model.spec.trace_lock import TraceLockSpec
 from codegen.model.system import System
@@ -30,14 +29,14 @@ class Refused:
     why: str
 
 
-def read_trace(systems: Sequence[System], report: Report) -> "Trace":
+def read_trace(systems: Sequence[System], report: Report, files: Files = DISK) -> "Trace":
     """Return what criteria, tables, symbols and tests of a project have to do with one another.
 
     A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
     """
     from codegen.trace.graph import hand_written, linked
 
-    marked = _marked_tests(systems, report)
+    marked = _marked_tests(systems, files, report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents_of(systems), rows(systems), tests)
 
@@ -65,13 +64,13 @@ def _tests_of(system: System) -> "tuple[Test, ...]":
     return tests_of(system)
 
 
-def _marked_tests(systems: Sequence[System], report: Report) -> list[MarkedTest]:
+def _marked_tests(systems: Sequence[System], files: Files, report: Report) -> list[MarkedTest]:
     """The marked tests in the folders that the project file lists."""
     if not systems:
         return []
-    with confined(folders_of(systems[0].spec.project.place.file)):
-        folders = [path for path, place in _folders_of_tests(systems).items() if not is_refused(path, place, report)]
-        return read_tests_below(folders, report)
+    own = within(systems[0].spec.project.place.file, files)
+    folders = [path for path, place in _folders_of_tests(systems).items() if not own.is_refused(path, place, report)]
+    return read_tests_below(folders, own, report)
 
 
 def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
@@ -82,8 +81,7 @@ def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
 def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
     """Return which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
     path = trace_lock_path(project_file)
-    with confined(folders_of(project_file)):
-        text = read_trace_lock_text(path, report)
+    text = read_trace_lock_text(path, within(project_file, DISK), report)
     return None if text is None else decode_trace_lock(text, path, report)
 
 

@@ -3,12 +3,12 @@
 from collections.abc import Mapping, Sequence
 
 from codegen.commands.trace import Refused, chosen_criteria, read_trace, trace_lock_path
-from codegen.decode.reach import folders_of
+from codegen.decode.reach import within
 from codegen.decode.trace_lock import decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.frozen import dataclass
-from codegen.load.confined import confined
+from codegen.load.files import DISK
 from codegen.model.spec.trace_lock import TraceLockSpec
 from codegen.model.system import System
 from codegen.source import Place
@@ -57,8 +57,7 @@ def accept(project: str, systems: Sequence[System], seen: LookedAt, report: Repo
     Refused where what is named cannot be accepted; None after a finding about the lock file.
     """
     path = trace_lock_path(project)
-    with confined(folders_of(project)):
-        written = read_trace_lock_text(path, report)
+    written = read_trace_lock_text(path, within(project, DISK), report)
     lock = None if written is None else decode_trace_lock(written, path, report)
     if report.has_errors:
         return None

@@ -9,7 +9,8 @@ from typing import Any
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.exchanged.restructured import formatted_content
 from codegen.exchanged.stated import Stated, StatedFile
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.files import DISK
+from codegen.load.text import decode_text
 from codegen.source import Place
 
 NEEDS_FORMAT = Rule(
@@ -39,7 +40,7 @@ def read_needs(path: str, types: Collection[str], version: str | None, report: R
 
     ``version`` is the one that is read, by default the current one. An older file calls the content description.
     """
-    data = read_bytes(path, report, None, MAX_BYTES)
+    data = DISK.read_bytes(path, report, None, MAX_BYTES)
     text = None if data is None else decode_text(data, path, report)
     if text is None:
         return None

@@ -7,6 +7,7 @@ from codegen.diagnostics import Report, Rule, Severity, shortened_list
 from codegen.exchanged.stated import Formatted, Stated, StatedFile
 from codegen.exchanged.xhtml import formatted
 from codegen.frozen import dataclass
+from codegen.load.files import DISK
 from codegen.load.xml_tree import MixedElement, place_of, read_mixed_xml
 from codegen.source import Place
 
@@ -58,7 +59,7 @@ class _Object:
 
 def read_reqif(path: str, attributes: Attributes, report: Report) -> StatedFile | None:
     """Return what a file states; None, after a finding, where it is no ReqIF."""
-    root = read_mixed_xml(path, report, MAX_BYTES)
+    root = read_mixed_xml(path, DISK, report, MAX_BYTES)
     if root is None:
         return None
     content = _only(_only(root, "CORE-CONTENT"), "REQ-IF-CONTENT")

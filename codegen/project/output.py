@@ -40,7 +40,8 @@ def stated_output(project_file: str) -> str | None:
 def _read(project_file: str) -> str | None:
     from codegen.decode.record_file import decode_record_file  # noqa: PLC0415  only for a file that is a new one
     from codegen.diagnostics import Report  # noqa: PLC0415
+    from codegen.load.files import DISK  # noqa: PLC0415
     from codegen.model.spec.spec import Project  # noqa: PLC0415
 
-    project = decode_record_file(project_file, Project, Report())
+    project = decode_record_file(project_file, Project, DISK, Report())
     return None if project is None else project.output

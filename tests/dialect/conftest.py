@@ -8,6 +8,7 @@ import pytest
 
 from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, DialectFile
 from codegen.resolve.dialect.dialect import resolve_dialect
@@ -60,9 +61,9 @@ def shipped() -> Callable[[str], tuple[Dialect, Report]]:
     def shipped(name: str) -> tuple[Dialect, Report]:
         if name not in resolved:
             report = Report()
-            path = shipped_dialect_path(name)
+            path = shipped_dialect_path(name, DISK)
             assert path is not None
-            resolved[name] = (resolve_dialect(name, decode_dialect_files(path, report), (), report), report)
+            resolved[name] = (resolve_dialect(name, decode_dialect_files(path, DISK, report), (), report), report)
         return resolved[name]
 
     return shipped
