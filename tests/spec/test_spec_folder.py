@@ -220,5 +220,6 @@ def test_several_missing_files_are_one_finding(folder: Path) -> None:
     assert decode_spec(str(folder / "codegen.yaml"), DISK, report) is None
     (finding,) = report
     assert finding.rule.id == "incomplete-project"
+    assert report.exit_code == 2
     assert finding.message == "there is no state.yaml, board.yaml and streams.yaml beside it"
     assert "codegen init" in (finding.hint or "")
