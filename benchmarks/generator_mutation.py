@@ -3,8 +3,9 @@
 
 `make generator-mutation` draws some of each stage's folder; the same seed draws the same faults from the same sources.
 A fault goes into a copy of the repository, which is imported from there and keeps nothing anywhere else. The tests that
-reach its line are run (`reached.py`), those of its own folder first, then the quickest, until one fails or they
-would take more than `--most` seconds. A fault without effect is listed in benchmarks/equivalents.yaml, with the reason.
+reach its line are run (`reached.py`), first those that reach most of its module, then those of its own folder and the
+quickest, until one fails or they would take more than `--most` seconds. A fault without effect is listed in
+benchmarks/equivalents.yaml, with the reason.
 """
 
 import argparse
@@ -117,9 +118,10 @@ def chosen_tests(
     reaching = [name for name, each in suites.items() if lines.intersection(each.lines.get(mutant.file, ()))]
     near = FOLDERS[folder]
 
-    def rank(name: str) -> tuple[int, float]:
+    def rank(name: str) -> tuple[int, int, float]:
         own = name.split("/")[1]
-        return near.index(own) if own in near else len(near), suites[name].seconds
+        reached = len(suites[name].lines[mutant.file])
+        return -reached, near.index(own) if own in near else len(near), suites[name].seconds
 
     chosen: list[str] = []
     spent = 0.0

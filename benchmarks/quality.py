@@ -146,7 +146,7 @@ suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with th
 ## Faults that the tests of the generator notice
 
 `make generator-mutation` puts faults of the same kinds into folders of `codegen/`, and runs the tests that reach the
-line: those of its own folder first, then the quickest, for some minutes a fault. Which lines a file of tests reaches is
+line, first those that reach most of its module, for some minutes a fault. Which lines a file of tests reaches is
 measured by coverage. What is left out is listed in `benchmarks/equivalents.yaml`, too.
 
 {generator}

@@ -1,4 +1,4 @@
-"""Which tests `make generator-mutation` runs for a fault: those that reach its line, the nearest and quickest first."""
+"""Which tests `make generator-mutation` runs for a fault: those that reach its line, in an order that finds it soon."""
 
 import pytest
 from generator_mutation import chosen_tests
@@ -50,6 +50,15 @@ def test_a_statement_of_several_lines_is_reached_as_a_whole(old: str, line: int)
     """Coverage has the line of its beginning, or any other; the lines of its body are those of other statements."""
     suites = {"tests/resolve/test_a.py": reaching(line), "tests/resolve/test_b.py": reaching(16, 12)}
     assert chosen_tests(fault(old), TEXT, "resolve", suites, 100) == (["tests/resolve/test_a.py"], 0)
+
+
+def test_who_reaches_most_of_the_module_comes_first() -> None:
+    """Whoever is about it tries its branches; others only pass through."""
+    suites = {"tests/resolve/test_a.py": reaching(14), "tests/cli/test_c.py": reaching(14, 16, 17, seconds=9)}
+    assert chosen_tests(fault("7"), TEXT, "resolve", suites, 60)[0] == [
+        "tests/cli/test_c.py",
+        "tests/resolve/test_a.py",
+    ]
 
 
 def test_the_nearest_tests_come_first_then_the_quickest_while_there_is_time() -> None:
