@@ -45,7 +45,7 @@ def reader(write: Callable[..., str], decode_later: Callable[..., tuple]) -> Cal
         files: tuple[DialectFile, ...] = ()
         for index, text in enumerate(texts):
             decode = decode_later if index else decode_dialect_files
-            files += decode(write(text, f"d{index or ''}.xml"), report)
+            files += decode(write(text, f"d{index or ''}.xml"), DISK, report)
         dialect = resolve_dialect("d", files, corrections, report)
         found = [f"{one.place.line}:{one.place.column} {one.rule.id}" for one in report]
         return SimpleNamespace(dialect=dialect, report=report, files=files, found=found)

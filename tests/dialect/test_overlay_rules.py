@@ -99,7 +99,7 @@ def test_ids_and_names_of_other_dialects(read_overlay: Read) -> None:
     here = Place("/known.xml", 3)
     added = [message.definition for message in result.dialect.added_messages()]
     listed = [KnownMessage(54008, "OTHER", here), KnownMessage(9, "NOBODY", here)]
-    known = taken_elsewhere(added, result.dialect.files, listed)
+    known = taken_elsewhere(added, result.dialect.files, listed, DISK)
     assert {(one.id, one.name) for one in known} == {
         (42000, "ICAROUS_HEARTBEAT"),
         (42001, "ICAROUS_KINEMATIC_BANDS"),
@@ -122,5 +122,5 @@ def test_a_file_of_the_dialect_is_no_other_dialect() -> None:
     path = shipped_dialect_path("icarous", DISK)
     assert path is not None
     files = decode_dialect_files(path, DISK, Report())
-    assert taken_elsewhere(files[-1].messages, [file.path for file in files], ()) == ()
-    assert taken_elsewhere((), (), [KnownMessage(1, "A", Place("/x"))]) == ()
+    assert taken_elsewhere(files[-1].messages, [file.path for file in files], (), DISK) == ()
+    assert taken_elsewhere((), (), [KnownMessage(1, "A", Place("/x"))], DISK) == ()
