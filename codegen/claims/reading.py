@@ -60,7 +60,7 @@ class Reference:
     rates: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
     systems: tuple[System, ...] = ()
     overlays: tuple[str, ...] = ()
-    others: Mapping[str, "Callable[[], Reference | None]"] = field(default_factory=dict)
+    others: Mapping[str, "Callable[..., Reference | None]"] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

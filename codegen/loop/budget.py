@@ -50,7 +50,7 @@ class Slot:
 
     @property
     def serves(self) -> bool:
-        """Whether links are served."""
+        """Return whether links are served."""
         return any(job.name == LINKS for job in self.due)
 
 

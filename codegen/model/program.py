@@ -130,12 +130,12 @@ class Program:
 
     @property
     def cancels(self) -> bool:
-        """Whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
+        """Return whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
         return any(message.name == COMMAND_CANCEL for message in self.services)
 
     @property
     def changes_modes_by_message(self) -> bool:
-        """Whether SET_MODE changes the mode, too: not every dialect has it any more."""
+        """Return whether SET_MODE changes the mode, too: not every dialect has it any more."""
         return any(message.name == SET_MODE for message in self.services)
 
     @property
@@ -145,5 +145,5 @@ class Program:
 
     @property
     def takes_time(self) -> bool:
-        """Whether a ground station's SYSTEM_TIME sets the time since 1970."""
+        """Return whether a ground station's SYSTEM_TIME sets the time since 1970."""
         return any(message.name == SYSTEM_TIME for message in self.services)

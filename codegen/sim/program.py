@@ -61,7 +61,7 @@ class SimulatedProgram:
         return self.key or ""
 
     def settings(self, stretch: Stretch, *, is_first_start: bool) -> dict[str, Any]:
-        """What the mocks have to know about one board; times are those of the scenario."""
+        """Return what the mocks have to know about one board; times are those of the scenario."""
         stores = is_first_start and bool(self.parameters)
         store = {"files": self.files, "chunk": self.chunk, "parameters": dict(self.parameters)} if stores else None
         # Each course has noise of its own, and the first the one that the scenario's seed alone makes.

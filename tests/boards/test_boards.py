@@ -12,6 +12,7 @@ import pytest
 from codegen.decode.board_model import FOLDER
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.board_model import BoardModel, BoardModelSpec, shown_pins
 from codegen.project.systems import read_system
 from codegen.resolve.board.model import resolve_board_model
@@ -48,7 +49,7 @@ def test_how_fast_a_board_is_may_be_known():
 def model_of(name: str) -> BoardModel:
     """What codegen knows of a board, without a finding."""
     report = Report()
-    written = decode_record_file(os.path.join(FOLDER, f"{name}.yaml"), BoardModelSpec, report)
+    written = decode_record_file(os.path.join(FOLDER, f"{name}.yaml"), BoardModelSpec, DISK, report)
     model = resolve_board_model(written, report)
     assert not list(report)
     assert model is not None
@@ -247,7 +248,7 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     path = tmp_path / "specs" / "boards" / "own.yaml"
     path.write_text(OWN.replace(old, new))
     report = Report()
-    assert resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report) is None
+    assert resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report) is None
     [found] = report
     assert found.rule.id == "bad-board"
     assert found.place.line >= 4
@@ -280,7 +281,7 @@ def test_a_watchdog_that_contradicts_itself(old, new, wanted, tmp_path):
     path = tmp_path / "specs" / "boards" / "own.yaml"
     path.write_text(OWN.replace("usb: false", WATCHED.replace(old, new)))
     report = Report()
-    resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report)
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
     found = [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
     assert len(found) == 1, found
     assert wanted in found[0], found

@@ -16,6 +16,7 @@ from codegen.commands import document_findings, documents
 from codegen.decode import decoded
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.findings import catalogue
+from codegen.load.files import Files
 from codegen.source import Place, shown_path
 from codegen.tool import cache
 from codegen.tool import digest as tool
@@ -146,9 +147,9 @@ def test_a_document_is_read_again_only_where_something_changed(
     read: list[str] = []
     found_claims = documents.found_claims
 
-    def noted(text: str, path: str, reference: Any) -> Any:
+    def noted(text: str, path: str, reference: Any, files: Files) -> Any:
         read.append(Path(path).name)
-        return found_claims(text, path, reference)
+        return found_claims(text, path, reference, files)
 
     monkeypatch.setattr(documents, "found_claims", noted)
     check()
@@ -174,7 +175,7 @@ def test_another_codegen_looks_again(check: Check, monkeypatch: pytest.MonkeyPat
 def test_what_is_found_may_name_files_as_they_are_called_from_here(
     project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def found(_text: str, path: str, _reference: object) -> list[Diagnostic]:
+    def found(_text: str, path: str, _reference: object, _files: object) -> list[Diagnostic]:
         return [Diagnostic(Place(path), Rule("claim-anything", ""), shown_path(path))]
 
     monkeypatch.setattr(documents, "found_claims", found)

@@ -46,7 +46,7 @@ def _identity(system: System) -> Subject:
 
 
 def _speed(system: System) -> str:
-    """What times are predicted with; empty where nobody has measured it."""
+    """Return what times are predicted with; empty where nobody has measured it."""
     timing = system.board.timing if system.board else None
     if timing is None:
         return ""

@@ -114,7 +114,7 @@ def _channel(change: Change, sides: _Sides) -> Change:
 
 
 def _volts(channel: AdcChannel) -> Fraction:
-    """What a count is, in volts."""
+    """Return what a count is, in volts."""
     return channel.reference / channel.full_scale
 
 

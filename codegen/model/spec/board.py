@@ -162,7 +162,7 @@ class BoardSpec(Written):
     )
 
     def fact_place(self, component: str, number: int, fact: str) -> Place:
-        """Where a fact of an instance is written: with the instance, or with the component."""
+        """Return where a fact of an instance is written: with the instance, or with the component."""
         written = self.instances.get(component, ())
         if number < len(written) and fact in written[number].facts:
             return written[number].at(f"facts.{fact}")

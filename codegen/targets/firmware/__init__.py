@@ -170,7 +170,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
 
 
 def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
-    """What puts messages that arrive into the state."""
+    """Return what puts messages that arrive into the state."""
     view = receiving_view(system, layout)
     forms = ["plain", *(["viper"] if system.spec.project.machine_code else [])]
     names = ["receiving.py", *(f"receiving_{form}.py" for form in forms)]
@@ -195,7 +195,7 @@ def _program_file(system: System, program: Program, name: str) -> str:
 
 
 def _numbers(program: Program) -> dict[str, int]:
-    """What the program's modules take from the dialect."""
+    """Return what the program's modules take from the dialect."""
     return {**program.constants, **places((*program.services, *_absent(program)))}
 
 

@@ -86,7 +86,7 @@ def render_suite(system: System) -> dict[str, str]:
 
 
 def suite_origin(system: System) -> Origin:
-    """What the suite is made of: everything but the documents, and the messages that are sent."""
+    """Return what the suite is made of: everything but the documents, and the messages that are sent."""
     wires = [message.wire for message in system.messages]
     return origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
 
