@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: cc539409747a25c6
+# Inputs: 5ca41fff503665f1
 """The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
 
 import ast
@@ -42,9 +42,9 @@ def _free_port():
 
 
 @pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
-def test_program(interpreter, script, name, printed):
+def test_program(interpreter, script, name, printed, request):
     """The vehicle does what the criterion says."""
-    found = printed(interpreter, f"{script}_checks.py", _free_port)
+    found = printed(interpreter, f"{script}_checks.py", _free_port, request.node)
     assert "" not in found, found[""]
     outcome = found[name]
     if outcome is not None and outcome.startswith("left out: "):

@@ -40,9 +40,9 @@ def _free_port():
 
 
 @pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
-def test_program(interpreter, script, name, printed):
+def test_program(interpreter, script, name, printed, request):
     """The vehicle does what the criterion says."""
-    found = printed(interpreter, f"{script}_checks.py", _free_port)
+    found = printed(interpreter, f"{script}_checks.py", _free_port, request.node)
     assert "" not in found, found[""]
     outcome = found[name]
     if outcome is not None and outcome.startswith("left out: "):
