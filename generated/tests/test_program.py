@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 5ca41fff503665f1
+# Inputs: f59fe5e6482a4ef8
 """The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
 
 import ast
@@ -29,9 +29,10 @@ def _cases():
         for interpreter in ("cpython", "micropython"):
             if interpreter == "micropython" or script not in ONLY_MICROPYTHON:
                 for name, criteria in _checks(script):
-                    shows = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks += [pytest.mark.days] if script in LONG else []
                     case = "-".join((interpreter, script, name, *criteria))
-                    yield pytest.param(interpreter, script, name, id=case, marks=shows)
+                    yield pytest.param(interpreter, script, name, id=case, marks=marks)
 
 
 def _free_port():

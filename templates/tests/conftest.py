@@ -14,8 +14,9 @@ from interpreters import CASES, HERE, run_under
 
 
 def pytest_configure(config):
-    """Make the marker known."""
+    """Make the markers known."""
     config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
+    config.addinivalue_line("markers", "days: goes through simulated days, which take longer than all other tests")
 
 
 def pytest_collection_modifyitems(items):

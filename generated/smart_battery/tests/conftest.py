@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 0dcb93aef7d053e9
+# Inputs: b7ae761ad59d8ea2
 """What the firmware does in the cases and checks of this suite, once for each interpreter; and what each test shows.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -16,8 +16,9 @@ from interpreters import CASES, HERE, run_under
 
 
 def pytest_configure(config):
-    """Make the marker known."""
+    """Make the markers known."""
     config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
+    config.addinivalue_line("markers", "days: goes through simulated days, which take longer than all other tests")
 
 
 def pytest_collection_modifyitems(items):

@@ -27,9 +27,10 @@ def _cases():
         for interpreter in ("cpython", "micropython"):
             if interpreter == "micropython" or script not in ONLY_MICROPYTHON:
                 for name, criteria in _checks(script):
-                    shows = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks += [pytest.mark.days] if script in LONG else []
                     case = "-".join((interpreter, script, name, *criteria))
-                    yield pytest.param(interpreter, script, name, id=case, marks=shows)
+                    yield pytest.param(interpreter, script, name, id=case, marks=marks)
 
 
 def _free_port():
