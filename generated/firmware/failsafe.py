@@ -4,12 +4,18 @@
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time
+from array import array
 
 from micropython import const
 
 # Numbers of the dialect.
 _MAV_SEVERITY_INFO = const(6)
 _MAV_SEVERITY_WARNING = const(4)
+
+try:
+    from scan_viper import holding
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from scan_plain import holding
 
 OK = 0  # no level
 _HEALTH = (
@@ -79,10 +85,13 @@ class Failsafe:
         self._conditions = conditions
         self._component = component
         self._vehicle_words = vehicle.state.vehicle.words
-        self._held_ms = [_NOT] * len(conditions)
-        self._updated_ms = time.ticks_ms()
         self._reached = None  # the condition that led to the level
-        self._now = OK  # the last level of which a condition holds
+        self._held_ms = array("i", [_NOT] * len(conditions))
+        self._is_counting = False  # whether any of them holds, and is timed
+        self._words = component.words
+        self._rows = array("i", [len(conditions)] + [0] * (3 * len(conditions)))  # scan_plain says what
+        self._follow()
+        self._updated_ms = time.ticks_ms()
         self._told_ms = None  # when a change of health was logged
         self._told = OK
 
@@ -92,28 +101,40 @@ class Failsafe:
             return OK
         passed_ms = time.ticks_diff(now_ms, self._updated_ms)
         self._updated_ms = now_ms
-        due = None
-        for index in range(_TIMED_FROM, _COUNT):
-            due = self._look(index, passed_ms) or due
-        self._set_health(now_ms)
+        held = self._holding() >> _TIMED_FROM
+        self._set_health(held, now_ms)
+        due = self._overdue(held, passed_ms) if held or self._is_counting else None
         if due and due[_LEVEL] > self.level:
             return self._reach(due)
         return OK
 
-    def _look(self, index, passed_ms):
+    def _overdue(self, held, passed_ms):
+        """Count on; return the last condition that holds for long enough, else None. `held` has a bit for each."""
+        if not self._vehicle_words[_ARMED]:
+            if self._is_counting:
+                self._is_counting = False
+                for index in range(len(self._held_ms)):
+                    self._held_ms[index] = _NOT
+            return None
+        self._is_counting = False
+        due = None
+        for index in range(_TIMED_FROM, _COUNT):
+            if held & 1 or self._held_ms[index] != _NOT:
+                due = self._look(index, held & 1, passed_ms) or due
+            held >>= 1
+        return due
+
+    def _look(self, index, holds, passed_ms):
         """Count how long a condition holds; return it if that is long enough, else None."""
         condition = self._conditions[index]
-        holds = self._holds(condition)
-        if holds:
-            self._now = condition[_LEVEL]
-        if not self._vehicle_words[_ARMED]:
-            self._held_ms[index] = _NOT
-            return None
         if self._component.words[condition[_PLACE]] <= condition[_FLOOR]:
+            if self._held_ms[index] != _NOT:
+                self._is_counting = True
             return None
         if not holds:
             self._held_ms[index] = _NOT
             return None
+        self._is_counting = True
         held_ms = self._held_ms[index]
         if held_ms == _NOT:
             held_ms = 0
@@ -130,15 +151,31 @@ class Failsafe:
                 return False
         return held_ms >= limit_ms
 
-    def _holds(self, condition):
-        """Return whether a condition holds; not while the value is unknown."""
-        value = self._component.words[condition[_PLACE]]
-        if value == _UNKNOWN:
-            return False
+    def _holding(self):
+        """Return which conditions hold, a bit for each; not while the value is unknown."""
+        if self._changes != self._vehicle.parameters.changes:
+            self._follow()
+        return holding(self._words, self._rows)
+
+    def _follow(self):
+        """Take over what parameters make of the limits."""
+        self._changes = self._vehicle.parameters.changes
+        rows = self._rows
+        for index in range(len(self._conditions)):
+            condition = self._conditions[index]
+            at = 3 * index + 1
+            rows[at] = condition[_PLACE]
+            limit = self._limit(condition)
+            rows[at + 1] = 0 if limit is None else -1
+            rows[at + 2] = limit or 0
+        self._mixed = self._mixed_up()
+
+    def _limit(self, condition):
+        """Return the limit of a condition, None for one that is switched off."""
         limit = getattr(self._vehicle.parameters, condition[_LIMIT])
         if limit == _OFF:  # switched off
-            return False
-        return value < limit
+            return None
+        return limit
 
     def _reach(self, condition):
         level = condition[_LEVEL]
@@ -159,12 +196,15 @@ class Failsafe:
             return None
         if self._component.words[_WATCHED_AT] == _UNKNOWN:
             return "unhealthy"
-        for condition in self._conditions:
-            if self._holds(condition):
-                return condition[_WHY]
+        held = self._holding()
+        if held:
+            index = 0
+            while not held >> index & 1:
+                index += 1
+            return self._conditions[index][_WHY]
         if self.level:
             return self._reached[_WHY]
-        return self._mixed_up()
+        return self._mixed
 
     def _mixed_up(self):
         """Return which level that is on would not be worse than the one before it, in words, or None."""
@@ -179,9 +219,15 @@ class Failsafe:
         second = getattr(self._vehicle.parameters, worse[_LIMIT])
         return 0 < first <= second
 
-    def _set_health(self, now_ms):
-        health = self._now
-        self._now = OK
+    def _last_level(self, held):
+        """Return the last level of which a condition holds."""
+        index = _COUNT - 1
+        while not held >> index & 1:
+            index -= 1
+        return self._conditions[_TIMED_FROM + index][_LEVEL]
+
+    def _set_health(self, held, now_ms):
+        health = self._last_level(held) if held else OK
         if self._component.words[_WATCHED_AT] == _UNKNOWN:
             health = 2
         self._component.words[_HEALTH_AT] = health

@@ -5,6 +5,7 @@
 import struct
 
 from conversion import to_steps
+from message import keep
 
 # Of each its name, the smallest and the largest steps, numerator and denominator (a value is steps * numerator /
 # denominator), the MAV_PARAM_TYPE that it goes out as, 1 where a new value is used after a restart only, and the steps
@@ -58,11 +59,11 @@ class Parameters:
     """The parameters, at first with their defaults.
 
     An attribute has the steps of each, its name in small letters; set() checks, an attribute that is written does not.
-    `changes` counts what set() has changed.
+    `changes` counts what has changed: whoever keeps something that was made of parameters makes it anew then.
     """
 
     def __init__(self):
-        self.changes = 0
+        keep(self, "changes", 0)
         self._kept = b""  # records of parameters that only another firmware knows
         # Which arming checks are made; 1 is all of them, and none can be left out.
         self.arming_check = 1  # 1: All
@@ -142,6 +143,11 @@ class Parameters:
         self.sr0_ext_stat = 1  # 1 Hz
         # MAVLink system id of the vehicle.
         self.sysid_thismav = 1  # 1
+        keep(self, "changes", 0)
+
+    def __setattr__(self, name, value):
+        keep(self, name, value)
+        keep(self, "changes", self.changes + 1)
 
     def names(self):
         """Return the names in their order; a name's place is the parameter's index."""
@@ -180,8 +186,9 @@ class Parameters:
         if steps is None:
             return False
         if getattr(self, attribute_of(name)) != steps:
+            changes = self.changes
             setattr(self, attribute_of(name), steps)
-            self.changes += 1
+            keep(self, "changes", changes + 1)  # a small port does not ask __setattr__
         return True
 
     def _steps(self, name, value):

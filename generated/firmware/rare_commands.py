@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/rare_commands.py, dialect common: do not edit.
-# Inputs: 43a9af10b6f2931d
+# Inputs: b8c8529c8a8501f9
 """Commands that few ask for; commands.py loads this module with the first of them."""
 
 import parameters
@@ -39,11 +39,7 @@ def _store(vehicle, action):
         return _MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
     for name in own.names():
-        attribute = parameters.attribute_of(name)
-        steps = getattr(fresh, attribute)
-        if getattr(own, attribute) != steps:
-            setattr(own, attribute, steps)
-            own.changes += 1
+        own.set(name, fresh.get(name))
     vehicle.texts("notice: all parameters have their defaults")
     return _MAV_RESULT_ACCEPTED
 

@@ -15,15 +15,27 @@ import telemetry
 from mavlink import Link
 from micropython import const
 
+try:
+    from scan_viper import LATE, LOOK_MS, take_due
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from scan_plain import LATE, LOOK_MS, take_due
+
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
 COMPONENT_ID = 1  # MAV_COMP_ID_AUTOPILOT1
 VERSION = 2
 LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
 
 OFF = -1
-_OFF_MS = const(1000)  # what is off is looked at again then, or when a parameter changes
-_LOOK_MS = const(100)  # no later something is looked at again, as what is watched
+_LOOK_MS = const(100)  # from one look at what is watched to the next
 _FURTHEST_MS = const(1 << 21)  # nothing is due later: the ticks went half round while nobody asked
+_TICKS = const(0x3FFFFFFF)  # they are counted in 30 bits
+
+# Where scan_plain has what of each message, behind what is for all.
+_DUE_MS = const(2)
+_LATE_BY = const(3)
+_PERIOD = const(4)
+_PARTS = const(5)
+_STEP = const(4)
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
 _IDS = (0, 1, 147, 369, 370, 372, 148, 300, 54371)
@@ -146,28 +158,25 @@ class Streams:
         # How many messages may go out in this pass, which all stations of the link share, and how many were left out.
         self._budget = [0x3FFFFFFF, 0] if budget is None else budget
         self._has_waited = False  # whether something is late for that reason
-        now_ms = ticks_ms()
-        self._next_ms = now_ms  # when something is due, or is looked at again
-        self._due_ms = [now_ms] * len(_IDS)
-        self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond; -1: it is off
+        self._next_ms = ticks_ms()  # when something is due, or is looked at again
+        due_ms = self._next_ms & _TICKS
+        self._times = array("i", [len(_IDS), _FURTHEST_MS] + [due_ms, 0, 0, 0] * len(_IDS))  # scan_plain says what
         self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the stream's own rate
         self._asked_hz = array("i", [OFF] * len(_FASTEST_HZ))  # asked for; -1 is the stream's own rate
         self._parameters = state.parameters
         self._changes = state.parameters.changes
         self._steps = self._parameter_steps()
-        # Their periods in milliseconds, as _settle() found them: numerators and denominators, 0 for what is off.
-        self._numerators = array("i", [0] * len(_IDS))
-        self._denominators = array("i", [0] * len(_IDS))
         self._settle_all()
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
         self._is_waiting = False  # whether any of them is
         self._seen = [state.words[_BATTERY_SWAPS_NUMBER[0]], state.words[_BATTERY_SWAPS_NUMBER[1]]]
+        self._looked_ms = self._next_ms
         self.connect()
 
     def wait_ms(self, now_ms):
-        """Return for how long run() and announce() have nothing to do, at most _LOOK_MS."""
+        """Return for how long run() and announce() have nothing to do, at most LOOK_MS."""
         ahead_ms = ticks_diff(self._next_ms, now_ms)
-        if ahead_ms > _LOOK_MS or self._parameters.changes != self._changes or self._is_waiting:
+        if ahead_ms > LOOK_MS or self._parameters.changes != self._changes or self._is_waiting:
             return 0
         return ahead_ms if ahead_ms > 0 else 0
 
@@ -175,22 +184,29 @@ class Streams:
         """Send what is due; call it in every pass of the main loop with ticks_ms(), unless wait_ms() is not 0."""
         if self._parameters.changes != self._changes:
             self._follow_parameters(now_ms)
-        self._look_for_changes()
-        due_ms = self._due_ms
-        wait_ms = _LOOK_MS
+        if not 0 <= ticks_diff(now_ms, self._looked_ms) < _LOOK_MS:
+            self._looked_ms = now_ms
+            self._look_for_changes()
         self._next_ms = now_ms  # also if something raises, or has to wait
-        for index in range(9):
-            ahead_ms = ticks_diff(due_ms[index], now_ms)
-            if ahead_ms <= 0 or ahead_ms > _FURTHEST_MS:
-                if self._budget[0] <= 0:  # what comes first in this order goes first
-                    self._has_waited = True
-                    return
-                self._send_due(index, now_ms)
-                ahead_ms = ticks_diff(due_ms[index], now_ms)
-            if ahead_ms < wait_ms:  # noqa: PLR1730  min() takes longer
-                wait_ms = ahead_ms
-        self._next_ms = ticks_add(now_ms, wait_ms)
+        times = self._times
+        budget = self._budget
+        while True:
+            index = take_due(times, now_ms, budget[0])
+            if index < 0:
+                break
+            if budget[0] <= 0:  # what comes first goes first
+                self._has_waited = True
+                return
+            if index >= LATE:
+                index -= LATE
+                if self._has_waited:
+                    budget[1] += 1
+            if self._is_waiting and not self._is_off(index) and self._is_announced_soon(index):
+                continue
+            budget[0] -= 1
+            _SENDERS[index](_ENCODERS[index], self._state, self._link)
         self._has_waited = False
+        self._next_ms = ticks_add(now_ms, -index)
 
     def connect(self):
         """Let everything be announced that who appears on the link has to know."""
@@ -317,8 +333,9 @@ class Streams:
         shortest_us = 0
         for index in range(len(_IDS)):
             if _IDS[index] == message_id:
-                parts = self._denominators[index]
-                interval_us = self._numerators[index] * 1000 // parts if parts else OFF
+                at = _STEP * index
+                parts = self._times[at + _PARTS]
+                interval_us = self._times[at + _PERIOD] * 1000 // parts if parts else OFF
                 if shortest_us <= 0 or 0 < interval_us < shortest_us:
                     shortest_us = interval_us
         return shortest_us
@@ -357,7 +374,7 @@ class Streams:
         self._changes = self._parameters.changes
         self._settle_all()
         for index in range(len(_IDS)):
-            if self._rest[index] == OFF:  # perhaps it is not any more
+            if self._times[_STEP * index + _LATE_BY] == OFF:  # perhaps it is not any more
                 self._restart(index, now_ms)
         steps = self._parameter_steps()
         if steps[0] != self._steps[0]:
@@ -378,27 +395,9 @@ class Streams:
 
     def _restart(self, index, now_ms):
         self._settle(index)
-        self._due_ms[index] = self._next_ms = now_ms
-        self._rest[index] = 0
-
-    def _send_due(self, index, now_ms):
-        denominator = self._denominators[index]
-        if denominator == 0:
-            self._due_ms[index] = ticks_add(now_ms, _OFF_MS)
-            self._rest[index] = OFF
-            return
-        parts = self._rest[index] + self._numerators[index]
-        due_ms = ticks_add(self._due_ms[index], parts // denominator)
-        if not 0 < ticks_diff(due_ms, now_ms) <= _FURTHEST_MS:  # a pass came too late: no burst to catch up
-            due_ms = ticks_add(now_ms, parts // denominator)
-            if self._has_waited:
-                self._budget[1] += 1
-        self._due_ms[index] = due_ms
-        self._rest[index] = parts % denominator
-        if self._is_waiting and not self._is_off(index) and self._is_announced_soon(index):
-            return
-        self._budget[0] -= 1
-        self._send(index)
+        self._next_ms = now_ms
+        self._times[_STEP * index + _DUE_MS] = now_ms & _TICKS
+        self._times[_STEP * index + _LATE_BY] = 0
 
     def _settle_all(self):
         for index in range(len(_IDS)):
@@ -414,8 +413,8 @@ class Streams:
             denominator = self._asked_hz[stream]
             if denominator < 0:
                 numerator, denominator = self._own_period(stream)
-        self._numerators[index] = numerator
-        self._denominators[index] = denominator
+        self._times[_STEP * index + _PERIOD] = numerator
+        self._times[_STEP * index + _PARTS] = denominator
 
     def _is_chosen(self, index):
         """Return whether the generation of a message is sent without being asked for."""

@@ -80,6 +80,7 @@ def render_firmware(system: System) -> dict[str, str]:
         "clock_viper": plain.ticks and machine_code,
         "polling": bool(system.polled),
         "listening": listens,
+        "scan_viper": machine_code,
         "turns_plain": bool(system.polled),
         "turns_viper": bool(system.polled) and machine_code,
     }

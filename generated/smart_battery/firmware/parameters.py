@@ -5,6 +5,7 @@
 import struct
 
 from conversion import to_steps
+from message import keep
 
 # Of each its name, the smallest and the largest steps, numerator and denominator (a value is steps * numerator /
 # denominator), the MAV_PARAM_TYPE that it goes out as, 1 where a new value is used after a restart only, and the steps
@@ -29,11 +30,11 @@ class Parameters:
     """The parameters, at first with their defaults.
 
     An attribute has the steps of each, its name in small letters; set() checks, an attribute that is written does not.
-    `changes` counts what set() has changed.
+    `changes` counts what has changed: whoever keeps something that was made of parameters makes it anew then.
     """
 
     def __init__(self):
-        self.changes = 0
+        keep(self, "changes", 0)
         self._kept = b""  # records of parameters that only another firmware knows
         # Charge of the full pack.
         self.batt_capacity = 3300  # 3300 mAh
@@ -55,6 +56,11 @@ class Parameters:
         self.compid_batt = 180  # 180
         # MAVLink system id, that of the vehicle that the battery is part of.
         self.sysid_thismav = 1  # 1
+        keep(self, "changes", 0)
+
+    def __setattr__(self, name, value):
+        keep(self, name, value)
+        keep(self, "changes", self.changes + 1)
 
     def names(self):
         """Return the names in their order; a name's place is the parameter's index."""
@@ -93,8 +99,9 @@ class Parameters:
         if steps is None:
             return False
         if getattr(self, attribute_of(name)) != steps:
+            changes = self.changes
             setattr(self, attribute_of(name), steps)
-            self.changes += 1
+            keep(self, "changes", changes + 1)  # a small port does not ask __setattr__
         return True
 
     def _steps(self, name, value):

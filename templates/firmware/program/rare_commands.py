@@ -29,11 +29,7 @@ def _store(vehicle, action):
         return dialect.MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
     for name in own.names():
-        attribute = parameters.attribute_of(name)
-        steps = getattr(fresh, attribute)
-        if getattr(own, attribute) != steps:
-            setattr(own, attribute, steps)
-            own.changes += 1
+        own.set(name, fresh.get(name))
     vehicle.texts("notice: all parameters have their defaults")
     return dialect.MAV_RESULT_ACCEPTED
 

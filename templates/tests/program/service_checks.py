@@ -175,11 +175,13 @@ def _numbers_told(craft, station, number, one):
     place = 10 + MESSAGES[number]["number_at"]
     station.port.frames = []
     station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number, one)
-    before = craft.connections[0].streams._due_ms[:]
+    times = craft.connections[0].streams._times
+    before = [times[at] for at in range(2, len(times), 4)]
     for index in range(len(before)):  # nothing of its own accord meanwhile
-        craft.connections[0].streams._due_ms[index] += 1000000
+        times[2 + 4 * index] = before[index] + 1000000 & 0x3FFFFFFF
     run_passes(craft, 4)
-    craft.connections[0].streams._due_ms[:] = before
+    for index in range(len(before)):
+        times[2 + 4 * index] = before[index]
     found = [frame for frame in station.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == number]
     acks = station.received(messages.CommandAck)
     assert [ack.result for ack in acks] == [ACCEPTED], (number, one, acks)

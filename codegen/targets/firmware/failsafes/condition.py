@@ -4,6 +4,9 @@ from collections.abc import Iterable
 
 from codegen.targets.firmware.failsafes.table import Columns
 
+_SENSE_UNKNOWN = "2  # unknown"
+"""As scan_plain has it."""
+
 
 def ignored(columns: Columns, *, has_silence: bool, has_unknown: bool) -> str:
     """Return the expression that says whether a condition does not count, as its quantity is unknown."""
@@ -21,7 +24,7 @@ def limit_lines(columns: Columns) -> Iterable[str]:
     own = f"getattr(self._vehicle.parameters, {columns('LIMIT')})"
     factor = "" if columns.same.get("FACTOR") == "1" else f" * {columns('FACTOR')}"
     offs = columns.values("OFF")
-    off = [] if offs == {"None"} else [f"if limit == {columns('OFF')}:  # switched off", "    return False"]
+    off = [] if offs == {"None"} else [f"if limit == {columns('OFF')}:  # switched off", "    return None"]
     if not has_amounts:
         yield f"limit = {own}{factor}"
         yield from off
@@ -81,12 +84,24 @@ def inverted(columns: Columns) -> str:
     return f"{'' if offs == {'None'} else off}(second - first) * {columns('SIGN', 'worse')} <= 0"
 
 
-def comparison(columns: Columns) -> str:
-    """Return the comparison of ``value`` with ``limit``, by the signs that conditions have."""
+def follow_lines(columns: Columns, *, has_silence: bool, has_unknown: bool) -> Iterable[str]:
+    """Yield the statements that put a condition into its row of those that scan_plain describes."""
     signs = columns.values("SIGN") - {"0"}
-    if len(signs) == 1:
-        return "value < limit" if signs == {"-1"} else "value > limit"
-    return f"value < limit if {columns('SIGN')} < 0 else value > limit"
+    if has_silence:
+        yield f"if {columns('PLACE')} is None:"
+        yield "    continue"
+    yield "at = 3 * index + 1"
+    yield f"rows[at] = {columns('PLACE')}"
+    if has_unknown and not signs:
+        yield f"rows[at + 1] = {_SENSE_UNKNOWN}"
+        return
+    if has_unknown:
+        yield f"if {columns('SIGN')} == 0:"
+        yield f"    rows[at + 1] = {_SENSE_UNKNOWN}"
+        yield "    continue"
+    yield "limit = self._limit(condition)"
+    yield f"rows[at + 1] = 0 if limit is None else {next(iter(signs)) if len(signs) == 1 else columns('SIGN')}"
+    yield "rows[at + 2] = limit or 0"
 
 
 def guarded(is_needed: bool, place: str, expression: str) -> str:

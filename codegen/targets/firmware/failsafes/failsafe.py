@@ -9,8 +9,8 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafes.arguments import Argument, Settled, arguments_of
 from codegen.targets.firmware.failsafes.condition import (
-    comparison,
     due_lines,
+    follow_lines,
     guarded,
     ignored,
     inverted,
@@ -21,7 +21,7 @@ from codegen.targets.firmware.failsafes.condition import (
 from codegen.targets.firmware.failsafes.table import Columns, condition_rows, inverted_rows, table_lines
 from codegen.targets.firmware.failsafes.text import shows, text_lines
 from codegen.targets.firmware.words import Layout
-from codegen.targets.imports import LINE_LENGTH
+from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
 
 
@@ -53,6 +53,7 @@ class FailsafesView:
     """
 
     failsafes: tuple[FailsafeView, ...]
+    imports: tuple[str, ...]
     columns: tuple[str, ...]
     constants: tuple[str, ...]
     init: str
@@ -66,22 +67,22 @@ class FailsafesView:
     is_ignored: str
     is_over: str
     is_unknown: str
-    is_problem: str
     last_problem: str
     limit: tuple[str, ...]
-    comparison: str
-    place: str
+    follow: tuple[str, ...]
+    words: str
+    shift: str
     level: str
-    sign: str
     due: tuple[str, ...]
     is_due: tuple[str, ...]
-    loops_apart: bool
     why: str
     is_inverted: str
     milder: str
     worse: str
     has_pairs: bool
     timed: str
+    last: str
+    from_timed: str
     text: str
     set_level: str
     no_health: str
@@ -98,6 +99,7 @@ class FailsafesView:
     has_unknown: bool
     has_silence: bool
     has_floor: bool
+    has_slack: bool
     has_recovery: bool
     has_level: bool
     has_health: bool
@@ -128,6 +130,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             _failsafe(failsafe, one, found, columns, layout, measured, has_pairs=not pair)
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
+        imports=either_import("scan", ["holding"], machine_code=system.spec.project.machine_code) if has_values else (),
         columns=tuple(columns.constants),
         constants=(
             *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
@@ -149,16 +152,14 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             found("watched_at"),
             f"self._component.words[{found('watched_at')}] == _UNKNOWN",
         ),
-        is_problem=guarded(has_silence, columns("PLACE"), "self._holds(condition)"),
-        last_problem="self._mixed_up()" if found.has("inverted") else "None",
-        limit=tuple(limit_lines(columns)),
-        comparison=comparison(columns),
-        place=columns("PLACE"),
+        last_problem="self._mixed" if found.has("inverted") else "None",
+        limit=tuple(limit_lines(columns)) if columns.values("LIMIT") else (),
+        follow=tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown)),
+        words='array("i", [0]) if component is None else component.words' if has_silence else "component.words",
+        shift=f" >> {found('timed_from')}" if found.has("timed_from") else "",
         level=columns("LEVEL"),
-        sign=columns("SIGN"),
         due=tuple(due_lines(columns)),
         is_due=tuple(is_due_lines(columns)),
-        loops_apart=not (found.is_same("count") and (found.is_same("timed_from") or not found.has("timed_from"))),
         why=columns("WHY"),
         is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
         milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
@@ -167,6 +168,8 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         timed=f"range({found('timed_from')}, {found('count')})"
         if found.has("timed_from")
         else f"range({found('count')})",
+        last=f"{found('count')} - 1",
+        from_timed=f"{found('timed_from')} + " if found.has("timed_from") else "",
         text=found("text"),
         set_level=_set_level(found),
         no_health=f"{found('health_at')} is None" if found.only_some("health_at") else "",
@@ -185,6 +188,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         has_unknown=has_unknown,
         has_silence=has_silence,
         has_floor=any(failsafe.believed_above is not None for failsafe in failsafes),
+        has_slack=columns.values("SLACK") - {"0"} != set(),
         has_recovery=has_recovery,
         has_level=found.has("level_at"),
         has_health=found.has("health_at"),

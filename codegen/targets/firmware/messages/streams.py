@@ -11,7 +11,7 @@ from codegen.model.vehicle import Stream
 from codegen.targets.firmware.messages.announcements import AnnouncementView, announcements
 from codegen.targets.firmware.messages.sending import SentView, WayView, read_places, sent_view, ways
 from codegen.targets.firmware.words import word_layout
-from codegen.targets.imports import one_by_one
+from codegen.targets.imports import either_import, one_by_one
 from codegen.targets.naming import parameter_attribute
 
 _ROOM = 100
@@ -70,6 +70,7 @@ class StreamsView:
     Nothing is due in more than 2 ** ``furthest_bits`` ms.
     """
 
+    imports: tuple[str, ...]
     system_id: int
     system_parameter: str
     component_id: int
@@ -113,6 +114,7 @@ def streams_view(system: System) -> StreamsView:
     places = [stream.index for stream in streams for _ in stream.messages] + [None] * len(asked)
     parameters = [stream.parameter for stream in streams if stream.parameter]
     return StreamsView(
+        imports=either_import("scan", ["LATE", "LOOK_MS", "take_due"], machine_code=project.machine_code),
         system_id=system.system_id,
         system_parameter=system.system_parameter.name if system.system_parameter else "",
         component_id=system.component_id,
