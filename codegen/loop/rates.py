@@ -37,7 +37,7 @@ def base_rates(jobs: tuple[Job, ...], program: Program) -> Rates:
 def looks_a_second(system: System, program: Program) -> Fraction:
     """Return how often it is looked what streams have to send, over all links: at least so often as one is due."""
     rates = [default_rate(message) for message in streamed(system)]
-    return max([Fraction(LOOK_HZ), *rates, sum(rates) / messages_of_a_pass(program)]) * len(system.links)
+    return max([Fraction(LOOK_HZ), *rates, sum(rates, Fraction(0)) / messages_of_a_pass(program)]) * len(system.links)
 
 
 def frame_rates(system: System, program: Program) -> Rates:

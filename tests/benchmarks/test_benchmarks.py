@@ -91,6 +91,7 @@ def run(script: str, *options: object) -> str:
     return done.stdout
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("script", KEYS)
 def test_everybody_does_the_same(script: str, tmp_path: Path) -> None:
     """Each script ends with an error if the frames, or the values of the messages, differ."""
