@@ -19,6 +19,7 @@ LOOK_US = 100000
 """No later streams look again at what they have; then a pass takes a little more."""
 WARM_UP_US = 500000
 _MOST_PASSES = 400
+_FAR_US = 100000000
 NOTHING = "nothing"
 """The name of what counting itself takes."""
 
@@ -80,9 +81,15 @@ class Plan:
     def find(self, wanted: Callable[[frozenset[str]], bool]) -> int:
         """Return when the next pass is in which such jobs are due, and in which no streams look."""
         at_us = self.now_us
-        while not wanted(self.due_at(at_us)) or (at_us - self.quiet_us) % LOOK_US < self.program.links_us:
+        while not wanted(self.due_at(at_us)) or self.looks_at(at_us):
             at_us += self.program.control_us
+            if at_us > self.now_us + _FAR_US:
+                raise SystemExit("no pass has only what is to be counted")
         return at_us
+
+    def looks_at(self, at_us: int) -> bool:
+        """Return whether streams look again in the pass of a time."""
+        return LINKS in self.due_at(at_us) and (at_us - self.quiet_us) % LOOK_US < self.program.links_us
 
     def next_links(self) -> None:
         """Have all passes before the next one in which as little as possible is due beside links."""
