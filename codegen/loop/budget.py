@@ -114,7 +114,7 @@ def loop_budget(system: System) -> LoopBudget | None:
     most = max(busiest_works(system, program), key=costs.instructions)
     around = _Around(jobs, due_work(system, program), most, costs, timing)
     slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, system, program)]
-    base = base_rates(jobs, program)
+    base = base_rates(jobs, system, program)
     return LoopBudget(
         program.control_us,
         timing,
