@@ -27,6 +27,7 @@ from population.comparing import Outcome  # noqa: E402 - as above
 from population.section import section  # noqa: E402 - as above
 from population.whole import prove_all  # noqa: E402 - as above
 
+from codegen.load.files import DISK  # noqa: E402 - as above
 from codegen.load.shipped import shipped_dialect_names  # noqa: E402 - as above
 
 KINDS = {
@@ -238,7 +239,7 @@ def main() -> int:
     parser.add_argument("--population", action="store_true", help="only what tables populate")
     parser.add_argument("--write", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
     arguments = parser.parse_args()
-    names = shipped_dialect_names()
+    names = shipped_dialect_names(DISK)
     if arguments.population:
         if arguments.write or arguments.dialects:
             parser.error("--population is for itself")

@@ -145,11 +145,10 @@ def _modules(script: str, folder: Path) -> list[Path]:
     if script == "codec":
         codec = folder / "codec"
         return [codec if codec.exists() else measure.codec(codec, "BATTERY_STATUS")]
-    generated = folder / ("fields" if script == "fields" else "rover") / "generated"
+    generated = measure.ROOT / "generated"  # the rover, which `codegen build --check` holds to its specification
     if script == "fields":
+        generated = folder / "fields" / "generated"
         measure.project(measure.HERE / "fields", generated.parent)
-    elif not generated.exists():
-        measure.rover(generated.parent)
     return [generated / "firmware", generated / "mocks"]
 
 

@@ -7,7 +7,7 @@ import shutil
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import measure
@@ -48,11 +48,13 @@ def figures(quick: bool) -> list[Figure]:
         os.environ["CODEGEN_CACHE"] = str(folder / "cache")
         _compile()
         fresh = _numbered(folder)
+        mavgen = partial(_mavgen, fresh, "common")
+        mavgen = cache(mavgen) if quick else mavgen  # one run of it shows that it runs
         return [
-            *_codecs(fresh, rounds, quick),
+            *_codecs(fresh, mavgen, rounds, quick),
             *_codec_on_disk(rounds),
-            *_rover(folder, fresh, rounds),
-            *reviewing.figures(folder, fresh, partial(_mavgen, fresh, "common"), _first_run, rounds),
+            *_rover(folder, fresh, mavgen, rounds),
+            *reviewing.figures(folder, fresh, mavgen, _first_run, rounds),
             *_starts(folder, rounds * 2),
             *_growth(folder, fresh, rounds, quick),
         ]
@@ -122,14 +124,14 @@ def _best(contestants: dict[str, Callable[[], Weighed]], rounds: int) -> tuple[d
     return measure.best({name: partial(seconds, name) for name in contestants}, rounds), memory
 
 
-def _codecs(fresh: Iterator[Path], rounds: int, quick: bool) -> list[Figure]:
+def _codecs(fresh: Iterator[Path], mavgen: Callable[[], Weighed], rounds: int, quick: bool) -> list[Figure]:
     """All messages of a dialect, by both."""
     found = []
     for dialect in DIALECTS[: 1 if quick else None]:
         contestants = {
             "codegen": partial(_codec, fresh, dialect),
             "first codegen": partial(_first_codec, fresh, dialect),
-            "mavgen": partial(_mavgen, fresh, dialect),
+            "mavgen": mavgen if dialect == "common" else partial(_mavgen, fresh, dialect),
             "hasty mavgen": partial(_mavgen, fresh, dialect, "--no-validate"),
         }
         times, memory = _best(contestants, rounds)
@@ -161,7 +163,7 @@ def _codec_on_disk(rounds: int) -> list[Figure]:
     return [Figure("codec_common_on_disk_over_mavgen", what, "mavgen.py", times["codegen"] / times["mavgen"], most=0.9)]
 
 
-def _rover(folder: Path, fresh: Iterator[Path], rounds: int) -> list[Figure]:
+def _rover(folder: Path, fresh: Iterator[Path], mavgen: Callable[[], Weighed], rounds: int) -> list[Figure]:
     """The rover from nothing, without a change, and after a change of one number."""
     first = measure.rover_specs(folder / "rover")
     build = [measure.tool("codegen"), "build"]
@@ -194,7 +196,7 @@ def _rover(folder: Path, fresh: Iterator[Path], rounds: int) -> list[Figure]:
         "unchanged": unchanged,
         "edited": edited,
         "edited_first": first_edit,
-        "mavgen": partial(_mavgen, fresh, "common"),
+        "mavgen": mavgen,
     }
     times, _ = _best(contestants, rounds)
     what = {

@@ -6,9 +6,11 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common
 
-from codegen.loop.frames import due_work, message_work
+from codegen.loop.frames import due_work, message_work, streamed
+from codegen.loop.grid import slots
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
+from codegen.loop.pass_share import messages_of_a_pass
 from codegen.model.program import LinkKind, Program
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import QuantityKind
@@ -17,6 +19,7 @@ LOOK_US = 100000
 """No later streams look again at what they have; then a pass takes a little more."""
 WARM_UP_US = 500000
 _MOST_PASSES = 400
+_FAR_US = 100000000
 NOTHING = "nothing"
 """The name of what counting itself takes."""
 
@@ -45,6 +48,8 @@ class Plan:
     def __post_init__(self) -> None:
         """Begin with everything known that can be known, and with a ground station that is heard."""
         self.jobs: tuple[Job, ...] = loop_jobs(self.system, self.program)
+        self.slot = slots(self.jobs, self.system, self.program)
+        self.slots: list[frozenset[str]] = []
         self.datagrams = any(link.kind is LinkKind.UDP for link in self.system.links)
         kinds = {self.due_at(self.program.control_us * number) for number in range(1, 4000)}
         self.links_alone = min((kind for kind in kinds if LINKS in kind), key=len)
@@ -62,9 +67,11 @@ class Plan:
         return {"control_us": self.program.control_us, "datagrams": self.datagrams, "steps": self.steps}
 
     def due_at(self, now_us: int) -> frozenset[str]:
-        """Return the names of the jobs that are due in the pass of a time, with the first pass at 0."""
-        earlier_us = now_us - self.program.control_us
-        return frozenset(job.name for job in self.jobs if now_us // job.period_us > earlier_us // job.period_us)
+        """Return the names of the jobs that have their turn in the pass of a time, with the first pass at 0."""
+        number = now_us // self.program.control_us
+        while len(self.slots) <= number:
+            self.slots.append(frozenset(job.name for job in next(self.slot)))
+        return self.slots[number]
 
     def go(self, until_us: int) -> None:
         """Have all passes before a time."""
@@ -74,9 +81,15 @@ class Plan:
     def find(self, wanted: Callable[[frozenset[str]], bool]) -> int:
         """Return when the next pass is in which such jobs are due, and in which no streams look."""
         at_us = self.now_us
-        while not wanted(self.due_at(at_us)) or (at_us - self.quiet_us) % LOOK_US < self.program.links_us:
+        while not wanted(self.due_at(at_us)) or self.looks_at(at_us):
             at_us += self.program.control_us
+            if at_us > self.now_us + _FAR_US:
+                raise SystemExit("no pass has only what is to be counted")
         return at_us
+
+    def looks_at(self, at_us: int) -> bool:
+        """Return whether streams look again in the pass of a time."""
+        return LINKS in self.due_at(at_us) and (at_us - self.quiet_us) % LOOK_US < self.program.links_us
 
     def next_links(self) -> None:
         """Have all passes before the next one in which as little as possible is due beside links."""
@@ -141,9 +154,9 @@ class Plan:
             looked = {Part.JOBS: 1, Part.JOB: len(self.jobs) + number, Part.CALL: calls}
             self.count(f"{number} empty jobs", "empty jobs", Work({Part.PASS: 1, **looked}))
 
-    def count_messages(self, *, all_only: bool = False) -> None:
-        """Count passes in which one message is due, and one in which all of them are."""
-        for number in () if all_only else sorted({message.wire.id for message in self.system.messages}):
+    def count_messages(self) -> None:
+        """Count passes in which one message is due, and one in which all of them are, where a pass sends so many."""
+        for number in sorted({message.wire.id for message in self.system.messages}):
             tables = [message for message in self.system.messages if message.wire.id == number]
             self.look_around()
             self.next_links()
@@ -152,10 +165,12 @@ class Plan:
             self.count(f"message {number}", "frames", sum((self.sent(table) for table in tables), work), "links")
             self.steps.append(["interval", number, -1])
             self.silence()
+        if messages_of_a_pass(self.program) < len(streamed(self.system)):
+            return
         self.look_around()
         self.next_links()
         self.intervals(0)
-        self.count("all messages", "frames", due_work(self.system), "links")
+        self.count("all messages", "frames", due_work(self.system, self.program), "links")
         self.silence()
 
     def sent(self, message: PopulatedMessage) -> Work:

@@ -57,7 +57,10 @@ class Mutant:
 
 
 def mutants_of(file: str, text: str) -> list[Mutant]:
-    """All of a module, in the order of its text; none in annotations, defaults of types, or docstrings."""
+    """All of a module, in the order of its text; none in annotations, decorators, defaults of types, or docstrings.
+
+    Neither are what only type checkers see, and whether ``zip`` checks lengths that are the same.
+    """
     maker = _Maker(file, text)
     maker.visit(ast.parse(text))
     return sorted(set(maker.found), key=lambda each: (each.start, each.new))
@@ -137,6 +140,8 @@ class _Maker(ast.NodeVisitor):
         self.generic_visit(node)
 
     def visit_If(self, node: ast.If) -> None:
+        if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+            return
         start, end = self._span(node.test)
         self._put(start, end, f"not ({' '.join(self._text[start:end].split())})")
         self.generic_visit(node)
@@ -152,6 +157,18 @@ class _Maker(ast.NodeVisitor):
         if isinstance(target, ast.Attribute | ast.Subscript):
             self._put(*self._span(node), "pass")
         self.generic_visit(node)
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> None:
+        if node.value is not None:
+            self.visit(node.value)
+
+    def visit_keyword(self, node: ast.keyword) -> None:
+        if node.arg != "strict":
+            self.visit(node.value)
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> None:
+        for each in node.body:
+            self.visit(each)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
         for each in [*node.args.defaults, *filter(None, node.args.kw_defaults), *node.body]:

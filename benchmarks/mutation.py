@@ -19,14 +19,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from queue import Queue
 
-import yaml
+from equivalents import fault_of, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
 from quality_results import store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
-EQUIVALENTS = ROOT / "benchmarks" / "equivalents.yaml"
 LONGEST_S = 240
 """What takes longer hangs, which is noticed, too; the suite takes some 40 s."""
 
@@ -45,9 +44,9 @@ def main() -> int:
     firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
     texts = {path.name: path.read_text() for path in sorted(firmware.glob("*.py")) if arguments.only in path.stem}
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
-    equivalent = _equivalents(texts)
+    equivalent = listed(texts)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
-    tried = [mutant for mutant in drawn if _key(mutant, texts) not in equivalent]
+    tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
     )
@@ -66,21 +65,6 @@ def main() -> int:
         modules = {name: [noticed[name], all_[name]] for name in sorted(all_)}
         store("mutation", arguments.program, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
-
-
-def _key(mutant: Mutant, texts: dict[str, str]) -> tuple[str, str, str, str]:
-    return mutant.file, mutant.line_in(texts[mutant.file]), " ".join(mutant.old.split()), mutant.new
-
-
-def _equivalents(texts: dict[str, str]) -> set[tuple[str, str, str, str]]:
-    """Those that the list names; an entry about a line that is gone is a fault of the list."""
-    found = set()
-    for entry in yaml.safe_load(EQUIVALENTS.read_text()) or ():
-        module, line = entry["module"], entry["line"]
-        if module in texts and line not in map(str.strip, texts[module].splitlines()):
-            raise SystemExit(f"{EQUIVALENTS}: {module} has no line {line!r} any more")
-        found.add((module, line, str(entry["old"]), str(entry["new"])))
-    return found
 
 
 @contextmanager

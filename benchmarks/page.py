@@ -13,6 +13,7 @@ TITLES = {
     "generator": "The generator",
     "size": "What it takes on a board",
     "heap": "The heap of the whole program",
+    "simulation": "The simulation",
 }
 """The benchmarks in the order of the page: the name of each script, and its heading."""
 
@@ -22,8 +23,9 @@ INTRODUCTION = """\
 <!-- Written by benchmarks/report.py (make benchmarks) from benchmarks/results: a change by hand does not last. -->
 
 Every figure is a ratio of two runs on one and the same computer, a number of instructions, or a number of bytes; times
-of one computer would say nothing about another. Contestants take turns, and the best of several rounds counts. Before
-anything is timed, all contestants have to make the same bytes, or find the same values.
+of one computer would say nothing about another, and only how fast the simulation is has to be one. Contestants take
+turns, and the best of several rounds counts. Before anything is timed, all contestants have to make the same bytes, or
+find the same values.
 
 "Machine code" is what the codec and the firmware have by default, "bytecode" is `codegen codec --bytecode` and
 `machine_code: false`. MicroPython is its unix port on a 64-bit computer, with a heap of 512 KiB; no board was measured.

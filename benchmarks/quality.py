@@ -143,6 +143,14 @@ suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with th
 
 {mutation}
 
+## Faults that the tests of the generator notice
+
+`make generator-mutation` puts faults of the same kinds into folders of `codegen/`, and runs the tests that reach the
+line, first those that reach most of its module, for some minutes a fault. Which lines a file of tests reaches is
+measured by coverage. What is left out is listed in `benchmarks/equivalents.yaml`, too.
+
+{generator}
+
 ## Inputs with faults
 
 `make fuzz` gives codegen inputs with faults of bytes, lines, YAML nodes, XML elements, tables and paths, and judges
@@ -168,6 +176,7 @@ def page(found: dict[str, dict[str, Found]]) -> str:
     """Return the page about what is stored."""
     counts = found["counts"]
     criteria_by = counts["criteria"]["by"]
+    mutation = found.get("mutation", {})
     return TEXT.format(
         all_tests=sum(counts["tests"].values()),
         tests=_table(("folder", "tests"), [(f"`{name}`", number) for name, number in counts["tests"].items()]),
@@ -178,7 +187,10 @@ def page(found: dict[str, dict[str, Found]]) -> str:
         documents=counts["criteria"]["documents"],
         all_criteria=sum(criteria_by.values()),
         criteria=_table(("shown by", "criteria"), sorted(criteria_by.items())),
-        mutation=_mutation(found.get("mutation", {})),
+        mutation=_mutation("program", {key: each for key, each in mutation.items() if not key.startswith("codegen/")}),
+        generator=_mutation(
+            "folder", {f"`{key}/`": each for key, each in mutation.items() if key.startswith("codegen/")}
+        ),
         fuzz=_table(
             ("run", "inputs", "clean (0)", "findings (1)", "unreadable (2)", "faults"),
             [
@@ -201,12 +213,12 @@ def _by_seed(runs: dict[str, Found]) -> list[tuple[str, Found]]:
     return sorted(runs.items(), key=lambda run: int(run[0]))
 
 
-def _mutation(programs: dict[str, Found]) -> str:
+def _mutation(what: str, parts: dict[str, Found]) -> str:
     rows: list[tuple[object, ...]] = []
-    for program, each in programs.items():
+    for part, each in parts.items():
         noticed, tried = (sum(pair[index] for pair in each["modules"].values()) for index in (0, 1))
-        rows.append((program, each["seed"], tried, noticed, f"{100 * noticed / max(1, tried):.0f} %"))
-    return _table(("program", "seed", "faults", "noticed", "share"), rows)
+        rows.append((part, each["seed"], tried, noticed, f"{100 * noticed / max(1, tried):.0f} %"))
+    return _table((what, "seed", "faults", "noticed", "share"), rows)
 
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[object, ...]]) -> str:

@@ -31,7 +31,7 @@ class Rule:
 
     @property
     def standing(self) -> str:
-        """What kind of finding it makes, in a few words."""
+        """Return what kind of finding it makes, in a few words."""
         return str(self.severity)
 
 
@@ -54,7 +54,7 @@ class Diagnostic:
 
     @property
     def is_error(self) -> bool:
-        """Whether it stops a build, or makes a check fail."""
+        """Return whether it stops a build, or makes a check fail."""
         return self.rule.severity is Severity.ERROR and self.waived is None
 
 
@@ -86,7 +86,7 @@ class Report:
 
     @property
     def has_errors(self) -> bool:
-        """Whether anything was found that must stop the build."""
+        """Return whether anything was found that must stop the build."""
         return any(found.is_error for found in self._diagnostics)
 
     @property

@@ -116,7 +116,7 @@ def _slots(cls: Any) -> list[_Slot]:
 
 
 def _is_filled(cls: Any, made: object, values: tuple[Any, ...], named: dict[str, Any]) -> bool:
-    """Whether the arguments are those of the class; then they are in the slots of the object.
+    """Return whether the arguments are those of the class; then they are in the slots of the object.
 
     Any others are left to the function that is compiled, which says what is wrong with them.
     """

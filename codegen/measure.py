@@ -52,7 +52,7 @@ def unknown_field_unit(field: WireField) -> Diagnostic:
 
 
 def obstacle(unit: Unit, other: Unit) -> str | None:
-    """What lies between two units of one dimension beside a factor, in words; None where nothing else does."""
+    """Return what lies between two units of one dimension beside a factor, in words; None where nothing else does."""
     found = conversion(unit, other)
     if found is None or found.ratio is not None:
         return None

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import uuid
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -63,8 +64,9 @@ OTHER_DRAFTS = pytest.StashKey[int]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marker known."""
+    """Make the markers known."""
     config.addinivalue_line("markers", "draft(*overlays): what the test expects holds while specs/ list these overlays")
+    config.addinivalue_line("markers", "long: begins first where several processes share the tests")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -79,6 +81,23 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if others:
         config.hook.pytest_deselected(items=others)
         items[:] = [item for item in items if item not in set(others)]
+    if hasattr(config, "workerinput"):
+        items[:] = long_first(items, config.workerinput["workercount"])
+
+
+def long_first(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
+    """Let each worker of xdist begin with its share of the long tests, so that none is left when the others are done.
+
+    A worker gets as many tests in a row as another at first, and then some of those that another one has not begun.
+    """
+    long = [item for item in items if item.get_closest_marker("long") or item.get_closest_marker("days")]
+    chosen = set(long)
+    others = iter([item for item in items if item not in chosen])
+    shared: list[pytest.Item] = []
+    for worker in range(workers):
+        shared += long[worker::workers]
+        shared += islice(others, len(items) * (worker + 1) // workers - len(shared))
+    return [*shared, *others]
 
 
 @pytest.hookimpl(optionalhook=True)

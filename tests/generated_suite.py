@@ -15,8 +15,11 @@ ALONE = {**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 def run_suite(
     folder: Path, *tests: str, options: tuple[str, ...] = (), micropython: Path | None = None
 ) -> "subprocess.CompletedProcess[str]":
-    """Run tests of a suite, with another MicroPython than theirs if that is given; paths are relative to ``folder``."""
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *tests]
+    """Run tests of a suite, with another MicroPython than theirs if that is given; paths are relative to ``folder``.
+
+    No suite logs anything: to watch for it is a tenth of what a thousand tests take.
+    """
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:logging", *options, *tests]
     environment = {**ALONE, "MICROPYTHON": str(micropython)} if micropython else ALONE
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)
 

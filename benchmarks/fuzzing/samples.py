@@ -89,8 +89,9 @@ def _project(name: str, folder: Path) -> Sample:
 
 
 def _dialect(name: str) -> Sample:
+    from codegen.load.files import DISK  # noqa: PLC0415  for whoever needs the projects alone
     from codegen.load.shipped import shipped_dialect_path  # noqa: PLC0415  for whoever needs the projects alone
 
-    path = shipped_dialect_path(name)
+    path = shipped_dialect_path(name, DISK)
     assert path is not None
     return Sample(f"dialect {name}", {f"{name}.xml": Path(path).read_bytes()})

@@ -44,15 +44,15 @@ class ChipAnswer(KindOfAnswer):
         return cls(covers, UNIQUE_ID)
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """What the mocked board makes of it."""
+        """Return what the mocked board makes of it."""
         return (MOCK_CHIP.hex()[: self.covers.field.count],)
 
     def statements(self, code: PayloadCode) -> list[str]:
-        """What the board was asked for at the start."""
+        """Return what the board was asked for at the start."""
         return [f"# {self.covers.label}: number of the chip ({self.covers.citation})", *code.chip(self.covers)]
 
     def words(self) -> Words:
-        """What it is, and how it is written."""
+        """Return what it is, and how it is written."""
         return Words("number of the chip", "in hex")
 
     def way(self, origins: Origins) -> Iterator[Step]:
@@ -61,7 +61,7 @@ class ChipAnswer(KindOfAnswer):
         yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """What it is."""
+        """Yield what it is."""
         yield Trait("source", f"text {self.source}", Aspect.SOURCE)
 
     @property

@@ -90,7 +90,9 @@ class ClockAnswer(KindOfAnswer):
 
     @property
     def beside(self) -> int:
-        """What goes out in its place: the step before the last number of the type, or else the one farther from 0."""
+        """Return what goes out in its place: the step before the last number of the
+        type, or else the one farther from 0.
+        """
         hole, last = self.hole or 0, self.covers.field.type.maximum
         return hole - 1 if hole == last or self.covers.field.type.minimum < hole < 0 else hole + 1
 
@@ -149,7 +151,7 @@ class ClockAnswer(KindOfAnswer):
         return f"# {covers.label} [{covers.field.unit_text}]: {self.words().source} ({covers.citation})"
 
     def words(self) -> Words:
-        """Which clock, and that it wraps."""
+        """Return which clock, and that it wraps."""
         since = "the start" if self.source.name == BOOT else "1970"
         passed = "" if self.hole is None else f", {self.hole} -> {self.beside}"
         return Words(f"time since {since}", f"whole {self.covers.field.unit_text}", f"wraps as the field does{passed}")
@@ -163,7 +165,7 @@ class ClockAnswer(KindOfAnswer):
             yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """Which clock, its unit, and the sentinel."""
+        """Yield which clock, its unit, and the sentinel."""
         yield Trait("source", f"{CLOCK}: {self.source.name}", Aspect.SOURCE)
         yield Trait("conversion", f"whole units of {self.microseconds} us", Aspect.CONVERSION)
         unknown = "" if self.unknown is None else shown_value(self.unknown)

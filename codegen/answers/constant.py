@@ -71,7 +71,7 @@ def _text(written: str | Fraction, field: WireField, place: Place, report: Repor
 
 
 def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place, report: Report) -> int | float | None:
-    """What is on the wire for a number in the units of the field, or an amount; whole, or the nearest float."""
+    """Return what is on the wire for a number in the units of the field, or an amount; whole, or the nearest float."""
     if not field.type.is_integer:
         if isinstance(written, Fraction):
             return float(written / field.multiplier)
@@ -91,7 +91,7 @@ def _shown(written: str | Fraction) -> str:
 
 
 def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:
-    """Whether the field holds ``value`` by its type, minValue and maxValue; a finding if not."""
+    """Return whether the field holds ``value`` by its type, minValue and maxValue; a finding if not."""
     field = covers.field
     of_type = (field.type.minimum, field.type.maximum) if field.type.is_integer else (-math.inf, math.inf)
     stated = dialect_bounds(field)

@@ -53,7 +53,7 @@ class CopiedAnswer(LiveAnswer):
 
     @classmethod
     def of(cls, taken: Taken, covers: Elements, scope: Scope, *, is_known: bool = False) -> "CopiedAnswer | None":
-        """What is made of a source that fits; ``is_known``: what is unknown does not come here."""
+        """Return what is made of a source that fits; ``is_known``: what is unknown does not come here."""
         source, field = taken.source, covers.field
         assert isinstance(source, Quantity)
         is_same = source.storage.is_float != field.type.is_integer

@@ -69,7 +69,7 @@ class CountAnswer(KindOfAnswer):
         return [f"# {covers.label}: {self.words().source} ({covers.citation})", *code.store(covers, self.count)]
 
     def words(self) -> Words:
-        """What is counted."""
+        """Return what is counted."""
         return Words(f"how many of {self.component} there are", f"= {self.count}")
 
     def way(self, origins: Origins) -> Iterator[Step]:
@@ -78,7 +78,7 @@ class CountAnswer(KindOfAnswer):
         yield Step("board", words.source, (words.conversion,), (str(self.covers.citation),))
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """What is counted, and the number."""
+        """Yield what is counted, and the number."""
         yield Trait("source", f"how many of {self.component} there are", Aspect.SOURCE)
         yield Trait("value", str(self.count), Aspect.CONSTANT)
 

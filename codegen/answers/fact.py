@@ -103,7 +103,7 @@ class FactAnswer(KindOfAnswer):
 
     @property
     def tells_apart(self) -> bool:
-        """Whether no two instances have the same."""
+        """Return whether no two instances have the same."""
         return len({part.fixed for part in self.parts}) == len(self.parts)
 
     def is_fact(self, component: Component) -> bool:

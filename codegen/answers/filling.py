@@ -29,7 +29,7 @@ def read(code: PayloadCode, source: Quantity | Parameter, element: str = "") -> 
 
 
 def stand_in(source: Quantity | Parameter) -> list[str]:
-    """What a quantity that has a value at all times is while it is unknown."""
+    """Return what a quantity that has a value at all times is while it is unknown."""
     initial = source.initial if isinstance(source, Quantity) else None
     return [] if initial is None else [f"if value == {UNKNOWN}:", f"    value = {initial}  # until it is set"]
 

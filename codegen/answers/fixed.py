@@ -56,7 +56,7 @@ class FixedAnswer(KindOfAnswer):
 
     @property
     def constants(self) -> tuple[Value, ...]:
-        """What is stated; nothing where that is unknown."""
+        """Return what is stated; nothing where that is unknown."""
         return () if self.is_unknown else self.fixed
 
     @property
@@ -96,7 +96,7 @@ class FixedAnswer(KindOfAnswer):
         ]
 
     def words(self) -> Words:
-        """What it means, and the values."""
+        """Return what it means, and the values."""
         shown = list(dict.fromkeys(map(shown_value, self.fixed)))
         if len(shown) > 1:
             shown = [shown_value(value) for value in self.fixed]

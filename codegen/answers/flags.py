@@ -113,7 +113,7 @@ class FlagsAnswer(KindOfAnswer):
         return Words(FLAGS.join(flags) or "no flag", always)
 
     def way(self, origins: Origins) -> Iterator[Step]:
-        """What is always set, then each condition."""
+        """Yield what is always set, then each condition."""
         if self.names or not self.conditional:
             own = (str(self.covers.citation),)
             yield Step("table", f"always {FLAGS.join(self.names) or 'no flag'}", (f"= {self.mask:#x}",), own)

@@ -25,7 +25,7 @@ class KindOfAnswer(Answer):
     @classmethod
     @abstractmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
-        """Whether an answer is of this kind, as it is written; of several kinds the first one counts."""
+        """Return whether an answer is of this kind, as it is written; of several kinds the first one counts."""
 
     @classmethod
     @abstractmethod

@@ -5,7 +5,8 @@ from codegen.model.dialect.dialect import Kind, SentinelForm
 
 
 def carries_text(covers: Elements) -> bool:
-    """Whether a field takes a text: one of characters, or all of an array of bytes that are no numbers of something.
+    """Return whether a field takes a text: one of characters, or all of an array of bytes that are no numbers of
+    something.
 
     The dialect has such as CAMERA_INFORMATION.vendor_name, a ``uint8_t[32]``.
     """
@@ -18,7 +19,7 @@ def carries_text(covers: Elements) -> bool:
 
 
 def says_unknown(covers: Elements) -> bool:
-    """Whether the empty text means unknown in a field: its first element is 0, by the dialect."""
+    """Return whether the empty text means unknown in a field: its first element is 0, by the dialect."""
     sentinel = covers.field.sentinel
     if sentinel is None or sentinel.values[0] != 0:
         return False

@@ -46,7 +46,7 @@ class Bounds:
     high: Fraction | None
 
     def within(self, other: "Bounds") -> "Bounds":
-        """What both allow."""
+        """Return what both allow."""
         lows = [low for low in (self.low, other.low) if low is not None]
         highs = [high for high in (self.high, other.high) if high is not None]
         return Bounds(max(lows, default=None), min(highs, default=None))

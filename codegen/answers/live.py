@@ -75,7 +75,7 @@ class LiveAnswer(KindOfAnswer):
 
     @classmethod
     def of(cls, taken: Taken, covers: Elements, scope: Scope, *, is_known: bool = False) -> "LiveAnswer | None":
-        """What is made of a source that fits; ``is_known``: what is unknown does not come here."""
+        """Return what is made of a source that fits; ``is_known``: what is unknown does not come here."""
         source, report = taken.source, scope.report
         sentinel = covers.field.sentinel.values[covers.first] if covers.field.sentinel else None
         may_be_unknown = isinstance(source, Quantity) and source.initial is None and not is_known
@@ -127,7 +127,7 @@ class LiveAnswer(KindOfAnswer):
 
     @property
     def _is_long(self) -> bool:
-        """Whether a float needs numbers of several words on the way.
+        """Return whether a float needs numbers of several words on the way.
 
         One of 32 bits does without while value times numerator, and the shifted rest of the division by the
         denominator, fit a board's small integers.

@@ -52,7 +52,7 @@ class PageAnswer(KindOfAnswer):
         return [words, *code.store(self.covers, f"page * {self.size}")]
 
     def words(self) -> Words:
-        """What it counts, and in which steps."""
+        """Return what it counts, and in which steps."""
         return Words("number of the first value", f"{self.size} on a page")
 
     def way(self, origins: Origins) -> Iterator[Step]:
@@ -61,5 +61,5 @@ class PageAnswer(KindOfAnswer):
         yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """What it counts, and in which steps."""
+        """Yield what it counts, and in which steps."""
         yield Trait("source", f"number of the first value of a page of {self.size}", Aspect.SOURCE)

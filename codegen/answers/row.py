@@ -117,7 +117,7 @@ class RowAnswer(KindOfAnswer):
         return any(part.withholds for part, _, _ in self.parts)
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """What each value becomes."""
+        """Return what each value becomes."""
         if self.whole is not None and not is_known(self.source, known):
             return (self.whole, *[0] * (self.covers.count - 1))
         kept = known[self.source.path]
@@ -188,7 +188,7 @@ class RowAnswer(KindOfAnswer):
             yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """Which value is in which element, and all that is to say of it."""
+        """Yield which value is in which element, and all that is to say of it."""
         part = next((part for part, first, end in self.parts if first <= position < end), self.parts[-1][0])
         shift = f" - {self.covers.first}" if self.covers.first else ""
         yield Trait("source", f"value i{shift} of {self.source.path} in element i", Aspect.SOURCE)

@@ -132,7 +132,9 @@ def property_cases(quantity: Quantity, plain: Known) -> Iterator[StateCase]:
 
 
 def to_unit(source: Quantity, scaling: Scaling) -> Fraction:
-    """What a number on the wire is multiplied with to get the unit of the quantity: ``steps`` stored make one unit."""
+    """Return what a number on the wire is multiplied with to get the unit of the
+    quantity: ``steps`` stored make one unit.
+    """
     return 1 / (scaling.factor * source.steps)
 
 

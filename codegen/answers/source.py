@@ -34,7 +34,7 @@ class Taken:
 
 
 def take(covers: Elements, scope: Scope) -> Taken | None:
-    """What ``state`` or ``parameter`` names; None after a finding."""
+    """Return what ``state`` or ``parameter`` names; None after a finding."""
     written = covers.written
     source: Quantity | Parameter | None
     if written.state is not None:
@@ -87,7 +87,7 @@ def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
 
 
 def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str, report: Report) -> Fraction | None:
-    """What one stored step is in wire units."""
+    """Return what one stored step is in wire units."""
     if isinstance(source, Quantity) and source.kind is not QuantityKind.NUMBER:
         return Fraction(1)
     kept, step = (source.unit, source.step) if isinstance(source, Parameter) else (source.stored, Fraction(1))

@@ -83,7 +83,7 @@ class TextAnswer(KindOfAnswer):
         return self.quantities if self.withholds else ()
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """What is left of the text."""
+        """Return what is left of the text."""
         return (cut(kept_text(self.source, known) or "", self.size),)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:

@@ -66,7 +66,7 @@ class Reference:
     rates: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
     systems: tuple[System, ...] = ()
     overlays: tuple[str, ...] = ()
-    others: Mapping[str, "Callable[[], Reference | None]"] = field(default_factory=dict)
+    others: Mapping[str, "Callable[..., Reference | None]"] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +154,11 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
     path = os.path.abspath(path)
     prose = decoded("prose", text, path, lambda _: read_prose(text, path), Report())
     assert prose is not None  # every text is Markdown
+    return read_parts(text, prose, reference)
+
+
+def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
+    """The same of a text whose Markdown has been read: ``prose``."""
     quoted = reduce(add, (quoted_definitions(code) for code in prose.code), Quoted())
     enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)

@@ -76,38 +76,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
-    """What was measured; None after a finding."""
+    """Say what is done meanwhile, and return what was measured; None after a finding."""
     from codegen.cli.progress import working
-    from codegen.commands.bench import facts_for_bench
-    from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
-    from codegen.source import Place
+    from codegen.commands.bench import is_deployed, measure
 
     board, prepared = looked_at(connection, system, report)
-    if prepared is None:
+    if prepared is None or not is_deployed(prepared, connection.port, report):
         return None
-    if not prepared.plan.is_empty:
-        names = [*prepared.plan.copies, *(each.path for each in prepared.plan.removals)]
-        others = f" and {len(names) - 1} more" if len(names) > 1 else ""
-        message = f"the board has not what the specification makes now: {names[0]}{others}"
-        report.add(NOT_DEPLOYED, Place(connection.port), message, "codegen deploy")
-        return None
-    facts, inputs = facts_for_bench(system)
-    prepare_bench(connection, facts)
-    lines: list[list[object]] = []
     with working("measuring on the board") as now:
-        for name, call in steps(facts, seconds):
-            now(name)
-            lines += _lines(connection.run(call))
-    found = measured(iter(lines), seconds, has_loop=bool(facts["program"]))
-    about = {"project": system.spec.project.project, "program": system.spec.program, "inputs": inputs}
-    return record_of(board, about, found, prepared.files, own_ports=bool(facts["own_ports"]))
-
-
-def _lines(printed: str) -> list[list[object]]:
-    """What the self-test has printed, among what the program may print."""
-    import json
-
-    return [json.loads(line) for line in printed.splitlines() if line.startswith('["')]
+        return measure(connection, board, system, prepared, seconds, now)
 
 
 def _show(record: "BenchRecord", path: str) -> None:

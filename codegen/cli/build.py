@@ -44,12 +44,14 @@ def run(arguments: argparse.Namespace) -> int:
     if project is None:
         return report_no_project()
     from codegen.emit import stamp
+    from codegen.project.output import stated_output
 
     started = time.time()
-    kept = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
-    if kept is not None:
+    output = stated_output(project) if is_plain(arguments) else None
+    kept = stamp.unchanged(project, output) if output is not None and arguments.mpy is None else None
+    if output is not None and kept is not None:
         print(up_to_date(kept), file=sys.stderr)
-        return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
+        return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project, output))
     from codegen.cli.output import emit
     from codegen.cli.progress import working
     from codegen.commands.build import board_folder, compile_systems, render_systems, what_is_made
@@ -68,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
     folder = output_folder(system)
     code = emit(rendered, folder, arguments, report)
     read, beside = files_read(systems), folders_read(systems)
-    if is_plain(arguments) and not list(report):
+    if folder == output and not list(report):
         stamp.keep(project, started, read, folder, rendered, beside)
     if arguments.mpy is not None and not code:
         compiled = Report()

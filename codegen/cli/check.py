@@ -53,9 +53,9 @@ def run(arguments: argparse.Namespace) -> int:
         return report_no_project()
     from codegen.cli.findings import print_findings
     from codegen.cli.progress import working
-    from codegen.decode.reach import folders_of
+    from codegen.decode.reach import within
     from codegen.diagnostics import Report
-    from codegen.load.confined import confined
+    from codegen.load.files import DISK
 
     report = Report()
     listed: list[Number] = []
@@ -64,14 +64,12 @@ def run(arguments: argparse.Namespace) -> int:
             files = _check_documents(arguments, project, report, listed)
         else:
             assert project is not None
-            with confined(folders_of(project)):
-                files = check_project(project, report, listed if arguments.examples else None)
+            files = check_project(project, report, listed if arguments.examples else None)
         if project is not None:
             from codegen.commands.waived import waivers_of, with_waivers
 
             waivers = waivers_of(project)
-            with confined(folders_of(project)):
-                report = with_waivers(report, waivers, claim_rules() if waivers else (), files)
+            report = with_waivers(report, waivers, claim_rules() if waivers else (), files, within(project, DISK))
     print_findings(report, arguments.format, shows_waived=arguments.waived)
     if arguments.examples:
         _print_examples(listed)

@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def words_by_command() -> dict[str, list[str]]:
-    """What may stand behind each command: its options, and the values that an option or argument can have."""
+    """Return what may stand behind each command: its options, and the values that an option or argument can have."""
     from codegen.cli.parser import parser_for
 
     parser = parser_for([])

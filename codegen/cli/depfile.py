@@ -17,7 +17,7 @@ def add_depfile_options(parser: argparse.ArgumentParser) -> None:
 
 
 def depfile_nonsense(arguments: argparse.Namespace) -> str | None:
-    """Why the options of add_depfile_options() cannot be obeyed, or None."""
+    """Return why the options of add_depfile_options() cannot be obeyed, or None."""
     if arguments.depfile is None:
         return None if arguments.depfile_target is None else "--depfile-target says nothing without --depfile"
     if arguments.check or arguments.diff or arguments.dry_run:

@@ -91,7 +91,7 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
     from codegen.cli.diff_report import print_review
     from codegen.cli.progress import working
     from codegen.cli.project import project_file
-    from codegen.commands.diff import around, graded, review_of, waived, waivers_for, within
+    from codegen.commands.diff import around, files_of, graded, review_of, waived, waivers_for
     from codegen.diagnostics import Report
     from codegen.diff.report.review import fails
     from codegen.diff.sides import Unreadable, default_head, opened
@@ -99,12 +99,12 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
 
     project = project_file(arguments)
     base_around = around(project, arguments.dialect, arguments.base_pymavlink)
-    head_around = around(project, arguments.dialect, arguments.head_pymavlink)
     with ExitStack() as sides:
         with working(f"reading {arguments.base}"):
             base = sides.enter_context(opened(arguments.base, base_around))
         if isinstance(base, Unreadable):
             return _unreadable(base)
+        head_around = around(project, arguments.dialect, arguments.head_pymavlink, base)
         with working("reading the other side"):
             head = sides.enter_context(opened(arguments.head or default_head(base), head_around))
         if isinstance(head, Unreadable):
@@ -112,12 +112,11 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
         with working("comparing"):
             found = review_of(base, head, threshold, is_all=arguments.all)
         waivers, told = waivers_for(arguments.waivers, project, head), Report()
-        with within(project if arguments.waivers is None else None):
-            found = graded(found, waivers, told)
-            found = waived(found, waivers, head, told)
+        files = files_of(project if arguments.waivers is None else None)
+        found = waived(graded(found, waivers, files, told), waivers, files, head, told)
         for finding in told:
             print(finding_text(finding), file=sys.stderr)
-        print_review(found, arguments.format)
+        print_review(found, arguments.format, head.files.on_disk)
         if found.faults and not arguments.allow_errors:
             because = f"{found.fault_line} (--allow-errors compares all the same)"
             whatever = ", whatever --fail-on says" if "never" in kinds else ""

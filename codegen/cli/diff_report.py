@@ -1,18 +1,21 @@
 """Printing a review in each of its formats."""
 
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 
 from codegen.cli.findings import findings_text, wants_colour
 from codegen.diagnostics import Diagnostic
 from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_finding
 from codegen.findings.text import finding_text
-from codegen.load.trees import on_disk
 from codegen.source import Place
 
 
-def print_review(found: Review, form: str) -> None:
-    """Print the report; for people nothing where nothing changed."""
+def print_review(found: Review, form: str, on_disk: Callable[[str], str]) -> None:
+    """Print the report; for people nothing where nothing changed.
+
+    ``on_disk`` returns of a path of either side that of the file of which it is a version.
+    """
     if form == "json":
         from codegen.diff.report.as_json import review_json
 
@@ -26,8 +29,8 @@ def print_review(found: Review, form: str) -> None:
 
         print(review_markdown(found), end="")
     elif form in ("github", "sarif", "junit", "gitlab"):
-        findings = [_in_work_tree(fault_finding(label, fault)) for label, fault in found.faults]
-        findings += [_in_work_tree(as_finding(group)) for group in found.groups]
+        findings = [_in_work_tree(fault_finding(label, fault), on_disk) for label, fault in found.faults]
+        findings += [_in_work_tree(as_finding(group), on_disk) for group in found.groups]
         text = findings_text(findings, form)
         if text:
             print(text)
@@ -35,8 +38,11 @@ def print_review(found: Review, form: str) -> None:
         _print_text(found)
 
 
-def _in_work_tree(finding: Diagnostic) -> Diagnostic:
-    """What is gone is shown at the head of its file as it is: services know no other version, nor lines of one."""
+def _in_work_tree(finding: Diagnostic, on_disk: Callable[[str], str]) -> Diagnostic:
+    """Return a finding whose place is in the work tree: what is gone is shown at the head of its file as it is.
+
+    Services that take findings know no other version, nor lines of one.
+    """
     file = on_disk(finding.place.file)
     if file == finding.place.file:
         return finding

@@ -75,5 +75,5 @@ def _print_text(report: Report, *, shows_waived: bool) -> None:
 
 
 def wants_colour(stream: TextIO | None) -> bool:
-    """Whether a stream is a terminal that shows colours, of somebody who has nothing against them."""
+    """Return whether a stream is a terminal that shows colours, of somebody who has nothing against them."""
     return is_terminal(stream) and not os.environ.get("NO_COLOR")

@@ -3,21 +3,15 @@
 import argparse
 import os
 import sys
-from collections.abc import Sequence
 from contextlib import redirect_stdout
 from typing import TYPE_CHECKING, Any
 
 from codegen.cli import importing_requirements
 
 if TYPE_CHECKING:
+    from codegen.commands.importing import Imported
     from codegen.diagnostics import Report
-    from codegen.importing.answer import Sources
-    from codegen.importing.comparison import Compared
     from codegen.importing.existing import ExistingTable
-    from codegen.importing.proposal import Proposal
-    from codegen.importing.table_text import Heading
-    from codegen.model.dialect.dialect import Dialect, WireMessage
-    from codegen.model.system import System
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -61,96 +55,74 @@ def run(arguments: argparse.Namespace) -> int:
     fault = _nonsense(arguments)
     if fault:
         return _usage(fault)
+    from codegen.cli.progress import working
+    from codegen.cli.project import project_file
+    from codegen.commands.importing import NoTable, Wanted, imported, read_document, surroundings, unknown_name
     from codegen.diagnostics import Report
-    from codegen.importing.document import find_fields
-    from codegen.importing.existing import sender
-    from codegen.importing.of_system import sources_of
-    from codegen.importing.proposal import check_declarations, propose
-    from codegen.load.text import read_text
 
     report = Report()
-    path = os.path.abspath(arguments.document)
-    text = read_text(path, report)
-    systems, dialect = _surroundings(arguments, report)
+    wanted = Wanted(
+        document=arguments.document,
+        message=arguments.message,
+        for_each=arguments.for_each,
+        stream=arguments.stream,
+        requirement=arguments.requirement,
+        table=None if arguments.out == "-" else arguments.out,
+        needs_table=arguments.compare or (arguments.merge and arguments.out == "-"),
+    )
+    text = read_document(wanted, report)
+    project = None if arguments.dialect is not None else project_file(arguments)
+    with working("reading the specification"):
+        systems, dialect = surroundings(project, arguments.dialect, report)
     if text is None or dialect is None:
         return _finish(report)
-    fault = _unknown_name(arguments, systems)
+    fault = unknown_name(wanted, systems)
     if fault:
         return _usage(fault)
-    wanted = None if arguments.message is None else arguments.message.upper()
-    found = find_fields(text, path, wanted, dialect, report)
+    found = imported(wanted, text, systems, dialect, report)
     if found is None:
         return _finish(report)
-    table_path = _table_path(arguments, found.message, systems)
-    table = None if table_path is None else _existing(table_path, found.message, systems, report)
-    if table_path is not None and table is None:
-        return _finish(report)
-    if table is None and (arguments.compare or (arguments.merge and arguments.out == "-")):
-        return _usage(f"there is no table of {found.message.name} yet; name a file with --out FILE")
-    for_each = arguments.for_each or (table.spec.for_each if table else None)
-    system = sender(found.message.name, systems) or (systems[0] if systems else None)
-    sources = sources_of(dialect, system, for_each)
-    proposal = propose(found.lists, found.message, sources, report)
-    for fields in found.lists:
-        check_declarations(fields, found.message, report)
-    heading = _heading(arguments, text, for_each, found.message, table, systems)
-    return _deliver(arguments, proposal, heading, table, sources, report)
+    if isinstance(found, NoTable):
+        return _usage(f"there is no table of {found.message} yet; name a file with --out FILE")
+    return _deliver(arguments, found, report)
 
 
-def _deliver(
-    arguments: argparse.Namespace,
-    proposal: "Proposal",
-    heading: "Heading",
-    table: "ExistingTable | None",
-    sources: "Sources",
-    report: "Report",
-) -> int:
+def _deliver(arguments: argparse.Namespace, found: "Imported", report: "Report") -> int:
     """Compare, merge, write or print, and then the findings."""
-    from codegen.importing.comparison import Verdict, compare, comparison_text, summary
-    from codegen.importing.proposal import not_answered_by, report_unmentioned
-    from codegen.importing.table_text import table_text
+    from codegen.emit.file import write_file
+    from codegen.importing.comparison import comparison_text, summary
 
-    answered = [answer.target for answer in table.answers] if table else []
-    report_unmentioned(not_answered_by(proposal, answered), proposal.place, report)
-    rows = compare(proposal, table.answers, sources) if table else ()
+    table, proposal = found.table, found.proposal
     if table is not None and arguments.merge:
-        _merge(table, proposal, rows, heading, report)
+        _merge(found, table, report)
     if table is not None and (arguments.compare or arguments.merge):
         print(f"{proposal.message.name}: {_shown(proposal.place.file)} beside {_shown(table.path)}")
-        print(comparison_text(rows))
-        return max(_finish(report), int(any(row.verdict is Verdict.DIFFERENT for row in rows)))
-    from codegen.emit.file import write_file
-
-    written = table_text(proposal, heading)
+        print(comparison_text(found.rows))
+        return max(_finish(report), int(found.differs))
     if arguments.out != "-":
-        write_file(arguments.out, written, report)
+        write_file(arguments.out, found.text, report)
         return _finish(report)
-    print(written, end="", flush=True)
+    print(found.text, end="", flush=True)
     # Whoever pipes the table into a file wants to see the findings, and not in the file.
     with redirect_stdout(sys.stderr):
         code = _finish(report)
     if table is not None:
-        print(f"{_shown(table.path)} has a table: {summary(rows)}; --compare lists them", file=sys.stderr)
+        print(f"{_shown(table.path)} has a table: {summary(found.rows)}; --compare lists them", file=sys.stderr)
     return code
 
 
-def _merge(
-    table: "ExistingTable", proposal: "Proposal", rows: "Sequence[Compared]", heading: "Heading", report: "Report"
-) -> None:
-    from codegen.emit.file import write_file
-    from codegen.importing.merging import merge
+def _merge(found: "Imported", table: "ExistingTable", report: "Report") -> None:
+    from codegen.commands.importing import add_missing
 
-    merged = merge(table.text, table.path, proposal.message, rows, heading.document, report)
-    if merged is None:
-        return
-    if merged.added and write_file(table.path, merged.text, report):
-        print(f"added to {_shown(table.path)}: {', '.join(merged.added)}", file=sys.stderr)
-    elif not merged.added:
+    added = add_missing(found, report)
+    if added:
+        print(f"added to {_shown(table.path)}: {', '.join(added)}", file=sys.stderr)
+    elif added is not None:
         print(f"{_shown(table.path)} lacks none of these answers", file=sys.stderr)
 
 
 def _nonsense(arguments: argparse.Namespace) -> str | None:
-    """Why the options cannot go together, or None."""
+    """Return why the options cannot go together, or None."""
     foreign = next((name for name in importing_requirements.OPTIONS if getattr(arguments, name)), None)
     if foreign is not None:
         return f"--{foreign} belongs to the import of a FILE.reqif or needs.json"
@@ -161,94 +133,6 @@ def _nonsense(arguments: argparse.Namespace) -> str | None:
     if arguments.out != "-" and os.path.lexists(arguments.out) and not (arguments.merge or arguments.compare):
         return f"{arguments.out} exists; --merge adds what is missing, --compare shows how it differs"
     return None
-
-
-def _surroundings(arguments: argparse.Namespace, report: "Report") -> "tuple[tuple[System, ...], Dialect | None]":
-    """The programs of the project, if there is one, and the dialect; None after a finding."""
-    from codegen.cli.progress import working
-    from codegen.cli.project import project_file
-    from codegen.commands.codec import read_codec_dialect
-    from codegen.diagnostics import Report
-    from codegen.project.systems import read_systems
-
-    project = None if arguments.dialect is not None else project_file(arguments)
-    if project is None:
-        return (), read_codec_dialect(arguments.dialect or "common", report)
-    # What is wrong with the project is for check to say: a table that is imported may be what is missing.
-    reading = Report()
-    with working("reading the specification"):
-        systems = read_systems(project, reading)
-    if not systems:
-        report.extend(reading)
-        return (), None
-    return systems, systems[0].dialect
-
-
-def _unknown_name(arguments: argparse.Namespace, systems: "tuple[System, ...]") -> str | None:
-    """What an option names that the project does not have."""
-    from codegen.diagnostics import did_you_mean
-
-    for option, name, known in (
-        ("component", arguments.for_each, systems[0].components if systems else None),
-        ("stream", arguments.stream, systems[0].streams if systems else None),
-    ):
-        if name is not None and known is not None and name not in known:
-            return f"the project has no {option} {name}; {did_you_mean(name, known) or 'it has none'}"
-    return None
-
-
-def _table_path(arguments: argparse.Namespace, message: "WireMessage", systems: "tuple[System, ...]") -> str | None:
-    """The absolute path of the table that there is: that of --out, or of the project."""
-    from codegen.importing.existing import populated
-
-    if arguments.out != "-":
-        return os.path.abspath(arguments.out) if os.path.lexists(arguments.out) else None
-    known = populated(message.name, systems, os.path.abspath(arguments.document))
-    return known[0].population.place.file if known else None
-
-
-def _existing(
-    path: str, message: "WireMessage", systems: "tuple[System, ...]", report: "Report"
-) -> "ExistingTable | None":
-    """The table in a file; None after a finding."""
-    from codegen.importing.existing import table_of, table_of_project
-    from codegen.load.text import read_text
-
-    text = read_text(path, report)
-    if text is None:
-        return None
-    tables = (table for system in systems for table in system.tables(message.name))
-    known = next((table for table in tables if table.population.place.file == path), None)
-    return table_of(text, path, message, report) if known is None else table_of_project(text, known)
-
-
-def _heading(
-    arguments: argparse.Namespace,
-    text: str,
-    for_each: str | None,
-    message: "WireMessage",
-    table: "ExistingTable | None",
-    systems: "tuple[System, ...]",
-) -> "Heading":
-    """What stands above the fields: what the options say, else as in the table that there is, else the document."""
-    from codegen.importing.document import document_id
-    from codegen.importing.of_system import mentioned_stream, schema_path
-    from codegen.importing.table_text import Heading
-
-    identifier = document_id(text, arguments.document)
-    requirement, stream = arguments.requirement or identifier, arguments.stream
-    if table is not None:
-        stream = stream or table.spec.stream
-        if table.spec.requirement.partition(".")[0] == requirement:
-            requirement = table.spec.requirement
-    if stream is None and systems:
-        stream = mentioned_stream(text, systems[0])
-    schema = None
-    if systems:
-        file = f"messages/{message.name.lower()}.yaml" if arguments.out == "-" else os.path.abspath(arguments.out)
-        schema = schema_path(systems[0], file)
-    name = identifier or os.path.basename(arguments.document)
-    return Heading(name, requirement, for_each, stream, schema)
 
 
 def _shown(path: str) -> str:

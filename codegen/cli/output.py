@@ -38,7 +38,7 @@ def add_format_option(parser: argparse.ArgumentParser) -> None:
 
 
 def nonsense(arguments: argparse.Namespace) -> str | None:
-    """Why the options of add_output_options() cannot go together, or None."""
+    """Return why the options of add_output_options() cannot go together, or None."""
     if arguments.dry_run and (arguments.check or arguments.diff):
         return "--dry-run lists what would be written; it does not go with --check or --diff"
     if arguments.check and (arguments.force or arguments.clean):
@@ -49,7 +49,7 @@ def nonsense(arguments: argparse.Namespace) -> str | None:
 
 
 def is_plain(arguments: argparse.Namespace) -> bool:
-    """Whether none of the options of add_output_options() was given."""
+    """Return whether none of the options of add_output_options() was given."""
     given = (arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean)
     return not any(given) and arguments.format == "text"
 
@@ -82,7 +82,7 @@ def emit(
 
 
 def up_to_date(count: int) -> str:
-    """What a command says that had nothing to write."""
+    """Return what a command says that had nothing to write."""
     return f"up to date: {count} {'file' if count == 1 else 'files'}"
 
 

@@ -54,7 +54,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _near(written: str, known: list[str]) -> str:
-    """What may have been meant by a word; empty where nothing is near."""
+    """Return what may have been meant by a word; empty where nothing is near."""
     from difflib import get_close_matches
 
     near = get_close_matches(written, known, n=2)

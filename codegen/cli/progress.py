@@ -31,7 +31,7 @@ def working(text: str) -> Iterator[Callable[[str], None]]:
 
 
 def is_terminal(stream: "TextIO | None") -> bool:
-    """Whether a stream is a terminal that can do more than print one line after the other."""
+    """Return whether a stream is a terminal that can do more than print one line after the other."""
     return stream is not None and stream.isatty() and os.environ.get("TERM") not in ("dumb", "")
 
 

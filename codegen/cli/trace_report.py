@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.cli.progress import working
-from codegen.commands.trace import read_trace, read_trace_lock
-from codegen.diagnostics import Report, did_you_mean
+from codegen.commands.trace import Refused, chosen_criteria, read_trace, read_trace_lock
+from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.model.system import System
 from codegen.project.systems import project_folder
@@ -15,7 +15,6 @@ from codegen.source import shown_path
 from codegen.trace.coverage import coverage_of
 from codegen.trace.exchange import exchange_of
 from codegen.trace.findings import trace_findings
-from codegen.trace.graph import Trace
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
@@ -41,8 +40,9 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
         return report.exit_code
     if results is not None:
         trace = with_links_of(trace, results)
-    chosen = chosen_names(arguments.names, trace)
-    if chosen is None:
+    chosen = chosen_criteria(arguments.names, trace)
+    if isinstance(chosen, Refused):
+        print(f"codegen trace: {chosen.why}", file=sys.stderr)
         return 2
     coverage = coverage_of(trace, reviews(trace, lock), suspect, results)
     about = chosen if arguments.names else None
@@ -77,18 +77,3 @@ def _text(form: str, view: TraceView, report: Report, *, is_tree: bool, changed:
     if form == "markdown":
         return trace_markdown(view)
     return tree_text(view) if is_tree else summary_text(view)
-
-
-def chosen_names(names: Sequence[str], trace: Trace) -> set[str] | None:
-    """The criteria that are meant, of a document all of them; None, after saying so, where there is no such thing."""
-    if not names:
-        return set(trace.criteria)
-    chosen: set[str] = set()
-    for name in names:
-        called = trace.called(name)
-        if called is None:
-            hint = did_you_mean(name, [*trace.names, *trace.criteria])
-            print(f"codegen trace: no document has {name}{f'; {hint}' if hint else ''}", file=sys.stderr)
-            return None
-        chosen |= {one for one in trace.criteria if one == called or one.startswith(f"{called}.")}
-    return chosen

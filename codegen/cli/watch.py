@@ -75,7 +75,7 @@ class Following:
 
     @property
     def folders(self) -> list[str]:
-        """Where code lies that belongs to it, too: that of the project."""
+        """Return where code lies that belongs to it, too: that of the project."""
         own = os.path.dirname(os.path.dirname(self._project))
         return [own] if self._deploy or self._scenario is not None else []
 
@@ -121,9 +121,10 @@ def named_files(project: str) -> frozenset[str]:
     """The absolute paths of the project file, and of the files that it names wherever they lie."""
     from codegen.decode.record_file import decode_record_file
     from codegen.diagnostics import Report
+    from codegen.load.files import DISK
     from codegen.model.spec.spec import Project
 
-    found = decode_record_file(project, Project, Report())
+    found = decode_record_file(project, Project, DISK, Report())
     if found is None:
         return frozenset({project})
     names = [found.dialect, *found.overlays, *found.known, *found.corrections, *found.programs.values()]
@@ -133,13 +134,13 @@ def named_files(project: str) -> frozenset[str]:
 
 
 def is_specification(path: str) -> bool:
-    """Whether a path seems to be a file of a specification, and none that an editor keeps while it writes."""
+    """Return whether a path seems to be a file of a specification, and none that an editor keeps while it writes."""
     name = os.path.basename(path)
     return name.endswith(ENDINGS) and not name.startswith((".", "#", "~"))
 
 
 def is_code(path: str, folder: str) -> bool:
-    """Whether a path is a module of the folder of a project, not generated and not of an environment."""
+    """Return whether a path is a module of the folder of a project, not generated and not of an environment."""
     below = path.removeprefix(folder + os.sep)
     names = below.split(os.sep)
     is_ours = names[0] == "build" or os.path.exists(os.path.join(folder, names[0], MANIFEST))
@@ -154,7 +155,7 @@ def _folders(folder: str, files: Iterable[str]) -> list[str]:
 
 
 def _build_and_check(project: str) -> bool:
-    """Whether nothing is wrong. After a build that fails, check would say the same again."""
+    """Return whether nothing is wrong. After a build that fails, check would say the same again."""
     return not any(_codegen(project, [command]).wait() for command in ("build", "check"))
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from codegen.commands.trace import documents_of, generated_tests, read_trace_lock, rows
 from codegen.diagnostics import Report
-from codegen.load.text import read_bytes
+from codegen.load.files import DISK
 from codegen.model.system import System
 from codegen.project.of_systems import of_systems
 from codegen.project.systems import output_folder, project_folder
@@ -64,7 +64,7 @@ def stale_firmware(system: System) -> list[str]:
     return [
         os.path.basename(path)
         for path, text in render_firmware(system).items()
-        if read_bytes(os.path.join(folder, path), Report()) != text.encode()
+        if DISK.read_bytes(os.path.join(folder, path), Report()) != text.encode()
     ]
 
 
@@ -101,7 +101,7 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def what_is_made(systems: Sequence[System]) -> list[str]:
-    """What a build has made, and what one can do with it now, for people."""
+    """Return what a build has made, and what one can do with it now, for people."""
     main, *others = systems
     folder = shown_path(output_folder(main)).replace("\\", "/")
     count = len(main.messages)

@@ -12,8 +12,11 @@ def check_project(project: str, report: "Report", listed: "list[Number] | None")
     """Report on the specification and on its own documents, which are returned; their examples go to ``listed``."""
     from codegen.commands.document_findings import check_project_documents, project_documents
     from codegen.commands.trace import read_trace_lock
+    from codegen.decode.reach import within
+    from codegen.load.files import DISK
     from codegen.project.systems import check_scenarios, read_systems
 
+    files = within(project, DISK)
     systems = read_systems(project, report)
     check_scenarios(project, systems, report)
     read_trace_lock(project, report)
@@ -22,13 +25,13 @@ def check_project(project: str, report: "Report", listed: "list[Number] | None")
     if listed is not None:
         from codegen.commands import documents
 
-        own, reference = project_documents(systems), documents.project_reference(systems)
-        listed.extend(documents.example_numbers(own, reference))
-    return check_project_documents(systems, report)
+        own, reference = project_documents(systems), documents.project_reference(systems, files)
+        listed.extend(documents.example_numbers(own, reference, files))
+    return check_project_documents(systems, files, report)
 
 
 def reference_for(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":
-    """What documents are compared with. What is wrong with a project is told only where it cannot be used."""
+    """Return what documents are compared with. What is wrong with a project is told only where it cannot be used."""
     from codegen.commands import documents
     from codegen.diagnostics import Report
     from codegen.project.systems import read_systems

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.load.files import DISK, Files
 from codegen.load.shipped import dialect_path
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.resolve.dialect.dialect import resolve_dialect
@@ -37,16 +38,16 @@ def read_codec_dialect(written: str, report: Report) -> Dialect | None:
     """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic."""
     place = Place(os.path.abspath(written))
     is_file = written.lower().endswith(".xml")
-    path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, report, is_file=is_file)
+    path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, DISK, report, is_file=is_file)
     if path is None:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
 
-    def read(found: Report) -> Dialect | None:
-        files = decode_dialect_files(path, found)
+    def read(noting: Files, found: Report) -> Dialect | None:
+        files = decode_dialect_files(path, noting, found)
         return resolve_dialect(name, files, (), found) if files else None
 
-    dialect, _ = decoded_with_includes("codec", path, read, report)
+    dialect, _ = decoded_with_includes("codec", path, read, DISK, report)
     return dialect
 
 

@@ -10,16 +10,16 @@ if TYPE_CHECKING:
 
 
 def wifi_of(path: str, system: "System", report: "Report") -> tuple[str, bytes] | None:
-    """What --wifi says: the name on the board, and the content; None after a finding."""
+    """Return what --wifi says: the name on the board, and the content; None after a finding."""
     from codegen.deploy.wifi import wifi_file
-    from codegen.load.text import read_text
+    from codegen.load.files import DISK
 
-    text = read_text(os.path.abspath(path), report)
+    text = DISK.read_text(os.path.abspath(path), report)
     return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
 
 
 def board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
-    """What belongs on the board, by path: compiled, but for main.py; empty after a finding."""
+    """Return what belongs on the board, by path: compiled, but for main.py; empty after a finding."""
     from codegen.deploy.prepared import architecture_for
 
     architecture = architecture_for(board, port, report)
@@ -27,7 +27,7 @@ def board_files(system: "System", board: "Board", port: str, report: "Report") -
 
 
 def compiled_for(system: "System", architecture: str, report: "Report") -> "dict[str, str | bytes]":
-    """What belongs on a board, by path, compiled for it; empty after a finding."""
+    """Return what belongs on a board, by path, compiled for it; empty after a finding."""
     from codegen.commands.build import firmware_modules
     from codegen.deploy.contents import own_modules
     from codegen.emit.mpy import compiled

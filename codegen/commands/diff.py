@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from contextlib import AbstractContextManager
+from codegen.load.files import DISK, Files
 
+if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.diff.report.review import Review
     from codegen.diff.sides import Around, Side
@@ -12,18 +12,19 @@ if TYPE_CHECKING:
     from codegen.trace.graph import Trace
 
 
-def around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
-    """Return what a side is looked for in, by the options of the command line."""
+def around(project: str | None, dialect: str | None, pymavlink: str | None, beside: "Side | None" = None) -> "Around":
+    """Return what a side is looked for in, by the options of the command line; ``beside`` is the other side."""
     from codegen.diff.sides import Around
 
-    return Around(project, dialect or "common", _read_systems, pymavlink)
+    files = DISK if beside is None else Files(beside.files.trees)
+    return Around(project, dialect or "common", _read_systems, pymavlink, files)
 
 
-def _read_systems(project: str, report: "Report") -> "tuple[System, ...]":
+def _read_systems(project: str, report: "Report", files: Files) -> "tuple[System, ...]":
     """Read a project: only then is what that needs imported."""
     from codegen.project.systems import read_systems
 
-    return read_systems(project, report)
+    return read_systems(project, report, files)
 
 
 def review_of(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Review":
@@ -52,12 +53,12 @@ def review_of(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "R
 
 
 def _trace(side: "Side") -> "Trace":
-    """What hangs together on one side; of a specification with errors nothing is known."""
+    """Return what hangs together on one side; of a specification with errors nothing is known."""
     from codegen.commands.trace import read_trace
     from codegen.diagnostics import Report
     from codegen.trace.graph import linked
 
-    return linked((), (), ()) if side.findings else read_trace(side.systems, Report())
+    return linked((), (), ()) if side.findings else read_trace(side.systems, Report(), side.files)
 
 
 def waivers_for(given: str | None, project: str | None, head: "Side") -> str | None:
@@ -69,17 +70,14 @@ def waivers_for(given: str | None, project: str | None, head: "Side") -> str | N
     return waivers_of(project)
 
 
-def within(project: str | None) -> "AbstractContextManager[None]":
-    """Let only files of a project be read; any where there is none, since the user has named the file."""
-    from contextlib import nullcontext
+def files_of(project: str | None) -> Files:
+    """Return the files of a project; all where there is none, since the user has named the file."""
+    from codegen.decode.reach import within
 
-    from codegen.decode.reach import folders_of
-    from codegen.load.confined import confined
-
-    return nullcontext() if project is None else confined(folders_of(project))
+    return DISK if project is None else within(project, DISK)
 
 
-def graded(found: "Review", waivers: str | None, told: "Report") -> "Review":
+def graded(found: "Review", waivers: str | None, files: Files, told: "Report") -> "Review":
     """Return the review with the severities that are set; ``told`` gets what is wrong with them."""
     if waivers is None:
         return found
@@ -87,10 +85,10 @@ def graded(found: "Review", waivers: str | None, told: "Report") -> "Review":
     from codegen.diagnostics import Report
     from codegen.diff.judging.severities import usable, with_severities
 
-    return with_severities(found, usable(decode_severities(waivers, Report()), told))
+    return with_severities(found, usable(decode_severities(waivers, files, Report()), told))
 
 
-def waived(found: "Review", waivers: str | None, head: "Side", told: "Report") -> "Review":
+def waived(found: "Review", waivers: str | None, files: Files, head: "Side", told: "Report") -> "Review":
     """Return the review with waivers applied; ``told`` gets what is wrong with them."""
     if waivers is None:
         return found
@@ -101,10 +99,10 @@ def waived(found: "Review", waivers: str | None, head: "Side", told: "Report") -
     report = Report()
     report.extend(as_finding(group) for group in found.groups)
     rules = change_rules()
-    files = [*head.dialect.files]
-    files += [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
+    checked = [*head.dialect.files]
+    checked += [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
     # Whether the rules of other waivers exist is what codegen check says, which knows them all.
-    judged = list(with_waivers(report, waivers, rules, files, lambda _: True))
+    judged = list(with_waivers(report, waivers, rules, checked, files, lambda _: True))
     told.extend(finding for finding in judged if finding.rule.id not in rules)
     return with_waived(found, judged)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from codegen.decode.decoded import decoded, with_files_read
 from codegen.diagnostics import Diagnostic, Report
 from codegen.frozen import dataclass
-from codegen.load.text import asked_once, read_text
+from codegen.load.files import Files, asked_once
 from codegen.model.system import System
 from codegen.tool.cache import entry, pickled
 from codegen.tool.digest import tool_digest
@@ -35,7 +35,7 @@ def project_documents(systems: Iterable[System]) -> list[str]:
     return sorted(files)
 
 
-def check_project_documents(systems: Sequence[System], report: Report) -> list[str]:
+def check_project_documents(systems: Sequence[System], files: Files, report: Report) -> list[str]:
     """Report what is wrong in the documents of a project; returns the absolute paths of those that could be read.
 
     Of a place that has a finding already, such as a cell that differs from the population table, no claim is reported.
@@ -44,13 +44,14 @@ def check_project_documents(systems: Sequence[System], report: Report) -> list[s
     systems = _without_texts(systems, paths)
     compared_with = _digest(systems)
     seen: dict[str, str] = {}
-    reference = asked_once(lambda: _reference(systems))
+    reference = asked_once(lambda noting: _reference(systems, noting))
     found: dict[str, Found] = {}
     for path in paths:
-        text = read_text(path, report)
+        text = files.read_text(path, report)
         if text is not None:
             find = _finder(text, path, systems, reference)
-            found[path] = find() if not compared_with else with_files_read((compared_with, path, text), find, seen)
+            inputs = compared_with, path, text
+            found[path] = with_files_read(inputs, find, seen, files) if compared_with else find(files)
     for of_document in found.values():
         report.extend(of_document.drift)
     told = {finding.place for finding in report}
@@ -80,24 +81,26 @@ def _digest(systems: Iterable[System]) -> str:
     return entry("documents", tool_digest(), os.getcwd(), pickled(parts))
 
 
-def _reference(systems: Sequence[System]) -> "Reference":
+def _reference(systems: Sequence[System], files: Files) -> "Reference":
     from codegen.commands.documents import project_reference
 
-    return project_reference(systems)
+    return project_reference(systems, files)
 
 
 def _finder(
-    text: str, path: str, systems: Sequence[System], reference: "Callable[[], Reference]"
-) -> Callable[[], Found]:
-    """What finds what is wrong in a document: it imports all that this needs."""
+    text: str, path: str, systems: Sequence[System], reference: "Callable[[Files], Reference]"
+) -> Callable[[Files], Found]:
+    """Return what finds what is wrong in a document: it imports all that this needs."""
 
-    def find() -> Found:
+    def find(noting: Files) -> Found:
         from codegen.commands.documents import found_claims
         from codegen.importing.drift import drift
         from codegen.importing.stated import stated_fields
 
         stated = decoded("stated fields", text, path, lambda _: stated_fields(text, path), Report())
         assert stated is not None  # every text is Markdown
-        return Found((*stated.findings, *drift(stated, systems)), tuple(found_claims(text, path, reference())))
+        return Found(
+            (*stated.findings, *drift(stated, systems)), tuple(found_claims(text, path, reference(noting), noting))
+        )
 
     return find

@@ -14,7 +14,7 @@ from codegen.claims.worked.listing import Number, numbers
 from codegen.commands.codec import read_codec_dialect
 from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Diagnostic, Report
-from codegen.load.text import asked_once, read_text
+from codegen.load.files import DISK, Files, asked_once
 from codegen.model.price import Range, frame_size
 from codegen.model.spec.spec import Spec
 from codegen.model.stated_parameter import StatedParameter
@@ -24,13 +24,13 @@ from codegen.project.other_overlays import other_dialect
 
 
 def dialect_reference(written: str, report: Report) -> Reference | None:
-    """What a dialect says, by its name or the path of its file; None after a diagnostic."""
+    """Return what a dialect says, by its name or the path of its file; None after a diagnostic."""
     dialect = read_codec_dialect(written, report)
     return None if dialect is None else Reference(dialect)
 
 
-def project_reference(systems: Sequence[System]) -> Reference:
-    """What a project says, with all its programs, of which there is at least one."""
+def project_reference(systems: Sequence[System], files: Files = DISK) -> Reference:
+    """Return what a project says, with all its programs, of which there is at least one."""
     sent: dict[str, Range] = {}
     for system in systems:
         protocol = system.spec.project.protocol
@@ -40,7 +40,7 @@ def project_reference(systems: Sequence[System]) -> Reference:
             sizes += [sent[name]] if name in sent else []
             sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
     spec = systems[0].spec
-    listed = listed_messages(spec, Report())
+    listed = listed_messages(spec, files, Report())
     reference = Reference(
         systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems), spec.project.overlays
     )
@@ -48,9 +48,11 @@ def project_reference(systems: Sequence[System]) -> Reference:
     return replace(reference, others=others)
 
 
-def _with_overlay(reference: Reference, spec: Spec, overlay: str) -> Reference | None:
-    """What a project would say with an overlay that it does not list; of the messages that differ it sends none."""
-    other = other_dialect(spec, reference.dialect, overlay)
+def _with_overlay(reference: Reference, spec: Spec, overlay: str, files: Files) -> Reference | None:
+    """Return what a project would say with an overlay that it does not list; of the
+    messages that differ it sends none.
+    """
+    other = other_dialect(spec, reference.dialect, overlay, files)
     if other is None:
         return None
     sent = {name: size for name, size in reference.sent.items() if name not in other.messages}
@@ -92,43 +94,43 @@ def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, .
     return found
 
 
-def check_documents(paths: Iterable[str], reference: Reference, report: Report) -> list[str]:
+def check_documents(paths: Iterable[str], reference: Reference, report: Report, files: Files = DISK) -> list[str]:
     """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
     read = []
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
-        text = read_text(path, report)
+        text = files.read_text(path, report)
         if text is not None:
-            report.extend(found_claims(text, path, reference))
+            report.extend(found_claims(text, path, reference, files))
             read.append(path)
     return read
 
 
-def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Number]:
+def example_numbers(paths: Iterable[str], reference: Reference, files: Files = DISK) -> Iterator[Number]:
     """The numbers of the worked examples of documents that can be read, and what is found when each is changed."""
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
-        text = read_text(path, Report())
+        text = files.read_text(path, Report())
         if text is not None:
-            yield from numbers(text, with_other_dialects(read_document(text, path, reference)))
+            yield from numbers(text, with_other_dialects(read_document(text, path, reference), files))
 
 
-def found_claims(text: str, path: str, reference: Reference) -> list[Diagnostic]:
-    """What is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
+def found_claims(text: str, path: str, reference: Reference, files: Files) -> list[Diagnostic]:
+    """Return what is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
     reading = read_document(text, path, reference)
     found: list[Diagnostic] = []
     elsewhere: set[int] = set()
     for overlay, lines in lines_about(reading.prose, reference.overlays, reference.others).items():
-        other = reference.others[overlay]()
+        other = reference.others[overlay](files)
         if other is not None:
             elsewhere |= lines
-            found += check_claims(with_other_dialects(read_document(text, path, other)), lines.__contains__)
-    found += check_claims(with_other_dialects(reading), lambda line: line not in elsewhere)
+            found += check_claims(with_other_dialects(read_document(text, path, other), files), lines.__contains__)
+    found += check_claims(with_other_dialects(reading, files), lambda line: line not in elsewhere)
     return sorted(found, key=lambda finding: finding.place)
 
 
-def with_other_dialects(reading: Reading) -> Reading:
+def with_other_dialects(reading: Reading, files: Files) -> Reading:
     """The reading with the messages of shipped dialects that it names, or that its own ones share an id with."""
     proposed = [message.definition for message in reading.proposed]
     reference = reading.reference
     others = set(unknown_names(reading))
-    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed, others)
+    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed, files, others)
     return replace(reading, reference=replace(reference, listed=taken)) if taken else reading

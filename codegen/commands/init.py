@@ -9,9 +9,8 @@ from codegen.decode.board_model import FOLDER, board_model_path
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule, did_you_mean, shortened_list
 from codegen.frozen import dataclass
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.load.text import read_text
-from codegen.load.trees import file_names
 from codegen.model.board_model import BoardModelSpec
 from codegen.source import Place
 from codegen.tool.template_files import templates_folder
@@ -104,31 +103,33 @@ def _texts(folder: str) -> dict[str, str]:
 
 def _has_wifi(board: str, report: Report) -> bool:
     place = Place(os.getcwd())
-    path = board_model_path(board, (), place, Report())
+    path = board_model_path(board, (), place, DISK, Report())
     if path is None:
         names = [name for name, _ in boards()]
         report.add(INIT_UNKNOWN, place, f"codegen describes no board {board}", did_you_mean(board, names))
         return True
-    model = decode_record_file(path, BoardModelSpec, report, place)
+    model = decode_record_file(path, BoardModelSpec, DISK, report, place)
     return model is None or model.wifi
 
 
 def boards() -> Iterator[tuple[str, str]]:
     """The boards that come with codegen: what each is called in board.yaml, and the path of its file."""
-    for name in sorted(file_names(FOLDER)):
+    for name in DISK.names(FOLDER, Report()):
         yield name.removesuffix(".yaml"), os.path.join(FOLDER, name)
 
 
 def _dialect(wish: Wish, report: Report) -> tuple[str | None, dict[str, str]]:
-    """How the project names its dialect (None: as its kind does), and the files that are copied for it by name."""
+    """Return how the project names its dialect (None: as its kind does), and the
+    files that are copied for it by name.
+    """
     written = wish.dialect
-    if written is None or shipped_dialect_path(written) is not None:
+    if written is None or shipped_dialect_path(written, DISK) is not None:
         return written, {}
     if not written.lower().endswith(".xml"):
-        hint = did_you_mean(written, shipped_dialect_names())
+        hint = did_you_mean(written, shipped_dialect_names(DISK))
         report.add(INIT_UNKNOWN, Place(os.getcwd()), f"pymavlink ships no dialect {written}", hint)
         return None, {}
-    text = read_text(os.path.abspath(written), report)
+    text = DISK.read_text(os.path.abspath(written), report)
     name = os.path.basename(written)
     return f"dialects/{name}", {} if text is None else {name: text}
 

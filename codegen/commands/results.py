@@ -6,6 +6,7 @@ from codegen.commands.bench import bench_inputs_of
 from codegen.decode.bench_record import decode_bench
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.system import System
 from codegen.model.test_record import TestResult
 from codegen.source import Place
@@ -26,9 +27,9 @@ def with_results(
     records = []
     for path in files:
         if path.endswith(".json"):
-            records.append(decode_bench(path, report))
+            records.append(decode_bench(path, DISK, report))
             continue
-        decoded = decode_junit(path, report)
+        decoded = decode_junit(path, DISK, report)
         if decoded is not None and unrelated(decoded, trace):
             report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
         by_file[path] = decoded or ()

@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from codegen.decode.marked_tests import read_tests_below
-from codegen.decode.reach import folders_of
+from codegen.decode.reach import within
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
-from codegen.diagnostics import Report
-from codegen.load.confined import confined
-from codegen.load.text import is_refused
+from codegen.diagnostics import Report, did_you_mean
+from codegen.frozen import dataclass
+from codegen.load.files import DISK, Files
 from codegen.model.spec.spec import Requirement
 from codegen.model.spec.trace_lock import TraceLockSpec
 from codegen.model.system import System
@@ -22,14 +22,21 @@ if TYPE_CHECKING:
 from codegen.project.systems import project_folder
 
 
-def read_trace(systems: Sequence[System], report: Report) -> "Trace":
-    """What criteria, tables, symbols and tests of a project have to do with one another.
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Why something cannot be done with what the user names, in words."""
+
+    why: str
+
+
+def read_trace(systems: Sequence[System], report: Report, files: Files = DISK) -> "Trace":
+    """Return what criteria, tables, symbols and tests of a project have to do with one another.
 
     A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
     """
     from codegen.trace.graph import hand_written, linked
 
-    marked = _marked_tests(systems, report)
+    marked = _marked_tests(systems, files, report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents_of(systems), rows(systems), tests)
 
@@ -57,13 +64,13 @@ def _tests_of(system: System) -> "tuple[Test, ...]":
     return tests_of(system)
 
 
-def _marked_tests(systems: Sequence[System], report: Report) -> list[MarkedTest]:
+def _marked_tests(systems: Sequence[System], files: Files, report: Report) -> list[MarkedTest]:
     """The marked tests in the folders that the project file lists."""
     if not systems:
         return []
-    with confined(folders_of(systems[0].spec.project.place.file)):
-        folders = [path for path, place in _folders_of_tests(systems).items() if not is_refused(path, place, report)]
-        return read_tests_below(folders, report)
+    own = within(systems[0].spec.project.place.file, files)
+    folders = [path for path, place in _folders_of_tests(systems).items() if not own.is_refused(path, place, report)]
+    return read_tests_below(folders, own, report)
 
 
 def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
@@ -72,11 +79,24 @@ def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
 
 
 def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
-    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    """Return which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
     path = trace_lock_path(project_file)
-    with confined(folders_of(project_file)):
-        text = read_trace_lock_text(path, report)
+    text = read_trace_lock_text(path, within(project_file, DISK), report)
     return None if text is None else decode_trace_lock(text, path, report)
+
+
+def chosen_criteria(names: Sequence[str], trace: "Trace") -> set[str] | Refused:
+    """Return the criteria that are meant, of a document all of them; all there are where nothing is named."""
+    if not names:
+        return set(trace.criteria)
+    chosen: set[str] = set()
+    for name in names:
+        called = trace.called(name)
+        if called is None:
+            hint = did_you_mean(name, [*trace.names, *trace.criteria])
+            return Refused(f"no document has {name}{f'; {hint}' if hint else ''}")
+        chosen |= {one for one in trace.criteria if one == called or one.startswith(f"{called}.")}
+    return chosen
 
 
 def trace_lock_path(project_file: str) -> str:

@@ -7,6 +7,7 @@ from datetime import date
 from codegen.decode.waivers import WAIVERS, decode_waivers
 from codegen.diagnostics import Report
 from codegen.findings.waivers import LookedAt, apply_waivers
+from codegen.load.files import Files
 
 
 def waivers_of(project: str) -> str | None:
@@ -19,19 +20,20 @@ def with_waivers(
     report: Report,
     waivers: str | None,
     rules: Collection[str],
-    files: Collection[str],
+    checked: Collection[str],
+    files: Files,
     is_rule: Callable[[str], bool] | None = None,
 ) -> Report:
     """The findings with those marked that the file ``waivers`` waives today, and what is wrong with the waivers.
 
-    ``rules`` are the ids of the rules that were looked at, ``files`` the absolute paths of the files. ``is_rule`` says
+    ``rules`` are the ids of the rules that were looked at, ``checked`` the absolute paths of what was. ``is_rule`` says
     whether there is another rule: by default the catalogue does, which an earlier run may have asked already.
     """
     if waivers is None:
         return report
-    decoded = decode_waivers(waivers, report)
+    decoded = decode_waivers(waivers, files, report)
     judged = Report()
-    looked_at = LookedAt(rules, files)
+    looked_at = LookedAt(rules, checked)
     judged.extend(apply_waivers(report, decoded, date.today(), looked_at, is_rule or _is_known))
     return judged
 

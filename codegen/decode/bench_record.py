@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import read_text
+from codegen.load.files import Files
 from codegen.model.bench_record import BenchRecord
 from codegen.source import Place
 
@@ -19,9 +19,9 @@ _HINT = "codegen bench --out FILE"
 _TEXTS = ("project", "program", "codegen", "inputs", "firmware", "board", "micropython", "taken", "ports")
 
 
-def decode_bench(path: str, report: Report) -> BenchRecord | None:
+def decode_bench(path: str, files: Files, report: Report) -> BenchRecord | None:
     """The record of a file; None, after a finding, where it has none."""
-    text = read_text(path, report)
+    text = files.read_text(path, report)
     if text is None:
         return None
     try:

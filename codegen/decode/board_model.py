@@ -4,8 +4,7 @@ import os
 from collections.abc import Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.load.text import decode_text, read_bytes
-from codegen.load.trees import file_names, is_file
+from codegen.load.files import Files
 from codegen.source import Place
 
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "boards")
@@ -20,7 +19,7 @@ UNKNOWN_BOARD = Rule(
 )
 
 
-def board_model_path(name: str, folders: Sequence[str], place: Place, report: Report) -> str | None:
+def board_model_path(name: str, folders: Sequence[str], place: Place, files: Files, report: Report) -> str | None:
     """The absolute path of the file about a board, from the first of the ``folders`` or from codegen's own.
 
     None after the finding at ``place`` that there is none.
@@ -28,28 +27,24 @@ def board_model_path(name: str, folders: Sequence[str], place: Place, report: Re
     searched = (*(os.path.join(folder, OWN) for folder in folders), FOLDER)
     for folder in searched:
         path = os.path.join(folder, f"{name}.yaml")
-        if os.path.basename(path) == f"{name}.yaml" and is_file(path):
+        if os.path.basename(path) == f"{name}.yaml" and files.is_file(path):
             return path
-    known = {each.removesuffix(".yaml"): folder for folder in reversed(searched) for each in _names(folder)}
-    hint = _called(name, known) or did_you_mean(name, known) or f"codegen knows {', '.join(sorted(_stems(FOLDER)))}"
+    known = {each.removesuffix(".yaml"): folder for folder in reversed(searched) for each in _names(folder, files)}
+    own = sorted(each.removesuffix(".yaml") for each in _names(FOLDER, files))
+    hint = _called(name, known, files) or did_you_mean(name, known) or f"codegen knows {', '.join(own)}"
     report.add(UNKNOWN_BOARD, place, f"there is no description of a board {name}", hint)
     return None
 
 
-def _names(folder: str) -> list[str]:
-    return [name for name in file_names(folder) if name.endswith(".yaml")]
+def _names(folder: str, files: Files) -> list[str]:
+    return [name for name in files.names(folder, Report()) if name.endswith(".yaml")]
 
 
-def _stems(folder: str) -> list[str]:
-    return [name.removesuffix(".yaml") for name in _names(folder)]
-
-
-def _called(written: str, known: dict[str, str]) -> str | None:
+def _called(written: str, known: dict[str, str], files: Files) -> str | None:
     """The board that is called so for people, as board.yaml once had it."""
     for name, folder in known.items():
         path = os.path.join(folder, f"{name}.yaml")
-        data = read_bytes(path, Report())
-        text = None if data is None else decode_text(data, path, Report())
+        text = files.read_text(path, Report())
         if text is not None and f"\nname: {written}\n" in f"\n{text}":
             return f"did you mean {name}?"
     return None

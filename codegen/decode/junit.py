@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Report, Rule
+from codegen.load.files import Files
 from codegen.load.xml_tree import XmlElement, place_of, read_xml
 from codegen.model.test_record import SPECIFICATION_PROPERTY, Outcome, TestResult
 
@@ -19,9 +20,9 @@ MAX_BYTES = 200_000_000
 _BAD = ("failure", "error")
 
 
-def decode_junit(path: str, report: Report) -> tuple[TestResult, ...] | None:
+def decode_junit(path: str, files: Files, report: Report) -> tuple[TestResult, ...] | None:
     """The results of a file in its order; None, after a finding, where it cannot be read."""
-    root = read_xml(path, report, most=MAX_BYTES)
+    root = read_xml(path, files, report, most=MAX_BYTES)
     if root is None:
         return None
     if root.tag not in ("testsuites", "testsuite"):

@@ -4,7 +4,7 @@ import os
 from dataclasses import replace
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.load.trees import file_names, is_file
+from codegen.load.files import Files
 from codegen.model.spec.spec import Correction, Project
 from codegen.model.spec.state import StateSpec
 from codegen.source import Written
@@ -23,20 +23,21 @@ class Overlays:
     ``spare`` are the corrections that belong to them.
     """
 
-    def __init__(self, folder: str, report: Report) -> None:
+    def __init__(self, folder: str, files: Files, report: Report) -> None:
         self._folder = folder
+        self._files = files
         self._report = report
         self.others: set[str] = set()
         self.spare: list[Correction] = []
 
     def is_used(self, record: Written, overlay: str | None, project: Project | None) -> bool:
-        """Whether the project has the overlay for which a record is written; one that is no file is reported."""
+        """Return whether the project has the overlay for which a record is written; one that is no file is reported."""
         if overlay is None:
             return True
         path = self._path(overlay)
         is_listed = project is not None and path in {self._path(name) for name in project.overlays}
-        if not is_file(path):
-            names = file_names(os.path.join(self._folder, "dialects"))
+        if not self._files.is_file(path):
+            names = self._files.names(os.path.join(self._folder, "dialects"), Report())
             hint = did_you_mean(overlay, [f"dialects/{name}" for name in names if name.endswith(".xml")])
             self._report.add(UNKNOWN_OVERLAY, record.at("overlay"), f"there is no overlay {overlay}", hint)
         elif not is_listed:

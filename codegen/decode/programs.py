@@ -8,8 +8,7 @@ from dataclasses import replace
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
-from codegen.load.text import read_bytes
-from codegen.load.trees import exists
+from codegen.load.files import Files
 from codegen.model.spec.spec import ProgramProject, Project
 from codegen.source import Place, shown_path
 
@@ -62,12 +61,12 @@ class ListedProgram:
         )
 
 
-def list_programs(project_file: str, report: Report) -> tuple[ListedProgram, ...]:
+def list_programs(project_file: str, files: Files, report: Report) -> tuple[ListedProgram, ...]:
     """The programs that a project file lists, those with errors left out.
 
     What is wrong with the project file itself, ``decode_spec`` has reported.
     """
-    base = decode_record_file(os.path.abspath(project_file), Project, Report())
+    base = decode_record_file(os.path.abspath(project_file), Project, files, Report())
     if base is None:
         return ()
     programs = []
@@ -79,10 +78,10 @@ def list_programs(project_file: str, report: Report) -> tuple[ListedProgram, ...
         for message in problems:
             report.add(BAD_PROGRAM_LIST, place, message)
         folders.setdefault(os.path.dirname(path), name)
-        if problems or read_bytes(path, report, place) is None:
+        if problems or files.read_bytes(path, report, place) is None:
             continue
-        own = decode_record_file(path, ProgramProject, Report())  # its findings are those of decode_program
-        if own is None or _is_base(own, base, report):
+        own = decode_record_file(path, ProgramProject, files, Report())  # its findings are those of decode_program
+        if own is None or _is_base(own, base, files, report):
             programs.append(ListedProgram(name, path, base, own, place))
     return tuple(programs)
 
@@ -101,14 +100,14 @@ def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> I
         yield f"{shown_path(path)} lies in the folder of the program {folders[folder]}"
 
 
-def _is_base(own: ProgramProject, base: Project, report: Report) -> bool:
-    """Whether the base that a program states is the project that lists it."""
+def _is_base(own: ProgramProject, base: Project, files: Files, report: Report) -> bool:
+    """Return whether the base that a program states is the project that lists it."""
     stated = os.path.normpath(os.path.join(os.path.dirname(own.place.file), own.base))
     folder = os.path.dirname(base.place.file)
     if stated == folder:
         return True
     message = f"{own.base} is not the folder of the project that lists this program"
-    if not exists(os.path.join(stated, "codegen.yaml")):
+    if not files.exists(os.path.join(stated, "codegen.yaml")):
         message = f"{own.base} is not the folder of a project"
     hint = os.path.relpath(folder, os.path.dirname(own.place.file)).replace(os.sep, "/")
     related = [(base.place, "the project that lists it")]

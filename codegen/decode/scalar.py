@@ -81,7 +81,7 @@ def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
 
 
 def wanted(shape: Shape) -> str:
-    """What may be written, as in "it wants ..."."""
+    """Return what may be written, as in "it wants ..."."""
     match shape:
         case Text():
             return "text" if shape.pattern is None else "a number with its unit"
@@ -105,7 +105,7 @@ def wanted(shape: Shape) -> str:
 
 
 def found(node: YamlNode) -> str:
-    """What is written, as in "found ..."."""
+    """Return what is written, as in "found ..."."""
     match node:
         case MappingNode():
             return "a mapping"

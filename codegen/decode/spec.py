@@ -16,9 +16,9 @@ from codegen.decode.record_file import decode_record_file, decode_record_text
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.unread import DRIVERS, READ_BY_OTHERS, hint_for_unread
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.load.files import Files
 from codegen.load.markdown import parse_markdown
-from codegen.load.text import FILE_NOT_READABLE, decode_text, is_refused, read_bytes
-from codegen.load.trees import exists, file_names, why_not_listed
+from codegen.load.text import decode_text
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.spec.board import BoardSpec
@@ -83,19 +83,19 @@ OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE, COMMANDS_FILE)
 _Record = TypeVar("_Record", bound=Written)
 
 
-def decode_spec(project_file: str, report: Report) -> Spec | None:
+def decode_spec(project_file: str, files: Files, report: Report) -> Spec | None:
     """The specification of a project file and of the files beside it.
 
     Everything that is wrong in any of the files is reported. The result is None where the project file, one of the
     four fixed files, or vehicle.yaml where there is one, could not be decoded at all; otherwise it lacks the records
     that could not be, so what later stages say about a missing record may follow from an error that was reported here.
     """
-    return _SpecReader(os.path.abspath(project_file), None, report).read()
+    return _SpecReader(os.path.abspath(project_file), None, files, report).read()
 
 
-def decode_program(program: ListedProgram, report: Report) -> Spec | None:
+def decode_program(program: ListedProgram, files: Files, report: Report) -> Spec | None:
     """The specification of a further program; what is said of ``decode_spec`` holds for it, too."""
-    return _SpecReader(program.project_file, program, report).read()
+    return _SpecReader(program.project_file, program, files, report).read()
 
 
 def _hash(data: bytes) -> str:
@@ -109,14 +109,15 @@ class _SpecReader:
     Of a further program, ``_folder`` is its own, and ``_base`` that of the project that lists it; else both are one.
     """
 
-    def __init__(self, project_file: str, program: ListedProgram | None, report: Report) -> None:
+    def __init__(self, project_file: str, program: ListedProgram | None, files: Files, report: Report) -> None:
         self._project_file = project_file
         self._program = program
         self._folder = os.path.dirname(project_file)
         self._base_file = program.base.place.file if program else project_file
         self._base = os.path.dirname(self._base_file)
+        self._files = files
         self._report = report
-        self._overlays = Overlays(self._base, report)
+        self._overlays = Overlays(self._base, files, report)
         self._hashes: dict[str, str] = {}
         self._unused_tables: dict[str, str] = {}  # their overlays, by name
         self._has_broken_table = False
@@ -127,7 +128,7 @@ class _SpecReader:
         project = self._main_project() if self._program is None else self._program_project(self._program)
         if self._project_file not in self._hashes:
             return None
-        self._missing = [name for name in FIXED_FILES if not exists(self._used(name))]
+        self._missing = [name for name in FIXED_FILES if not self._files.exists(self._used(name))]
         if len(self._missing) > 1:
             message = f"there is no {', '.join(self._missing[:-1])} and {self._missing[-1]} beside it"
             hint = "codegen init FOLDER writes a project that has them all"
@@ -192,13 +193,13 @@ class _SpecReader:
         return None if node is None else decode_record(node, Project, self._report)
 
     def _program_project(self, program: ListedProgram) -> Project | None:
-        """What the program states, and its base for the rest."""
+        """Return what the program states, and its base for the rest."""
         self._text(self._base_file, None)
         own = self._record(self._project_file, ProgramProject, program.place)
         return None if own is None else program.project(own)
 
     def _text(self, path: str, asked_at: Place | None) -> str | None:
-        data = read_bytes(path, self._report, asked_at)
+        data = self._files.read_bytes(path, self._report, asked_at)
         if data is None:
             return None
         self._hashes[path] = _hash(data)
@@ -215,18 +216,18 @@ class _SpecReader:
 
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
         path = self._used(name)
-        return self._record(path, cls, Place(path)) if exists(path) else None
+        return self._record(path, cls, Place(path)) if self._files.exists(path) else None
 
     def _board_model(self, board: BoardSpec) -> BoardModelSpec | None:
-        """What there is to know about the board; None where none is named, or after a finding."""
+        """Return what there is to know about the board; None where none is named, or after a finding."""
         if board.board is None:
             return None
         place = board.at("board")
-        path = board_model_path(board.board, (self._folder, self._base), place, self._report)
+        path = board_model_path(board.board, (self._folder, self._base), place, self._files, self._report)
         if path is None:
             return None
         if os.path.dirname(path) == FOLDER:  # codegen itself, and no file of the specification
-            return decode_record_file(path, BoardModelSpec, self._report, place)
+            return decode_record_file(path, BoardModelSpec, self._files, self._report, place)
         return self._record(path, BoardModelSpec, place)
 
     def _drivers(self, board: BoardSpec | None) -> tuple[dict[str, OwnDriver], frozenset[str]]:
@@ -246,13 +247,15 @@ class _SpecReader:
     def _receiver(self) -> ReceiverSpec | None:
         """The receiver of the messages of this program; a further one does not repeat that of its base."""
         path = os.path.join(self._folder, RECEIVER_FILE)
-        return self._record(path, ReceiverSpec, Place(path)) if exists(path) else None
+        return self._record(path, ReceiverSpec, Place(path)) if self._files.exists(path) else None
 
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
         """The tables in use, by the names of their files; of two with one name the first."""
         paths = self._united("messages", (".yaml",))
         if not paths and len(self._missing) < 2:
-            lost = "".join(f"; {name} needs one" for name in ("commands.yaml", "receives") if exists(self._used(name)))
+            lost = "".join(
+                f"; {name} needs one" for name in ("commands.yaml", "receives") if self._files.exists(self._used(name))
+            )
             what = f"there is no population table messages/*.yaml, so nothing would be sent{lost}"
             hint = "write messages/heartbeat.yaml: codegen init FOLDER writes a project that has it"
             self._report.add(NO_MESSAGES, Place(self._base_file), what, hint)
@@ -345,7 +348,7 @@ class _SpecReader:
     def _add_hashes(self, project: Project) -> None:
         """Account for the XML files that the project names; whoever reads them reports what is wrong with them."""
         for name in (project.dialect, *project.overlays, *project.known):
-            data = read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
+            data = self._files.read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
             if data is not None:
                 self._hashes[self._path(name)] = _hash(data)
 
@@ -370,7 +373,7 @@ class _SpecReader:
     def _used(self, name: str) -> str:
         """The path of a file with a fixed name: the program's own, if there is one."""
         own = self._own(name)
-        return own if exists(own) else os.path.join(self._base, name)
+        return own if self._files.exists(own) else os.path.join(self._base, name)
 
     def _united(self, folder: str, endings: tuple[str, ...]) -> list[str]:
         """The files of the base's folder and of the program's own by name; of two with one name its own."""
@@ -380,11 +383,5 @@ class _SpecReader:
     def _listed(self, folder: str, endings: tuple[str, ...], below: str | None = None) -> list[str]:
         """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
         path = os.path.join(below or self._folder, folder).rstrip(os.sep)
-        if is_refused(path, Place(path), self._report):
-            return []
-        why = why_not_listed(path)
-        if why is not None:
-            self._report.add(FILE_NOT_READABLE, Place(path), f"the folder {shown_path(path)} cannot be read: {why}")
-        return [
-            os.path.join(path, name) for name in file_names(path) if name.endswith(endings) and not name.startswith(".")
-        ]
+        names = self._files.names(path, self._report)
+        return [os.path.join(path, name) for name in names if name.endswith(endings) and not name.startswith(".")]

@@ -16,7 +16,9 @@ DRIVERS = "drivers"
 
 
 def hint_for_unread(folder: str, name: str, absent: Sequence[str], *, in_program: bool) -> str | None:
-    """What may have been meant by a file of a folder; ``absent`` are the files that could be there and are not."""
+    """Return what may have been meant by a file of a folder; ``absent`` are the
+    files that could be there and are not.
+    """
     hints = {
         "messages": "the program does not list its message"
         if in_program and name.endswith(".yaml")

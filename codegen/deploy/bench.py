@@ -38,7 +38,7 @@ class Measured:
 
 
 def steps(facts: Mapping[str, object], seconds: float) -> Iterator[tuple[str, str]]:
-    """What is done, one after the other: a name for people, and the call."""
+    """Yield what is done, one after the other: a name for people, and the call."""
     yield "start", "begin()"
     for name in ("readings", "updates", "sets", "frames", "receptions"):
         yield name, f"{name}({COUNT})"
@@ -91,7 +91,7 @@ def firmware_digest(files: Mapping[str, bytes]) -> str:
 def record_of(
     board: Board, about: Mapping[str, str], found: Measured, files: Mapping[str, bytes], *, own_ports: bool
 ) -> BenchRecord:
-    """What the file says; ``about`` has project, program and inputs."""
+    """Return what the file says; ``about`` has project, program and inputs."""
     return BenchRecord(
         project=about["project"],
         program=about["program"],

@@ -77,7 +77,7 @@ class Connection:
         self.run(copied("deploy/hold.py"))
 
     def run(self, code: str) -> str:
-        """What the code prints on the board."""
+        """Return what the code prints on the board."""
         from mpremote.transport import TransportError, TransportExecError  # noqa: PLC0415
 
         try:

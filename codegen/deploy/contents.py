@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from codegen.deploy.findings import NAME_TWICE
 from codegen.deploy.plan import MAIN
 from codegen.diagnostics import Report
-from codegen.load.text import read_text
+from codegen.load.files import DISK
 from codegen.model.system import System
 from codegen.source import Place
 
@@ -26,7 +26,7 @@ def own_modules(system: System, folder: str, generated: Iterable[str], report: R
             if path.removesuffix(".py") in made:
                 report.add(NAME_TWICE, Place(absolute), f"{path} is a generated module, too", "rename yours")
                 continue
-            text = read_text(absolute, report)
+            text = DISK.read_text(absolute, report)
             if text is not None:
                 files[path.replace(os.sep, "/")] = text
                 waiting += [each for each in _imported(text) if each not in waiting]
@@ -49,7 +49,7 @@ def _in_library(path: str) -> str:
 
 
 def _first(system: System, has_main: bool) -> Iterator[str]:
-    """What the generated modules import of the user's; without a program the user's own main.py."""
+    """Yield what the generated modules import of the user's; without a program the user's own main.py."""
     if system.program is not None:
         yield system.program.module
     if not has_main:

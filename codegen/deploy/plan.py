@@ -39,7 +39,7 @@ class Plan:
 
     @property
     def is_empty(self) -> bool:
-        """Whether nothing has to be done."""
+        """Return whether nothing has to be done."""
         return not self.removals and not self.copies
 
 
@@ -49,7 +49,9 @@ def of_interest(wanted: Collection[str], owned: Owned) -> list[str]:
 
 
 def plan(wanted: Mapping[str, str], found: Mapping[str, Found], owned: Owned) -> Plan:
-    """What leads from ``found`` to ``wanted`` (paths with their hashes); folders in ``found`` end with a slash."""
+    """Return what leads from ``found`` to ``wanted`` (paths with their hashes);
+    folders in ``found`` end with a slash.
+    """
     changed = [path for path in sorted(wanted) if path not in found or found[path].digest != wanted[path]]
     outdated = {path: "is outdated" for path in changed if path in found}
     hiding = {source: f"hides {path}" for path in sorted(wanted) for source in _sources(path) if source in found}
@@ -76,7 +78,7 @@ def plan(wanted: Mapping[str, str], found: Mapping[str, Found], owned: Owned) ->
 
 
 def is_room(plan: Plan, sizes: Mapping[str, int], found: Mapping[str, Found], free: int, block: int) -> bool:
-    """Whether the copies fit once the removals are done; ``sizes``, ``free`` and ``block`` are bytes."""
+    """Return whether the copies fit once the removals are done; ``sizes``, ``free`` and ``block`` are bytes."""
     need = sum(_blocks(sizes[path], block) for path in plan.copies)
     freed = sum(_blocks(found[each.path].size, block) for each in plan.removals if each.kept is None)
     return need + 4 * block <= free + freed  # folders and the manifest take some
@@ -87,7 +89,7 @@ def _blocks(size: int, block: int) -> int:
 
 
 def _sources(path: str) -> Iterator[str]:
-    """What MicroPython takes in place of a compiled module."""
+    """Yield what MicroPython takes in place of a compiled module."""
     if path.endswith(".mpy"):
         yield f"{path.removesuffix('.mpy')}.py"
 
@@ -97,7 +99,7 @@ def _folder(path: str) -> str:
 
 
 def _is_somebodys(path: str, there: Found, owned: Owned) -> bool:
-    """Whether it may be the only copy of somebody's work."""
+    """Return whether it may be the only copy of somebody's work."""
     return path.endswith(".py") and not there.is_made and there.digest not in owned.get(path, ())
 
 

@@ -32,7 +32,7 @@ class Prepared:
 
 
 def architecture_for(board: Board, port: str, report: Report) -> str | None:
-    """What to compile for; None after a finding. Bytecode where there is no machine code for the board."""
+    """Return what to compile for; None after a finding. Bytecode where there is no machine code for the board."""
     place, emitted = Place(port), emitted_version(report)
     if emitted is None:
         return None
@@ -55,7 +55,7 @@ def architecture_for(board: Board, port: str, report: Report) -> str | None:
 def prepare(
     connection: Connection, board: Board, system: System, files: Mapping[str, str | bytes], report: Report
 ) -> Prepared | None:
-    """What brings ``files``, by path, to the board; None after a finding that stops it."""
+    """Return what brings ``files``, by path, to the board; None after a finding that stops it."""
     place = Place(connection.port)
     known = system.spec.board_model
     if known is not None and known.mcu.lower() not in board.machine.lower():

@@ -25,7 +25,7 @@ def identified(connection: Connection) -> Board:
 
 
 def owned_files(connection: Connection) -> dict[str, list[str]]:
-    """What the manifest on the board says; nothing where there is none, or a damaged one."""
+    """Return what the manifest on the board says; nothing where there is none, or a damaged one."""
     return _read_manifest(connection, MANIFEST) or _read_manifest(connection, PART)
 
 

@@ -12,7 +12,9 @@ def wifi_file(path: str, text: str, system: System, report: Report) -> tuple[str
     """The name that the program has for it, and its content; None after a finding."""
     names = [link.spec.credentials for link in system.links if link.spec.credentials]
     if not names:
-        report.add(BAD_WIFI, Place(path), "no link of this program reads a Wi-Fi's file", "a udp link has credentials")
+        report.add(
+            BAD_WIFI, Place(path), "no link of this program reads a Wi-Fi's file", "links over Wi-Fi have credentials"
+        )
         return None
     try:
         written = json.loads(text)

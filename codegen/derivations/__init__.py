@@ -62,7 +62,7 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
 
 
 def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
-    """Where the value of a quantity comes from; None after a finding."""
+    """Return where the value of a quantity comes from; None after a finding."""
     written = around.spec.derivations
     if not written:
         return resolve_received(around) if around.received else SetByCode(around.spec.restarts_with)
@@ -76,7 +76,7 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
 
 
 def _fits(written: DerivationSpec, kept: Kept, around: Surroundings) -> bool:
-    """Whether the quantity is one of those that a derivation gives a value."""
+    """Return whether the quantity is one of those that a derivation gives a value."""
     key, name, kind = written.KEY, around.name, kept.kind
     if isinstance(written, SourcedSpec):
         return True  # it says itself what it cannot give

@@ -155,7 +155,7 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
 
 
 def _is_followed(around: Surroundings) -> bool:
-    """Whether what counts looks at this very quantity."""
+    """Return whether what counts looks at this very quantity."""
     count = around.others.get(around.spec.restarts_with or "")
     counts = count.written(CountsReturnsSpec) if count is not None else None
     gone = around.others.get(counts.counts_returns_of) if counts is not None else None

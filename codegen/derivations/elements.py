@@ -13,7 +13,7 @@ BAD_ELEMENTS = Rule(
 
 
 def resolve_elements(around: Surroundings) -> tuple[int, ...] | None:
-    """How many values the quantity has, by instance; None for a single value, or after a finding."""
+    """Return how many values the quantity has, by instance; None for a single value, or after a finding."""
     spec = around.spec
     if spec.elements is None:
         return None

@@ -202,7 +202,7 @@ def _amounts(key: str, limit: Fraction | str, unit: str, around: Surroundings) -
 
 
 def steps_of(followed: QuantitySpec) -> Fraction | None:
-    """How many stored units of a quantity make one unit; None for units that do not exist or convert."""
+    """Return how many stored units of a quantity make one unit; None for units that do not exist or convert."""
     names = (followed.unit, followed.stored or followed.unit)
     unit, stored = (NUMBER if name is None else Unit.parse(name) for name in names)
     return None if unit is None or stored is None else ratio(unit, stored)

@@ -64,7 +64,7 @@ class Integral(Derivation):
 
 
 def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) -> Integral | None:
-    """What is summed; None after a finding."""
+    """Return what is summed; None after a finding."""
     if written.integral_of is None:
         around.bad("times", "times says nothing without integral_of", BAD_INTEGRAL)
         return None
@@ -107,7 +107,7 @@ def measured_unit(key: str, name: str, around: Surroundings) -> Unit | None:
 
 
 def is_sensed(name: str, around: Surroundings) -> bool:
-    """Whether a sensor other than an ADC gives a quantity of the component."""
+    """Return whether a sensor other than an ADC gives a quantity of the component."""
     return around.others[name].written(SourcedSpec) is not None
 
 

@@ -179,7 +179,7 @@ def resolve_measured(written: MeasuredSpec, kept: Kept, around: Surroundings) ->
 
 
 def _represented(written: MeasuredSpec, around: Surroundings) -> Represented | None:
-    """Where code sets the quantity in place of the ADC; None where that is nowhere, or after a finding."""
+    """Return where code sets the quantity in place of the ADC; None where that is nowhere, or after a finding."""
     if not written.set_at:
         if written.set_stale_after is not None:
             around.bad("set_stale_after", f"{around.name} is set by code nowhere, so set_stale_after says nothing")
@@ -206,7 +206,7 @@ def _represented(written: MeasuredSpec, around: Surroundings) -> Represented | N
 
 
 def _can_prefer(written: MeasuredSpec, around: Surroundings) -> bool:
-    """Whether what it prefers is a list of numbers that are stored alike; False after a finding."""
+    """Return whether what it prefers is a list of numbers that are stored alike; False after a finding."""
     name = written.prefers
     if name is None:
         return True
@@ -269,7 +269,7 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
 
 
 def _is_whole(written: MeasuredSpec, around: Surroundings) -> bool:
-    """Whether all is written that a conversion needs; what stands alone is reported."""
+    """Return whether all is written that a conversion needs; what stands alone is reported."""
     if written.adc is None and written.multiplier is None and written.offset is None:
         for key in ("warn_above", "warn_every"):
             if getattr(written, key) is not None:
@@ -298,7 +298,7 @@ def _factor(key: str, written: str, around: Surroundings) -> Factor | None:
 
 
 def _range(factor: Factor) -> str:
-    """What a factor can be, for people."""
+    """Return what a factor can be, for people."""
     if isinstance(factor, Constant):
         return f"always {factor.name}"
     low, default, high = (decimal(steps * factor.step) for steps in (factor.minimum, factor.default, factor.maximum))

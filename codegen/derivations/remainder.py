@@ -107,7 +107,7 @@ class Lasts(Derivation):
 
 
 def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | None:
-    """What is left of which parameter; None after a finding."""
+    """Return what is left of which parameter; None after a finding."""
     name = written.after
     if written.left_of is None or name is None:
         around.bad("left_of" if name is None else "after", "what is left has both left_of and after", BAD_REMAINDER)
@@ -138,7 +138,7 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
 
 
 def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts | None:
-    """What lasts, and at what; None after a finding."""
+    """Return what lasts, and at what; None after a finding."""
     name, at = written.lasts, written.drawn
     if name is None or at is None or written.over is None:
         given = {"lasts": name, "at": at, "over": written.over}
@@ -171,7 +171,9 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
 
 
 def _basis(name: str, *, is_sensed: bool) -> str:
-    """What something is counted of, and who measures it where that is no ADC, with which it is forgotten then."""
+    """Return what something is counted of, and who measures it where that is no
+    ADC, with which it is forgotten then.
+    """
     return f"{name} of a sensor" if is_sensed else name
 
 

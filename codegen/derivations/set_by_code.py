@@ -52,7 +52,7 @@ class SetByCode(Derivation):
 
 
 def set_by_code(quantity: Quantity, instance: int) -> SimulatedInput:
-    """How true values of what code sets reach an instance in a simulation."""
+    """Return how true values of what code sets reach an instance in a simulation."""
     return SimulatedInput(
         "state",
         {

@@ -94,7 +94,7 @@ class Sourced(Derivation):
 
 
 def resolve_sourced(written: SourcedSpec, kept: Kept, around: Surroundings) -> Sourced | None:
-    """What gives it; None after a finding."""
+    """Return what gives it; None after a finding."""
     _check(kept, around)
     if around.failed:
         return None

@@ -120,7 +120,7 @@ class Surroundings:
 
     @property
     def is_sourced(self) -> bool:
-        """Whether a sensor gives it."""
+        """Return whether a sensor gives it."""
         return self.spec.written(SourcedSpec) is not None
 
     def outputs(self) -> tuple[tuple[Source, Output], ...]:

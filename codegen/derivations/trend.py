@@ -79,6 +79,6 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
 
 
 def _is_rate_of(unit: str | None, stored: Unit) -> bool:
-    """Whether a unit is another one per second, however it is spelled."""
+    """Return whether a unit is another one per second, however it is spelled."""
     rate = Unit.parse(f"{unit or 1}/s")
     return rate is not None and ratio(rate, stored) == 1

@@ -52,7 +52,7 @@ class WhileKnown(Derivation):
 
 
 def resolve_while_known(written: WhileKnownSpec, kept: Kept, around: Surroundings) -> WhileKnown:
-    """What the boolean follows."""
+    """Return what the boolean follows."""
     name = written.while_known
     if name not in around.others:
         around.no_quantity("while_known", name, UNKNOWN_QUANTITY)

@@ -36,7 +36,7 @@ class Weight(StrEnum):
 
     @property
     def is_harmless(self) -> bool:
-        """Whether nobody has to do anything."""
+        """Return whether nobody has to do anything."""
         return self is Weight.HARMLESS
 
     @property
@@ -95,7 +95,7 @@ def builders_first(symbols: Iterable[str]) -> tuple[str, ...]:
 
 
 def joined(reaches: Iterable[Reach]) -> Reach:
-    """What any of several changes, or of the rows that one concerns, touches."""
+    """Return what any of several changes, or of the rows that one concerns, touches."""
     several = tuple(reaches)
     return Reach(
         requirements=_sorted(reach.requirements for reach in several),
@@ -141,29 +141,31 @@ class Change:
 
     @property
     def has_moved(self) -> bool:
-        """Whether it stood at another line before."""
+        """Return whether it stood at another line before."""
         return self.was_at is not None and self.was_at[1:] != self.place[1:]
 
     @property
     def is_breaking(self) -> bool:
-        """Whether somebody breaks who was not changed as well."""
+        """Return whether somebody breaks who was not changed as well."""
         return bool(self.breaks)
 
     @property
     def weight(self) -> Weight:
-        """How bad it is."""
+        """Return how bad it is."""
         if self.is_breaking:
             return Weight.SILENT if self.is_silent else Weight.BREAKING
         return Weight.PERSON if self.doubt else Weight.HARMLESS
 
     @property
     def is_lost(self) -> bool:
-        """Whether a requirement loses what answered to it or showed it: nobody breaks, and yet it is an error."""
+        """Return whether a requirement loses what answered to it or showed it:
+        nobody breaks, and yet it is an error.
+        """
         return self.rule.severity is Severity.ERROR and not self.rule.breaks and self.rule.area is Area.TRACE
 
     @property
     def is_silent(self) -> bool:
-        """Whether bytes are believed that mean something else: the dangerous kind."""
+        """Return whether bytes are believed that mean something else: the dangerous kind."""
         return self.is_breaking and self.notice is Notice.SILENT
 
 

@@ -86,7 +86,9 @@ def _may_lead(head: Group, group: Group) -> bool:
 
 
 def _is_dropped_with(head: Group, group: Group, _: Carried) -> bool:
-    """Whether nobody reads the bytes that a change is about, the whole message being dropped for the same reason."""
+    """Return whether nobody reads the bytes that a change is about, the whole
+    message being dropped for the same reason.
+    """
     return set(group.first.messages) <= set(head.first.messages)
 
 
@@ -101,7 +103,7 @@ def _is_in_dropped(change: Change) -> bool:
 
 
 def _is_of_the_field(head: Group, group: Group, _: Carried) -> bool:
-    """Whether a table says otherwise what the dialect says otherwise of the same field."""
+    """Return whether a table says otherwise what the dialect says otherwise of the same field."""
     if head.first.enum is not None:
         is_flags = group.first.rule.id == behaviour_rules.FLAGS.id
         return is_flags and not set(group.first.rows).isdisjoint(head.first.rows)
@@ -109,19 +111,19 @@ def _is_of_the_field(head: Group, group: Group, _: Carried) -> bool:
 
 
 def _is_kept_otherwise(head: Group, group: Group, carried: Carried) -> bool:
-    """Whether a number is converted otherwise because of how its source is kept, measured or limited."""
+    """Return whether a number is converted otherwise because of how its source is kept, measured or limited."""
     reached = {target for change in head.changes for target in carried.get(change.subject, ())}
     return set(_fields(group)) <= reached
 
 
 def _is_for_new_field(head: Group, group: Group, _: Carried) -> bool:
-    """Whether a table answers a field for which CRC_EXTRA is another one."""
+    """Return whether a table answers a field for which CRC_EXTRA is another one."""
     field = next(_fields(group)).rpartition(".")[2]
     return head.first.messages == group.first.messages and f"{field} is new" in head.first.causes
 
 
 def _is_its_default(head: Group, group: Group, _: Carried) -> bool:
-    """Whether a stream has another rate because the default of its parameter is another one."""
+    """Return whether a stream has another rate because the default of its parameter is another one."""
     return f"default of {group.first.subject}" in (head.first.new or "")
 
 
@@ -153,5 +155,5 @@ _RELATIONS = (
 
 
 def _fields(group: Group) -> Iterator[str]:
-    """What a group is about, without the name of a program and without elements."""
+    """Return what a group is about, without the name of a program and without elements."""
     return (_ELEMENTS.sub("", change.subject.rpartition(": ")[2]) for change in group.changes)

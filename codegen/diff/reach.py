@@ -20,7 +20,7 @@ class Traces:
 
 
 def traces(old: Trace, new: Trace, systems: Iterable[System]) -> Traces:
-    """What reach is looked up in; ``systems`` are those of both versions."""
+    """Return what reach is looked up in; ``systems`` are those of both versions."""
     sent_in: dict[str, dict[str, None]] = {}
     for system in systems:
         for source, reached_from in carried_on(system).items():
@@ -57,7 +57,7 @@ def _of_row(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
 
 
 def _of_criterion(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
-    """What answers to a criterion and shows it, whoever cites it."""
+    """Return what answers to a criterion and shows it, whoever cites it."""
     key = f"criterion {name}"
     if key not in known:
         rows = [row for trace in (found.old, found.new) for row in trace.rows_of.get(name, ())]

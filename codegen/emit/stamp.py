@@ -9,7 +9,6 @@ again.
 import errno
 import json
 import os
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 
@@ -26,13 +25,10 @@ LISTED = ("", "messages", "receives", "dialects", "requirements")
 MARGIN_S = 1.0
 """How much older than a build its input has to be: some disks keep times in large steps."""
 
-_OUTPUT = re.compile(rb"""^output:[ \t]*["']?([^"'#\s]+)""", re.MULTILINE)
 
-
-def unchanged(project: str) -> int | None:
-    """How many files the last build of ``project`` has written, if a build would do nothing now; else None."""
+def unchanged(project: str, folder: str) -> int | None:
+    """Return how many files the last build of ``project`` wrote into ``folder``, or None where a build may do more."""
     try:
-        folder = _likely_output(project)
         kept = _kept(folder)
         outputs = kept["outputs"]
         if kept["project"] != project or kept["inputs"] != _inputs(project, kept["read"], kept["folders"]):
@@ -46,9 +42,9 @@ def unchanged(project: str) -> int | None:
         return None
 
 
-def read_last_time(project: str) -> list[str]:
-    """What that build read, as ``everything_read`` has it. May raise OSError."""
-    kept = _kept(_likely_output(project))
+def read_last_time(project: str, folder: str) -> list[str]:
+    """Return what that build read, as ``everything_read`` has it. May raise OSError."""
+    kept = _kept(folder)
     return everything_read(project, kept["read"], kept["folders"])
 
 
@@ -76,7 +72,7 @@ def keep(
     with suppress(OSError, ValueError):
         read = sorted(read)
         outputs = sorted({*rendered, MANIFEST})
-        if _likely_output(project) != folder or not _are_older([project, *read], started - MARGIN_S):
+        if not _are_older([project, *read], started - MARGIN_S):
             return
         with open(os.path.join(folder, MANIFEST), "rb") as file:
             contents = {**rendered, MANIFEST: file.read()}
@@ -101,22 +97,6 @@ def keep(
         with open(unfinished, "w", encoding="utf-8") as file:
             json.dump(stamp, file)
         os.replace(unfinished, os.path.join(where, "stamp.json"))
-
-
-def _likely_output(project: str) -> str:
-    """Where the project file seems to put its output; whether it does is settled by the hash of that file.
-
-    May raise OSError, and ValueError where that is out of the project: no stamp is kept there, and none looked for.
-    """
-    with open(project, "rb") as file:
-        found = _OUTPUT.search(file.read())
-    written = os.fsdecode(found[1]) if found else "../generated"
-    specification = os.path.dirname(project)
-    folder = os.path.normpath(os.path.join(specification, written))
-    above = os.path.realpath(os.path.dirname(specification))
-    if os.path.commonpath([above, os.path.realpath(folder)]) != above:
-        raise ValueError(f"{folder} is not below {above}")
-    return folder
 
 
 def _inputs(project: str, read: Iterable[str], specifications: Iterable[str]) -> str:

@@ -68,7 +68,7 @@ def _lines(document: Arranged, status: str, source: str, width: int) -> Iterator
 
 
 def _bench(criteria: tuple[ArrangedCriterion, ...], width: int) -> Iterator[str]:
-    """What a host cannot show: criteria of which the same is said share an item."""
+    """Yield what a host cannot show: criteria of which the same is said share an item."""
     said: dict[str, list[int]] = {}
     for each in criteria:
         if each.bench:

@@ -9,7 +9,8 @@ from typing import Any
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.exchanged.restructured import formatted_content
 from codegen.exchanged.stated import Stated, StatedFile
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.files import DISK
+from codegen.load.text import decode_text
 from codegen.source import Place
 
 NEEDS_FORMAT = Rule(
@@ -35,11 +36,11 @@ FACTS = ("aliases", "refers_to", "bench")
 
 
 def read_needs(path: str, types: Collection[str], version: str | None, report: Report) -> StatedFile | None:
-    """What a file states with its needs of some ``types``; None, after a finding, where it is no needs.json.
+    """Return what a file states with its needs of some ``types``; None, after a finding, where it is no needs.json.
 
     ``version`` is the one that is read, by default the current one. An older file calls the content description.
     """
-    data = read_bytes(path, report, None, MAX_BYTES)
+    data = DISK.read_bytes(path, report, None, MAX_BYTES)
     text = None if data is None else decode_text(data, path, report)
     if text is None:
         return None
@@ -127,7 +128,7 @@ class _Reader:
 
 
 def _wrong(need: Any) -> str:
-    """What is wrong with a need, or nothing."""
+    """Return what is wrong with a need, or nothing."""
     if not isinstance(need, dict):
         return "is no object"
     for name in ("title", "content", "description", "status", "name", *FACTS):
@@ -141,7 +142,7 @@ def _wrong(need: Any) -> str:
 
 
 def _lines_of(text: str, needs: Mapping[str, Any]) -> dict[str, Place]:
-    """Where the key of each need stands: in the text, a key is followed by a colon and a brace."""
+    """Return where the key of each need stands: in the text, a key is followed by a colon and a brace."""
     found: dict[str, Place] = {}
     line, start = 1, 0
     for key in re.finditer(r'\n|"((?:[^"\\\n]|\\.)*)"\s*:\s*(?=[{\[\w"])', text):

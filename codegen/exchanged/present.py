@@ -5,8 +5,7 @@ import re
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import read_text
-from codegen.load.trees import file_names
+from codegen.load.files import DISK
 from codegen.source import Place, shown_path
 
 IMPORT_PRESENT = Rule(
@@ -19,16 +18,21 @@ _TITLE = re.compile(r"^#\s+([A-Z]+-[0-9a-z]+)\s*\|", re.MULTILINE)
 
 
 def check_absent(folder: str, wanted: Mapping[str, tuple[str, Place]], report: Report) -> bool:
-    """Whether a folder, which may not exist, has none of the documents; ``wanted`` has by id file name and place."""
-    is_free = True
+    """Return whether a folder, which may not exist, has none of the documents; what cannot be read may be one of them.
+
+    ``wanted`` has by id file name and place.
+    """
     present: dict[str, str] = {}
-    names = file_names(folder) if os.path.isdir(folder) else ()
+    reading = Report()
+    names = DISK.names(folder, reading)
     for name in names:
         path = os.path.join(folder, name)
-        text = read_text(path, Report()) if name.endswith(".md") else None
+        text = DISK.read_text(path, reading) if name.endswith(".md") else None
         found = _TITLE.search(text or "")
         if found is not None:
             present[found[1]] = path
+    report.extend(reading)
+    is_free = not reading.has_errors
     for identifier, (name, place) in wanted.items():
         if identifier in present or name in names:
             shown = shown_path(os.path.abspath(present.get(identifier) or os.path.join(folder, name)))

@@ -7,6 +7,7 @@ from codegen.diagnostics import Report, Rule, Severity, shortened_list
 from codegen.exchanged.stated import Formatted, Stated, StatedFile
 from codegen.exchanged.xhtml import formatted
 from codegen.frozen import dataclass
+from codegen.load.files import DISK
 from codegen.load.xml_tree import MixedElement, place_of, read_mixed_xml
 from codegen.source import Place
 
@@ -57,8 +58,8 @@ class _Object:
 
 
 def read_reqif(path: str, attributes: Attributes, report: Report) -> StatedFile | None:
-    """What a file states; None, after a finding, where it is no ReqIF."""
-    root = read_mixed_xml(path, report, MAX_BYTES)
+    """Return what a file states; None, after a finding, where it is no ReqIF."""
+    root = read_mixed_xml(path, DISK, report, MAX_BYTES)
     if root is None:
         return None
     content = _only(_only(root, "CORE-CONTENT"), "REQ-IF-CONTENT")
@@ -150,7 +151,7 @@ class _Reader:
         return placed
 
     def _relations(self) -> tuple[dict[str, tuple[str, ...]], dict[str, int]]:
-        """What depends on what, by keys; and how many relations there are of other types."""
+        """Return what depends on what, by keys; and how many relations there are of other types."""
         depends_on: dict[str, dict[str, None]] = {}
         others: Counter[str] = Counter()
         for each in _children(_only(self._content, "SPEC-RELATIONS")):
@@ -197,7 +198,7 @@ class _Reader:
 
 
 def _says_something(each: Stated) -> bool:
-    """Whether an object is a requirement or a heading."""
+    """Return whether an object is a requirement or a heading."""
     return each.text is not None or each.is_broken or bool(each.title)
 
 
@@ -222,7 +223,7 @@ def _all(element: MixedElement | None) -> Iterable[MixedElement]:
 
 
 def _reference(element: MixedElement | None) -> str:
-    """What the one reference in an element refers to, or nothing."""
+    """Return what the one reference in an element refers to, or nothing."""
     children = _children(element)
     return _all_text(children[0]) if children else ""
 

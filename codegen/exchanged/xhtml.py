@@ -41,7 +41,7 @@ def _begun(text: str) -> str:
 
 
 def _pieces(element: MixedElement, path: str, report: Report) -> Iterator[tuple[str, str]]:
-    """What stands in an element in pieces, each as Markdown and as a reader sees it."""
+    """Yield what stands in an element in pieces, each as Markdown and as a reader sees it."""
     for each in element.content:
         if isinstance(each, str):
             yield each, each

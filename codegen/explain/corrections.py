@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Report
-from codegen.load.text import read_text
+from codegen.load.files import DISK
 from codegen.model.dialect.dialect import Dialect, FieldCorrection, Standing
 from codegen.source import Place
 
@@ -40,7 +40,7 @@ def _facts(correction: FieldCorrection) -> Iterator[tuple[str, str]]:
 
 def line_of(words: str, element: Place) -> Place:
     """The line of the XML on which ``words`` begin that stand in the description of the element; else the element's."""
-    text = read_text(element.file, Report())
+    text = DISK.read_text(element.file, Report())
     lines = [] if text is None else text.splitlines()[element.line - 1 : element.line - 1 + _LONGEST]
     for index, line in enumerate(lines):
         start = " ".join(line.split())

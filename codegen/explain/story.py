@@ -45,7 +45,7 @@ _COLUMNS = (
 
 
 def explain_rule(topic: str) -> str | None:
-    """What a rule means and what to do; None if there is no such rule."""
+    """Return what a rule means and what to do; None if there is no such rule."""
     rule = rule_catalogue().get(topic)
     return None if rule is None else f"{rule.id} ({rule.standing})\n\n{rule.explanation}\n"
 
@@ -131,7 +131,7 @@ def _others(message: PopulatedMessage) -> list[str]:
 
 
 def _withheld(message: PopulatedMessage) -> list[str]:
-    """What withholds the message."""
+    """Return what withholds the message."""
     causes = withheld_of(message)
     return [fill(f"withheld while one of these is unknown: {causes}", 100)] if causes else []
 
@@ -141,7 +141,7 @@ def _pages(message: PopulatedMessage) -> str:
 
 
 def _chosen(choice: Representation) -> str:
-    """Which instance a single message reports."""
+    """Return which instance a single message reports."""
     if choice.parameter is not None:
         return f"the one whose number {choice.parameter.name} has, else the first enabled one"
     if choice.quantity is not None:
@@ -214,7 +214,7 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
 
 
 def _attributes(field: WireField) -> list[tuple[str, str]]:
-    """What the dialect states beside unit, enum and sentinel."""
+    """Return what the dialect states beside unit, enum and sentinel."""
     stated = field.definition
     is_limited = stated.minimum is not None or stated.maximum is not None
     return [
@@ -291,7 +291,7 @@ def _parameter(parameter: Parameter, system: System) -> str:
 
 
 def _prices(concerns: Callable[[Generations], bool], system: System) -> list[str]:
-    """What the generations of messages cost that a topic concerns, each with an empty line before it."""
+    """Return what the generations of messages cost that a topic concerns, each with an empty line before it."""
     return [
         line
         for generations, table in zip(system.generations, generation_tables(system), strict=True)

@@ -34,7 +34,7 @@ def closing_line(findings: Iterable[Diagnostic]) -> str:
 
 
 def counts(findings: Iterable[Diagnostic]) -> tuple[int, int, int]:
-    """How many errors, warnings and waived findings there are."""
+    """Return how many errors, warnings and waived findings there are."""
     standings = [finding.rule.severity if finding.waived is None else None for finding in findings]
     return standings.count(Severity.ERROR), standings.count(Severity.WARNING), standings.count(None)
 

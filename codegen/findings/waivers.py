@@ -52,7 +52,7 @@ class LookedAt:
     files: Collection[str]
 
     def covers(self, waiver: WaiverSpec) -> bool:
-        """Whether the run would have found what the waiver is for."""
+        """Return whether the run would have found what the waiver is for."""
         return waiver.rule in self.rules and any(_is_about(waiver.document, file) for file in self.files)
 
 
@@ -150,6 +150,6 @@ def _judged(finding: Diagnostic, readable: _Readable, today: date, report: Repor
 
 
 def _is_about(document: str, file: str) -> bool:
-    """Whether ``file`` (absolute) is the one that a waiver calls ``document``: the last parts of its path."""
+    """Return whether ``file`` (absolute) is the one that a waiver calls ``document``: the last parts of its path."""
     wanted = [part for part in re.split(r"[/\\]", document) if part not in ("", ".")]
     return bool(wanted) and file.replace(os.sep, "/").split("/")[-len(wanted) :] == wanted

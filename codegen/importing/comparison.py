@@ -61,14 +61,14 @@ class Compared:
 
     @property
     def stated(self) -> str:
-        """What the document says, as it is understood or as it is written."""
+        """Return what the document says, as it is understood or as it is written."""
         if self.document is None:
             return ""
         return self.document.reading.answer or " ".join(self.document.written.split())
 
     @property
     def tabled(self) -> str:
-        """What the table says."""
+        """Return what the table says."""
         return ", ".join(one.text for one in self.table)
 
 
@@ -134,12 +134,15 @@ def _bare(answer: FieldAnswer) -> FieldAnswer:
 
 
 def _is_said(stated: FieldAnswer, tabled: FieldAnswer) -> bool:
-    """Whether both have the same source. Limits and rounding are beyond what a document says in its own words."""
+    """Return whether both have the same source.
+
+    Limits and rounding are beyond what a document says in its own words.
+    """
     return all(getattr(stated, key) == getattr(tabled, key) for key in (*FieldAnswer.SOURCES, "split", "first", "per"))
 
 
 def fixed_number(answer: FieldAnswer, target: Target, sources: Sources) -> Number | str | None:
-    """What always goes out for an answer, if it does not depend on the state or the board."""
+    """Return what always goes out for an answer, if it does not depend on the state or the board."""
     if answer.unknown:
         return target.sentinel
     if answer.enum is not None:
@@ -159,7 +162,7 @@ def fixed_number(answer: FieldAnswer, target: Target, sources: Sources) -> Numbe
 
 
 def _amount(written: str, field: WireField) -> Number | None:
-    """What goes out for an amount, such as 50 cm; None where the field does not carry it."""
+    """Return what goes out for an amount, such as 50 cm; None where the field does not carry it."""
     unit = wire_unit(field)
     if unit is None:
         return None
@@ -205,7 +208,7 @@ def _overlap(first: Target, second: Target) -> bool:
 
 
 def place_of(compared: Compared) -> Place | None:
-    """Where the table answers, if it does."""
+    """Return where the table answers, if it does."""
     return compared.table[0].answer.place if compared.table else None
 
 
@@ -228,6 +231,6 @@ def _cut(text: str) -> str:
 
 
 def summary(rows: Sequence[Compared]) -> str:
-    """How many rows there are of each verdict: ``3 same, 1 differs``."""
+    """Return how many rows there are of each verdict: ``3 same, 1 differs``."""
     counts = [(verdict.value, sum(row.verdict is verdict for row in rows)) for verdict in Verdict]
     return ", ".join(f"{count} {text}" for text, count in counts if count)

@@ -64,7 +64,9 @@ def _check_unknown(cell: Cell, target: Target, report: Report) -> None:
 
 
 def _is_type(text: str, target: Target) -> bool:
-    """Whether a text is the type of the field, in the spelling of C, of Rust or of the dialect, with its length."""
+    """Return whether a text is the type of the field, in the spelling of C, of Rust
+    or of the dialect, with its length.
+    """
     name, _, length = text.replace(" ", "").replace("\\", "").partition("[")
     definition = target.field.definition
     if length and length.rstrip("]") != str(definition.length):

@@ -38,7 +38,7 @@ class FoundFields:
 
 
 def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, report: Report) -> FoundFields | None:
-    """What a document says about one message: the one called ``wanted``, or the only one that it is about.
+    """Return what a document says about one message: the one called ``wanted``, or the only one that it is about.
 
     None, after a finding, if no message can be told.
     """

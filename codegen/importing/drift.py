@@ -53,7 +53,10 @@ def _fewest(found: Iterable[list[Diagnostic]]) -> list[Diagnostic]:
 
 
 def _differences(lists: Sequence[FieldList], message: PopulatedMessage, system: System) -> list[Diagnostic]:
-    """What the lists say otherwise than a table. Of several tables they are about the one that is most like them."""
+    """Return what the lists say otherwise than a table.
+
+    Of several tables they are about the one that is most like them.
+    """
     report = Report()
     sources = sources_of(system.dialect, system, message.component.name if message.component else None)
     proposal = propose(lists, message.wire, sources, report)

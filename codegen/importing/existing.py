@@ -44,7 +44,7 @@ def table_of(text: str, path: str, message: WireMessage, report: Report) -> Exis
 
 
 def _others(table: PopulationSpec, answers: Sequence[TableAnswer], message: WireMessage) -> Iterator[TableAnswer]:
-    """What a table says of the elements that it does not list."""
+    """Yield what a table says of the elements that it does not list."""
     if table.others is None:
         return
     listed = [(each.target.field, each.target.first, each.target.count) for each in answers]

@@ -106,7 +106,7 @@ def _rank(key: str, order: Mapping[str, int]) -> tuple[int, int]:
 
 
 def _comments_above(lines: Sequence[str], places: Mapping[str, Place]) -> int:
-    """How many lines of comment stand right above the first field: they belong to it."""
+    """Return how many lines of comment stand right above the first field: they belong to it."""
     first = min(place.line for place in places.values()) - 1
     count = 0
     while lines[first - 1 - count].lstrip().startswith("#"):
@@ -144,7 +144,7 @@ def _inserted(lines: _Lines, behind: Mapping[int, Sequence[str]]) -> str:
 
 
 def _holds(merged: str, path: str, before: Mapping[str, Place], added: Sequence[str]) -> bool:
-    """Whether the merged text is a table with exactly the fields of before and the added ones."""
+    """Return whether the merged text is a table with exactly the fields of before and the added ones."""
     found = Report()
     keys = _fields_of(parse_yaml(merged, path, found))
     return keys is not None and not found.has_errors and sorted(key.text for key in keys) == sorted([*before, *added])

@@ -94,7 +94,7 @@ def read_number(
 
 
 def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Sources, report: Report) -> bool:
-    """Whether the enum of the field has the entries that an answer names; those that it lacks are reported."""
+    """Return whether the enum of the field has the entries that an answer names; those that it lacks are reported."""
     names = [entry.partition(" ")[0] for entry in answer.flags or answer.one_of or ()]
     names += [answer.enum] if answer.enum else []
     enum = target.enum(sources.dialect)
@@ -107,7 +107,7 @@ def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Source
 
 
 def _is_made_up(number: Fraction) -> bool:
-    """Whether a number is one that people write for "no value": nothing but nines, three or more."""
+    """Return whether a number is one that people write for "no value": nothing but nines, three or more."""
     return number.denominator == 1 and re.fullmatch("-?9{3,}", str(number)) is not None
 
 
@@ -187,7 +187,7 @@ def _home(name: str, sources: Sources) -> EnumDefinition | None:
 
 
 def _looks_like(name: str, enum: EnumDefinition) -> bool:
-    """Whether a name is meant to be an entry of the enum: it begins as the enum's own name does."""
+    """Return whether a name is meant to be an entry of the enum: it begins as the enum's own name does."""
     return name.split("_")[:2] == enum.name.split("_")[:2]
 
 

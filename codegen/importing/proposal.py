@@ -99,7 +99,7 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
 
 
 def _leaves_element_open(row: StatedField, target: Target, reading: Reading) -> bool:
-    """Whether one number, other than 0, stands for a whole array of numbers."""
+    """Return whether one number, other than 0, stands for a whole array of numbers."""
     is_number = reading.answer is not None and reading.answer.startswith("{constant: ") and not reading.is_whole
     return (
         is_number
@@ -119,7 +119,7 @@ def check_declarations(fields: FieldList, message: WireMessage, report: Report) 
 
 
 def not_answered_by(proposal: Proposal, targets: Iterable[Target]) -> tuple[Unmentioned, ...]:
-    """What the document does not mention and none of ``targets`` answers for."""
+    """Return what the document does not mention and none of ``targets`` answers for."""
     answered = {(target.field.name, element) for target in targets for element in target.elements}
     return tuple(
         missing
@@ -162,7 +162,7 @@ def target_of(row: StatedField, message: WireMessage, report: Report) -> Target 
 
 
 def _is_known(answer: ReadAnswer, earlier: Iterable[ReadAnswer], report: Report) -> bool:
-    """Whether an earlier row answers for one of these elements; another answer is reported."""
+    """Return whether an earlier row answers for one of these elements; another answer is reported."""
     for known in earlier:
         target = known.target
         if target.field is answer.target.field and set(target.elements) & set(answer.target.elements):
@@ -233,7 +233,7 @@ def _gaps(field: WireField, taken: set[int]) -> Iterator[tuple[int, int]]:
 
 
 def likely_answer(target: Target, sources: Sources) -> str | None:
-    """What is sent for a field that nobody thinks of: its sentinel, no flag, or the entry 0 of its enum."""
+    """Return what is sent for a field that nobody thinks of: its sentinel, no flag, or the entry 0 of its enum."""
     if target.sentinel is not None:
         return "unknown"
     enum = target.enum(sources.dialect)

@@ -52,7 +52,9 @@ def state_answer(path: str, target: Target) -> str:
 
 
 def spills(target: Target) -> bool:
-    """Whether the dialect's text lets what one element cannot hold go into the next, as in BATTERY_STATUS.voltages."""
+    """Return whether the dialect's text lets what one element cannot hold go into the
+    next, as in BATTERY_STATUS.voltages.
+    """
     return target.field.is_array and _SPILLS.search(target.field.definition.description) is not None
 
 
@@ -80,7 +82,7 @@ def _words(text: str) -> set[str]:
 
 
 def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sources, report: Report) -> bool:
-    """Whether the factor leads from the unit of the quantity to that of the field."""
+    """Return whether the factor leads from the unit of the quantity to that of the field."""
     wire = field_unit(target)
     if wire is None:
         return True

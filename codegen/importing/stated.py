@@ -63,7 +63,7 @@ class FieldList:
 
     @property
     def is_descriptive(self) -> bool:
-        """Whether it tells what fields are, by type, unit or sentinel, and nothing of what goes into them."""
+        """Return whether it tells what fields are, by type, unit or sentinel, and nothing of what goes into them."""
         return Role.VALUE not in self.roles and bool(self.roles & {Role.TYPE, Role.UNIT, Role.UNKNOWN})
 
 
@@ -76,7 +76,8 @@ class StatedFields:
 
 
 def stated_fields(text: str, path: str) -> StatedFields:
-    """What a Markdown text states, in tables with a column of fields and in lists of the form ``- `field`: answer``.
+    """Return what a Markdown text states, in tables with a column of fields and in lists of the form ``- `field`:
+    answer``.
 
     Whether the names are those of a message is for the reader to say, who knows a dialect.
     """

@@ -38,18 +38,18 @@ def _nearest(fields: FieldList, mentioned: Sequence[Sequence[WireMessage]], need
 
 
 def is_example(fields: FieldList) -> bool:
-    """Whether the nearest text begins by calling the list an example: what fields hold once, not where from."""
+    """Return whether the nearest text begins by calling the list an example: what fields hold once, not where from."""
     match = _EXAMPLE.match(fields.context[0]) if fields.context else None
     return match is not None and not match[0].casefold().startswith("for ")
 
 
 def is_about(fields: FieldList, message: WireMessage) -> bool:
-    """Whether half of the rows, or more, name fields of the message."""
+    """Return whether half of the rows, or more, name fields of the message."""
     return 2 * coverage(fields, message) >= len(fields.rows)
 
 
 def coverage(fields: FieldList, message: WireMessage) -> int:
-    """How many rows name a field of the message."""
+    """Return how many rows name a field of the message."""
     names = {field.name for field in message.fields}
     return sum(row.name in names or row.name.rstrip("_") in names for row in fields.rows)
 

@@ -46,7 +46,9 @@ _RUST = re.compile(r"([uif])(\d{1,2})::(MAX|MIN|NAN)")
 
 
 def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
-    """What ``cell`` says about ``target``; everything that keeps it from being an answer is reported at its place."""
+    """Return what ``cell`` says about ``target``; everything that keeps it from
+    being an answer is reported at its place.
+    """
     text = cell.text.strip()
     if not text or text in ("-", "\u2013", "\u2014"):
         hint = _hint(_proposals(cell, target, sources))
@@ -117,7 +119,9 @@ def _prose(cell: Cell, target: Target, sources: Sources, report: Report) -> Read
 
 
 def _proposals(cell: Cell, target: Target, sources: Sources) -> list[str]:
-    """What people may choose from: unknown, if the dialect has a sentinel, and the quantity that the words suggest."""
+    """Return what people may choose from: unknown, if the dialect has a sentinel, and
+    the quantity that the words suggest.
+    """
     found = [] if target.sentinel is None else ["unknown"]
     quantity = likely_quantity(cell.text, target, sources)
     return found if quantity is None else [*found, quantity]

@@ -41,7 +41,7 @@ class ArchiveTree:
                 self._folders.setdefault(folder, set()).add(name)
 
     def holds(self, path: str) -> bool:
-        """Whether there is such a file."""
+        """Return whether there is such a file."""
         return path in self._contents
 
     def read(self, path: str) -> bytes | None:
@@ -69,7 +69,9 @@ def read_archive(path: str, wanted: re.Pattern[str]) -> ArchiveTree | str:
 
 
 def _is_wanted(name: str, wanted: re.Pattern[str]) -> bool:
-    """Whether the name matches, and lies below the tree: an absolute one, or one with ``..``, is of no release."""
+    """Return whether the name matches, and lies below the tree: an absolute one, or
+    one with ``..``, is of no release.
+    """
     return bool(wanted.search(name)) and not name.startswith("/") and ".." not in name.split("/")
 
 

@@ -55,7 +55,7 @@ def commit_of(repository: str, revision: str) -> str | GitFault:
 
 
 def _two_sides(revision: str) -> str | None:
-    """What a range means here: its two ends."""
+    """Return what a range means here: its two ends."""
     first, dots, second = revision.partition("..")
     return f"the two sides are two words: codegen diff {first or 'HEAD'} {second or 'HEAD'}" if dots else None
 
@@ -86,7 +86,7 @@ def _is_shallow(repository: str) -> bool:
 
 
 def git_says(folder: str, *arguments: str) -> str | GitFault:
-    """What git prints, started in ``folder``, or why it does not."""
+    """Return what git prints, started in ``folder``, or why it does not."""
     try:
         done = subprocess.run(  # noqa: S603
             ["git", "-C", folder, *arguments],  # noqa: S607
@@ -106,7 +106,8 @@ def git_says(folder: str, *arguments: str) -> str | GitFault:
 
 
 def git_environment() -> dict[str, str]:
-    """What git runs in: as it is, but in plain English, and no index of a work tree that is only read is refreshed.
+    """Return what git runs in: as it is, but in plain English, and no index of a work tree that is only read is
+    refreshed.
 
     A hook runs with the paths of its own repository, which would count in place of the folder that is asked about.
     """

@@ -80,7 +80,7 @@ class GitTree:
             self._git.communicate()
 
     def holds(self, path: str) -> bool:
-        """Whether there is such a file, or a link to one."""
+        """Return whether there is such a file, or a link to one."""
         tree, path = self._at(path)
         return path in tree._blobs
 

@@ -55,7 +55,7 @@ class Block:
 
     @property
     def place(self) -> Place:
-        """Where the block begins."""
+        """Return where the block begins."""
         return self.lines[0].place
 
     @property

@@ -91,7 +91,7 @@ class Table:
 
     @property
     def place(self) -> Place:
-        """Where the header begins."""
+        """Return where the header begins."""
         return self.header.place
 
 
@@ -167,7 +167,7 @@ def _read_block(
 
 
 def _is_header(lines: Sequence[Line], index: int) -> bool:
-    """Whether a line and the one below it are meant as header and delimiter row, fitting or not."""
+    """Return whether a line and the one below it are meant as header and delimiter row, fitting or not."""
     header, below = lines[index].text, lines[index + 1].text
     if "|" not in header or "|" not in below or _is_dashes(header):
         return False
@@ -179,7 +179,7 @@ def _is_delimiter(text: str) -> bool:
 
 
 def _is_dashes(text: str) -> bool:
-    """Whether a line looks like a delimiter row, though a parser may not take it for one."""
+    """Return whether a line looks like a delimiter row, though a parser may not take it for one."""
     return _DASHES.fullmatch(text) is not None and all(piece.written.strip(" \t:") for piece in _pieces(text))
 
 
@@ -212,7 +212,7 @@ def _cell(piece: _Piece, line: Place) -> Cell:
 
 
 def _damage(line: Line, row: Row, header: Row) -> Iterator[Diagnostic]:
-    """What is wrong with one row."""
+    """Yield what is wrong with one row."""
     width, count = len(header.cells), len(row.cells)
     related = ((header.place, "the header is here"),)
     in_code = list(_bar_in_code(line))
@@ -253,7 +253,7 @@ def _bar_in_code(line: Line) -> Iterator[Diagnostic]:
 
 
 def _unfit(header: Row, line: Line, delimiter: Sequence[_Piece]) -> Diagnostic:
-    """Why a delimiter row is none for renderers."""
+    """Return why a delimiter row is none for renderers."""
     width = len(header.cells)
     wrong = next((one for one in delimiter if not _DELIMITER_CELL.fullmatch(one.written.strip())), None)
     related = ((header.place, "the header is here"),)

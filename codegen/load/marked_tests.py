@@ -8,8 +8,8 @@ import os
 from collections.abc import Iterable, Iterator
 
 from codegen.diagnostics import Report, Rule, Severity
+from codegen.load.files import Files
 from codegen.load.text import decode_text
-from codegen.load.trees import file_names, is_folder
 from codegen.model.test_record import MarkedTest
 from codegen.source import Place
 
@@ -25,17 +25,17 @@ TEST_SYNTAX = Rule(
 _Function = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
-def files_of_tests(folders: Iterable[str]) -> list[str]:
+def files_of_tests(folders: Iterable[str], files: Files, report: Report) -> list[str]:
     """The absolute paths of the Python files in folders and below, by name; what begins with a dot is left out."""
     found: set[str] = set()
     waiting = list(folders)
     while waiting:
         folder = waiting.pop()
-        for name in file_names(folder):
+        for name in files.names(folder, report):
             path = os.path.join(folder, name)
             if name.startswith((".", "__")):
                 continue
-            if is_folder(path) and not os.path.islink(path):
+            if files.is_folder(path) and not os.path.islink(path):
                 waiting.append(path)
             elif name.endswith(".py"):
                 found.add(path)
@@ -43,7 +43,7 @@ def files_of_tests(folders: Iterable[str]) -> list[str]:
 
 
 def has_marks(data: bytes) -> bool:
-    """Whether a file with that content may have tests that are marked."""
+    """Return whether a file with that content may have tests that are marked."""
     return f".{MARKER}(".encode() in data
 
 
@@ -77,7 +77,7 @@ def _marked(body: Iterable[ast.stmt], owner: str, inherited: list[ast.expr], pat
 
 
 def _assigned(statement: ast.stmt) -> list[ast.expr]:
-    """What ``pytestmark = ...`` of a module or a class marks all of its tests with."""
+    """Return what ``pytestmark = ...`` of a module or a class marks all of its tests with."""
     if not isinstance(statement, ast.Assign):
         return []
     is_mark = any(isinstance(target, ast.Name) and target.id == "pytestmark" for target in statement.targets)

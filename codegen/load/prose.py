@@ -56,7 +56,7 @@ class Passage:
 
     @property
     def place(self) -> Place:
-        """Where it begins."""
+        """Return where it begins."""
         return self.anchors[0][1]
 
     def place_at(self, offset: int) -> Place:
@@ -81,7 +81,7 @@ class CodeBlock:
 
     @property
     def place(self) -> Place:
-        """Where the first line of code begins."""
+        """Return where the first line of code begins."""
         return self.lines[0].place
 
     @property

@@ -1,17 +1,10 @@
-"""Reading a source file into bytes or text; whatever is wrong with the file becomes a diagnostic with a place."""
+"""What can be wrong with a source file, and its bytes as text: whatever is wrong becomes a diagnostic with a place."""
 
-import hashlib
 import os
 import re
-import stat
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from typing import TypeVar
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.confined import is_outside
-from codegen.load.trees import is_in_tree, tree_content
-from codegen.source import Place, shown_path
+from codegen.source import Place
 
 MAX_BYTES = 10_000_000
 """Largest file that is read, in bytes: a specification stays far below it, a mistaken path may not."""
@@ -49,113 +42,13 @@ _LINE_END = re.compile(rb"\r\n?|\n")
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
-_Found = TypeVar("_Found")
-
-_noted: list[dict[str, str]] = []
-
-
-@contextmanager
-def noting() -> Iterator[dict[str, str]]:
-    """Collect which files are read meanwhile: their paths with a hash of what was found there."""
-    found: dict[str, str] = {}
-    _noted.append(found)
-    try:
-        yield found
-    finally:
-        _noted[:] = [noted for noted in _noted if noted is not found]  # another one may be equal
-
-
-def asked_once(find: Callable[[], _Found]) -> Callable[[], _Found]:
-    """What asks ``find`` only once. Whoever notes files at a later question gets those that were read at the first."""
-    known: list[tuple[_Found, dict[str, str]]] = []
-
-    def found() -> _Found:
-        if not known:
-            with noting() as files:
-                made = find()
-            known.append((made, files))
-        made, files = known[0]
-        for noted in _noted:
-            noted.update(files)
-        return made
-
-    return found
-
-
-def found_at(path: str) -> str:
-    """The hash of what is found at a path: of the file that it leads to and of its content, or that there is none."""
-    return _found_at(path, read_bytes(path, Report()))
-
-
-def _found_at(path: str, content: bytes | None) -> str:
-    if content is None:
-        return ""
-    return hashlib.sha256(f"{real_path(path)}\n".encode("utf-8", "surrogateescape") + content).hexdigest()
-
 
 def real_path(path: str) -> str:
-    """What makes two paths the same file, whatever links lead there."""
+    """Return what makes two paths the same file, whatever links lead there."""
     try:
         return os.path.realpath(path)
     except (OSError, ValueError):
         return path
-
-
-def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> bytes | None:
-    """The content of a regular file of at most ``most`` bytes (default: ``MAX_BYTES``), or None after a diagnostic.
-
-    ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
-    itself where nothing names it.
-    """
-    content = _read_bytes(path, report, asked_at, most)
-    for noted in _noted:
-        noted[path] = _found_at(path, content)
-    return content
-
-
-def _read_bytes(path: str, report: Report, asked_at: Place | None, most: int | None) -> bytes | None:
-    most = MAX_BYTES if most is None else most
-    place = asked_at or Place(os.path.abspath(path))
-    shown = shown_path(path)
-    if is_in_tree(path):
-        content = tree_content(path)
-        if content is None:
-            report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
-        return content
-    if is_refused(path, place, report):
-        return None
-    try:
-        # Looking first keeps a pipe or a device from blocking the run.
-        mode = os.stat(path).st_mode
-        if not stat.S_ISREG(mode):
-            kind = "a folder" if stat.S_ISDIR(mode) else "a device or a pipe"
-            report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
-            return None
-        with open(path, "rb") as file:
-            data = file.read(most + 1)
-    except (FileNotFoundError, NotADirectoryError):
-        report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
-        return None
-    except PermissionError:
-        report.add(FILE_NOT_READABLE, place, f"{shown} may not be read", "check the permissions of the file")
-        return None
-    except (OSError, ValueError) as problem:  # ValueError: a name with a NUL or a lone surrogate
-        reason = getattr(problem, "strerror", None) or str(problem)
-        report.add(FILE_NOT_READABLE, place, f"{shown!r} cannot be read: {reason}")
-        return None
-    if len(data) > most:
-        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {most // 1_000_000} MB")
-        return None
-    return data
-
-
-def is_refused(path: str, place: Place, report: Report) -> bool:
-    """Return whether a file or a folder of the disk lies where nothing may be read; then a finding says so."""
-    if is_in_tree(path) or not is_outside(path):
-        return False
-    hint = "if it is meant, list its folder in codegen.yaml: outside: [...]"
-    report.add(OUTSIDE_PROJECT, place, f"{shown_path(path)} lies outside of the project", hint)
-    return True
 
 
 def decode_text(data: bytes, path: str, report: Report) -> str | None:
@@ -171,12 +64,6 @@ def decode_text(data: bytes, path: str, report: Report) -> str | None:
         place = _place_of_byte(data, start, position, os.path.abspath(path))
         report.add(FILE_NOT_UTF8, place, f"byte 0x{data[position]:02x} is not UTF-8", hint)
         return None
-
-
-def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
-    """The text of a file, as ``read_bytes`` and ``decode_text`` read it; None after a diagnostic."""
-    data = read_bytes(path, report, asked_at)
-    return None if data is None else decode_text(data, path, report)
 
 
 def _place_of_byte(data: bytes, start: int, position: int, path: str) -> Place:

@@ -12,7 +12,8 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, NamedTuple
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.files import Files
+from codegen.load.text import decode_text
 from codegen.source import Place
 
 if TYPE_CHECKING:
@@ -82,14 +83,16 @@ def place_of(element: XmlElement | MixedElement, path: str) -> Place:
     return Place(path, element.line, element.column)
 
 
-def read_xml(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> XmlElement | None:
+def read_xml(
+    path: str, files: Files, report: Report, asked_at: Place | None = None, most: int | None = None
+) -> XmlElement | None:
     """The root element of an XML file, or None after a diagnostic.
 
     ``asked_at`` is the place that names the file; a missing or unreadable file is reported there. Comments and
     processing instructions are left out; line ends are normalised as XML says. A file of more bytes than
     ``most`` counts as a mistake.
     """
-    data = read_bytes(path, report, asked_at, most)
+    data = files.read_bytes(path, report, asked_at, most)
     return None if data is None else parse_xml_bytes(data, path, report)
 
 
@@ -106,9 +109,9 @@ def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
     return None if root is None else _tree(root, text)
 
 
-def read_mixed_xml(path: str, report: Report, most: int | None = None) -> MixedElement | None:
+def read_mixed_xml(path: str, files: Files, report: Report, most: int | None = None) -> MixedElement | None:
     """Like :func:`read_xml`, for files in which texts and elements stand among one another, as in XHTML."""
-    data = read_bytes(path, report, None, most)
+    data = files.read_bytes(path, report, None, most)
     text = None if data is None else _decoded(data, path, report)
     if text is None:
         return None

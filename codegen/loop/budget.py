@@ -50,7 +50,7 @@ class Slot:
 
     @property
     def serves(self) -> bool:
-        """Whether links are served."""
+        """Return whether links are served."""
         return any(job.name == LINKS for job in self.due)
 
 
@@ -114,7 +114,7 @@ def loop_budget(system: System) -> LoopBudget | None:
     most = max(busiest_works(system, program), key=costs.instructions)
     around = _Around(jobs, due_work(system, program), most, costs, timing)
     slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, system, program)]
-    base = base_rates(jobs, program)
+    base = base_rates(jobs, system, program)
     return LoopBudget(
         program.control_us,
         timing,

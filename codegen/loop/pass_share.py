@@ -40,5 +40,5 @@ def _periods(system: System, program: Program) -> Iterator[int]:
     measured = [component for component in system.components.values() if component.readings]
     yield from ((component.period_ms or 100) * 1000 for component in measured)
     yield program.checks_us
-    yield from [program.links_us] * len(system.links)
+    yield from [program.links_us] * max(len(system.links), 1)
     yield from (program.report_ms * 1000, REMINDER_US)

@@ -5,7 +5,7 @@ from fractions import Fraction
 from codegen.loop.frames import message_work, streamed
 from codegen.loop.jobs import Job
 from codegen.loop.parts import Part, Work
-from codegen.loop.pass_share import messages_of_a_pass
+from codegen.loop.pass_share import jobs_of_a_pass, messages_of_a_pass
 from codegen.model.price import default_rate
 from codegen.model.program import Program
 from codegen.model.system import System
@@ -22,10 +22,11 @@ def added(one: Rates, other: Rates) -> Rates:
     return {part: one.get(part, Fraction(0)) + other.get(part, Fraction(0)) for part in {**one, **other}}
 
 
-def base_rates(jobs: tuple[Job, ...], program: Program) -> Rates:
+def base_rates(jobs: tuple[Job, ...], system: System, program: Program) -> Rates:
     """Return what there is to do in a second without a message."""
     rates: Rates = {Part.PASS: Fraction(1000000, program.control_us)}
-    looks = min(rates[Part.PASS], max(Fraction(1000000, job.period_us) for job in jobs))
+    turns = [Fraction(1000000, job.period_us) for job in jobs]
+    looks = min(rates[Part.PASS], sum(turns, Fraction(0)) if jobs_of_a_pass(system, program) == 1 else max(turns))
     rates = added(rates, {Part.JOBS: looks, Part.JOB: looks * len(jobs)})
     for job in jobs:
         rate = Fraction(1000000, job.period_us)
@@ -37,7 +38,7 @@ def base_rates(jobs: tuple[Job, ...], program: Program) -> Rates:
 def looks_a_second(system: System, program: Program) -> Fraction:
     """Return how often it is looked what streams have to send, over all links: at least so often as one is due."""
     rates = [default_rate(message) for message in streamed(system)]
-    return max([Fraction(LOOK_HZ), *rates, sum(rates) / messages_of_a_pass(program)]) * len(system.links)
+    return max([Fraction(LOOK_HZ), *rates, sum(rates, Fraction(0)) / messages_of_a_pass(program)]) * len(system.links)
 
 
 def frame_rates(system: System, program: Program) -> Rates:

@@ -155,12 +155,12 @@ class BoardModel:
 
     @property
     def tells_uart_pins(self) -> bool:
-        """Whether the pins of a UART are arguments when it is opened."""
+        """Return whether the pins of a UART are arguments when it is opened."""
         return self.spec.uart_pins is UartPins.CHOSEN
 
     @property
     def tells_i2c_pins(self) -> bool:
-        """Whether the pins of an I2C bus are arguments when it is opened."""
+        """Return whether the pins of an I2C bus are arguments when it is opened."""
         return self.spec.i2c_pins is UartPins.CHOSEN
 
 

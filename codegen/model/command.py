@@ -45,7 +45,7 @@ class CommandParam:
 
     @property
     def is_rounded(self) -> bool:
-        """Whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
+        """Return whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
         return self.is_whole and (self.axis is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
 
 

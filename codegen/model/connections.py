@@ -32,7 +32,7 @@ class Connection:
 
     @property
     def rests(self) -> bool:
-        """Whether nothing is read there by default."""
+        """Return whether nothing is read there by default."""
         return bool(self.switch)
 
 

@@ -32,7 +32,7 @@ class Setting:
 
     @property
     def is_off_at_zero(self) -> bool:
-        """Whether 0 switches it off."""
+        """Return whether 0 switches it off."""
         return self.parameter is not None and self.parameter.minimum >= 0
 
     @property
@@ -157,12 +157,12 @@ class Failsafe:
 
     @property
     def instances(self) -> int:
-        """How many things it watches, each for itself."""
+        """Return how many things it watches, each for itself."""
         return self.component.instances if self.component else 1
 
     @property
     def watched(self) -> str:
-        """What it watches, for people."""
+        """Return what it watches, for people."""
         return self.quantity.path if self.quantity else "the ground station"
 
     @property
@@ -172,5 +172,5 @@ class Failsafe:
 
     @property
     def recovers(self) -> bool:
-        """Whether it can be over."""
+        """Return whether it can be over."""
         return not self.spec.latch

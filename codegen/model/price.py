@@ -78,7 +78,7 @@ def _numbers(message: PopulatedMessage, instance: int) -> tuple[int, int]:
 
 
 def on_by_default(component: Component | None, system: System) -> tuple[bool, ...]:
-    """Whether each instance of a component is measured, and so reported, by default."""
+    """Return whether each instance of a component is measured, and so reported, by default."""
     switch = component.switch if component else None
     count = component.instances if component else 1
     if switch is None:
@@ -108,17 +108,17 @@ def total(ranges: Iterable[Range]) -> Range:
 
 
 def default_rate(message: PopulatedMessage) -> Fraction:
-    """How often a message is sent, in Hz; 0 without a stream."""
+    """Return how often a message is sent, in Hz; 0 without a stream."""
     return message.stream.default_rate if message.stream else Fraction(0)
 
 
 def message_price(message: PopulatedMessage, system: System) -> Price:
-    """What a message costs while its generation is chosen."""
+    """Return what a message costs while its generation is chosen."""
     return price_at(default_rate(message), message, system, system.spec.project.protocol)
 
 
 def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol: int) -> Price:
-    """What a message costs at a rate in Hz, in frames of MAVLink 1 or 2."""
+    """Return what a message costs at a rate in Hz, in frames of MAVLink 1 or 2."""
     frames = rate * message.pages
     found = [frame_size(message, instance, protocol).times(frames) for instance in range(message.instances)]
     if message.withheld_for:
@@ -152,7 +152,7 @@ def price(generations: Generations, choice: Generation, system: System) -> Range
 
 
 def capacity(link: BoardLink) -> Fraction | None:
-    """Bytes per second that a link carries each way; None where none is known: UDP, USB."""
+    """Bytes per second that a link carries each way; None where none is known: over Wi-Fi, USB."""
     if link.kind is LinkKind.UART and link.spec.baud is not None:
         return Fraction(link.spec.baud, BITS_OF_A_BYTE)
     return None

@@ -24,6 +24,18 @@ class LinkKind(Enum):
     UART = "uart"
     USB = "usb"
     UDP = "udp"
+    TCP_SERVER = "tcp_server"
+    TCP_CLIENT = "tcp_client"
+
+    @property
+    def words(self) -> str:
+        """What people call it."""
+        return self.value.upper() if self.value in ("uart", "usb", "udp") else self.value.replace("tcp_", "TCP ")
+
+    @property
+    def is_wireless(self) -> bool:
+        """Whether it needs Wi-Fi."""
+        return self in (LinkKind.UDP, LinkKind.TCP_SERVER, LinkKind.TCP_CLIENT)
 
 
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
@@ -56,13 +68,18 @@ _NOT_OF_ALL = (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL, SETUP_SIGNING)
 
 @dataclass(frozen=True, slots=True)
 class BoardLink:
-    """A link of the board; ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links."""
+    """A link of the board.
+
+    ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links, ``timeout_ms`` that after which
+    a TCP connection is given up.
+    """
 
     name: str
     kind: LinkKind
     retry_ms: int
     spec: LinkSpec
     citation: Citation | None
+    timeout_ms: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,12 +130,12 @@ class Program:
 
     @property
     def cancels(self) -> bool:
-        """Whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
+        """Return whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
         return any(message.name == COMMAND_CANCEL for message in self.services)
 
     @property
     def changes_modes_by_message(self) -> bool:
-        """Whether SET_MODE changes the mode, too: not every dialect has it any more."""
+        """Return whether SET_MODE changes the mode, too: not every dialect has it any more."""
         return any(message.name == SET_MODE for message in self.services)
 
     @property
@@ -128,5 +145,5 @@ class Program:
 
     @property
     def takes_time(self) -> bool:
-        """Whether a ground station's SYSTEM_TIME sets the time since 1970."""
+        """Return whether a ground station's SYSTEM_TIME sets the time since 1970."""
         return any(message.name == SYSTEM_TIME for message in self.services)

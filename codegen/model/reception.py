@@ -37,17 +37,17 @@ class ReceivedField:
 
     @property
     def offset(self) -> int:
-        """Where it begins in the payload."""
+        """Return where it begins in the payload."""
         return self.field.offset + self.element * self.field.type.size
 
     @property
     def is_text(self) -> bool:
-        """Whether it is characters."""
+        """Return whether it is characters."""
         return self.field.type.kind is Kind.CHAR
 
     @property
     def is_extension(self) -> bool:
-        """Whether MAVLink 1 does not have it."""
+        """Return whether MAVLink 1 does not have it."""
         return self.field.definition.is_extension
 
     @property
@@ -63,7 +63,7 @@ class ReceivedField:
         return 0 if sentinel and sentinel.form is SentinelForm.FIRST else self.element
 
     def kept(self, number: int | Fraction) -> int | Fraction:
-        """What the quantity is, in stored units, after a number on the wire that is taken."""
+        """Return what the quantity is, in stored units, after a number on the wire that is taken."""
         if self.quantity.kind is QuantityKind.BOOLEAN:
             return int(number != 0)
         if self.quantity.storage.is_float:
@@ -111,7 +111,7 @@ class Reception(Cited):
 
     @property
     def name(self) -> str:
-        """What its table is called."""
+        """Return what its table is called."""
         return self.spec.name
 
     @property
@@ -128,5 +128,5 @@ class Reception(Cited):
 
     @property
     def has_extensions(self) -> bool:
-        """Whether it takes fields that MAVLink 1 does not have."""
+        """Return whether it takes fields that MAVLink 1 does not have."""
         return any(field.is_extension for field in self.fields)

@@ -36,7 +36,7 @@ class Course:
     is_line: bool = True
 
     def value(self, at_ms: float) -> Truth:
-        """What is true at a time in ms: straight lines between two numbers, else steps; the ends stay."""
+        """Return what is true at a time in ms: straight lines between two numbers, else steps; the ends stay."""
         before = self.points[0]
         for point in self.points:
             if point.at_ms > at_ms:
@@ -183,7 +183,7 @@ class Scenario:
 
 
 def is_number(value: Truth) -> TypeGuard[float]:
-    """Whether lines can be drawn to it: it is known, and neither a text nor a boolean."""
+    """Return whether lines can be drawn to it: it is known, and neither a text nor a boolean."""
     return isinstance(value, float | int) and not isinstance(value, bool)
 
 

@@ -69,7 +69,7 @@ class PopulatedMessage:
 
     @property
     def name(self) -> str:
-        """What its table is called: the name in the dialect, unless the table has one of its own."""
+        """Return what its table is called: the name in the dialect, unless the table has one of its own."""
         return self.population.name
 
     @property
@@ -80,12 +80,12 @@ class PopulatedMessage:
 
     @property
     def is_announced(self) -> bool:
-        """Whether something other than time and requests sends it."""
+        """Return whether something other than time and requests sends it."""
         return self.on_connection or self.on_change is not None
 
     @property
     def instances(self) -> int:
-        """How many of the message exist."""
+        """Return how many of the message exist."""
         return self.component.instances if self.component else 1
 
     @property
@@ -112,7 +112,7 @@ class Generations:
 
     @property
     def default(self) -> Generation:
-        """What is sent until somebody chooses otherwise."""
+        """Return what is sent until somebody chooses otherwise."""
         if self.parameter is None:
             return self.send or Generation.BOTH
         return tuple(Generation)[self.parameter.default]
@@ -169,7 +169,7 @@ class System:
 
     @property
     def signs(self) -> bool:
-        """Whether any link is signed."""
+        """Return whether any link is signed."""
         return self.program is not None and self.program.access is not None and bool(self.program.access.signed)
 
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
@@ -198,7 +198,7 @@ class System:
         return tuple(pins) or (channel.gpio,) * component.instances
 
     def readings(self) -> tuple[Reading, ...]:
-        """What an ADC measures, in the order of the components and their quantities."""
+        """Return what an ADC measures, in the order of the components and their quantities."""
         return tuple(reading for component in self.components.values() for reading in component.readings)
 
     def measured(self) -> tuple[tuple[str, Quantity, Conversion], ...]:

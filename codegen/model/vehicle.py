@@ -97,7 +97,7 @@ class Parameter:
 
     @property
     def path(self) -> str:
-        """How tables and documents write it, as ``Quantity.path``: its name."""
+        """Return how tables and documents write it, as ``Quantity.path``: its name."""
         return self.name
 
 
@@ -168,12 +168,12 @@ class Quantity(Cited):
 
     @property
     def called(self) -> str:
-        """What texts of failsafes say of it."""
+        """Return what texts of failsafes say of it."""
         return self.spec.called or self.name
 
     @property
     def length(self) -> int:
-        """How many bytes of a text are kept; 0 of anything else."""
+        """Return how many bytes of a text are kept; 0 of anything else."""
         return self.spec.text or 0 if self.kind is QuantityKind.TEXT else 0
 
     @property
@@ -183,19 +183,21 @@ class Quantity(Cited):
 
     @property
     def start(self) -> str:
-        """What it is at the start, for people."""
+        """Return what it is at the start, for people."""
         if self.initial is None:
             return "unknown"
         return f'"{self.initial}"' if isinstance(self.initial, str) else str(self.initial)
 
     @property
     def words(self) -> int:
-        """How many words of the state it takes, or each of its elements."""
+        """Return how many words of the state it takes, or each of its elements."""
         return words_of(self.length) if self.length else self.storage.words
 
     @property
     def is_row(self) -> bool:
-        """Whether it is a list of so many values as the table says, which fields of that length take as a whole."""
+        """Return whether it is a list of so many values as the table says, which
+        fields of that length take as a whole.
+        """
         return self.elements is not None and not isinstance(self.spec.elements, str)
 
     @property
@@ -205,7 +207,7 @@ class Quantity(Cited):
 
     @property
     def ages(self) -> bool:
-        """Whether it is forgotten once neither code nor a message has set it for a while.
+        """Return whether it is forgotten once neither code nor a message has set it for a while.
 
         What readings give is forgotten with these.
         """
@@ -214,7 +216,9 @@ class Quantity(Cited):
 
     @property
     def ages_by_readings(self) -> bool:
-        """Whether it is a list that the readings of its component forget: each of its values is set by itself."""
+        """Return whether it is a list that the readings of its component forget:
+        each of its values is set by itself.
+        """
         return isinstance(self.spec.elements, str) and self.trust.stale_after_ms is not None
 
     @property
@@ -229,7 +233,7 @@ class Quantity(Cited):
 
     @property
     def is_computed(self) -> bool:
-        """Whether it follows another quantity each time that it is read, so that nothing sets it."""
+        """Return whether it follows another quantity each time that it is read, so that nothing sets it."""
         return self.derivation.follows is not None
 
 
@@ -254,7 +258,9 @@ class Instance:
     facts: Mapping[str, str | Fraction]
 
     def count(self, fact: str) -> int | None:
-        """How many there are of what a fact counts, such as cells or tanks; None where the fact is no such number."""
+        """Return how many there are of what a fact counts, such as cells or tanks;
+        None where the fact is no such number.
+        """
         number = self.facts.get(fact)
         return int(number) if isinstance(number, Fraction) and number.denominator == 1 and number > 0 else None
 
@@ -277,12 +283,12 @@ class Component(Cited):
 
     @property
     def instances(self) -> int:
-        """How many of it there are."""
+        """Return how many of it there are."""
         return len(self.parts)
 
     @property
     def readings(self) -> tuple["Reading", ...]:
-        """What an ADC measures of it, in the order of its quantities."""
+        """Return what an ADC measures of it, in the order of its quantities."""
         found: list[Reading] = []
         for quantity in self.quantities.values():
             if quantity.derivation.conversion is not None:
@@ -291,12 +297,12 @@ class Component(Cited):
 
     @property
     def counted_on(self) -> tuple[Basis, ...]:
-        """What sensors give of it that others are counted of, in the order of its quantities."""
+        """Return what sensors give of it that others are counted of, in the order of its quantities."""
         found = (Basis(self, quantity) for quantity in self.quantities.values() if quantity.derivation.gives)
         return tuple(basis for basis in found if basis.sums or basis.given)
 
     def extremes(self, listed: Quantity) -> tuple[Quantity, ...]:
-        """What is the lowest or the highest value of a list."""
+        """Return what is the lowest or the highest value of a list."""
         return tuple(each for each in self.quantities.values() if each.derivation.extreme_of == listed.name)
 
     @property
@@ -333,29 +339,29 @@ class Reading(Basis):
 
     @property
     def returns(self) -> Returns | None:
-        """What counts that the component came back, where its readings show that."""
+        """Return what counts that the component came back, where its readings show that."""
         returns = self.component.returns
         follows = returns.gone.derivation.follows if returns else None
         return returns if follows == self.quantity.name else None
 
     @property
     def is_plain(self) -> bool:
-        """Whether it is the first, always read, and its count times a parameter: one that a meter calibrates."""
+        """Return whether it is the first, always read, and its count times a parameter: one that a meter calibrates."""
         return self.is_first and not self.is_conditional and self.conversion.is_plain
 
     @property
     def expires(self) -> bool:
-        """Whether it can become too old."""
+        """Return whether it can become too old."""
         return self.quantity.trust.stale_after_ms is not None
 
     @property
     def is_optional(self) -> bool:
-        """Whether the component is read without it, so that its code is loaded only where it is needed."""
+        """Return whether the component is read without it, so that its code is loaded only where it is needed."""
         return self.is_conditional and not self.is_first
 
     @property
     def is_conditional(self) -> bool:
-        """Whether a parameter decides if it is read, beside the one that switches the component on."""
+        """Return whether a parameter decides if it is read, beside the one that switches the component on."""
         return self.conversion.channel.when is not None
 
 

@@ -10,6 +10,7 @@ from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.decode.dialect.known import decode_known_file, taken_elsewhere
 from codegen.decode.shipped_corrections import shipped_corrections
 from codegen.diagnostics import Report, Rule
+from codegen.load.files import Files
 from codegen.load.shipped import dialect_path
 from codegen.model.dialect.dialect import Dialect, KnownMessage
 from codegen.model.spec.spec import Spec
@@ -22,32 +23,33 @@ UNKNOWN_DIALECT = Rule(
 )
 
 
-def decode_dialect(spec: Spec, report: Report) -> Dialect | None:
+def decode_dialect(spec: Spec, files: Files, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections; None where none can be read."""
     project = spec.project
     written, place = project.dialect, project.at("dialect")
-    path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, report, is_file=written.endswith(".xml"))
+    path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, files, report, is_file=written.endswith(".xml"))
     if path is None:
         return None
-    files = decode_dialect_files(path, report, place)
+    found = decode_dialect_files(path, files, report, place)
     for index, overlay in enumerate(project.overlays):
         overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
-        files += decode_overlay(overlay_path, report, project.at(f"overlays[{index}]"), files)
-    if not files:
+        found += decode_overlay(overlay_path, files, report, project.at(f"overlays[{index}]"), found)
+    if not found:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
-    shipped = shipped_corrections(files, report)
-    dialect = resolve_dialect(name, files, spec.corrections, report, shipped, spec.refusals)
+    shipped = shipped_corrections(found, files, report)
+    dialect = resolve_dialect(name, found, spec.corrections, report, shipped, spec.refusals)
     added = (message.definition for message in dialect.added_messages())
-    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
+    listed = listed_messages(spec, files, report)
+    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed, files))
 
 
-def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
+def listed_messages(spec: Spec, files: Files, report: Report) -> tuple[KnownMessage, ...]:
     """The messages of the dialects that a project names under known."""
     return tuple(
         message
         for index, known in enumerate(spec.project.known)
         for message in decode_known_file(
-            os.path.normpath(os.path.join(spec.folder, known)), report, spec.project.at(f"known[{index}]")
+            os.path.normpath(os.path.join(spec.folder, known)), files, report, spec.project.at(f"known[{index}]")
         )
     )

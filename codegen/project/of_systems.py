@@ -11,7 +11,7 @@ _Made = TypeVar("_Made")
 
 
 def of_systems(make: Callable[..., _Made], *systems: System) -> _Made:
-    """What ``make`` returns for systems, which depends on nothing else, by this run or an earlier one.
+    """Return what ``make`` returns for systems, which depends on nothing else, by this run or an earlier one.
 
     A system is made of the files of its specification and of its dialect. Of a dialect that had something to report no
     hash is known; then nothing is kept.

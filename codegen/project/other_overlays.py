@@ -7,6 +7,7 @@ from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect.files import decode_overlay
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
+from codegen.load.files import Files
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.spec import Spec
 from codegen.project.dialect import decode_dialect
@@ -20,22 +21,26 @@ class OtherDialect:
     messages: frozenset[str]
 
 
-def other_dialect(spec: Spec, dialect: Dialect, overlay: str) -> OtherDialect | None:
+def other_dialect(spec: Spec, dialect: Dialect, overlay: str, files: Files) -> OtherDialect | None:
     """The dialect with ``overlay`` in place of those that add one of its messages; None where it cannot be used.
 
     ``dialect`` is that of the project. Corrections are those of the overlays that the dialect has.
     """
     if not dialect.digest:
-        return _other_dialect(spec, dialect, overlay)
+        return _other_dialect(spec, dialect, overlay, files)
     corrections = spec.corrections, spec.other_corrections, spec.refusals
     inputs = dialect.digest, spec.folder, spec.project, corrections, overlay
-    return decoded_with_includes("overlay", inputs, lambda _: _other_dialect(spec, dialect, overlay), Report())[0]
+
+    def find(noting: Files, _report: Report) -> OtherDialect | None:
+        return _other_dialect(spec, dialect, overlay, noting)
+
+    return decoded_with_includes("overlay", inputs, find, files, Report())[0]
 
 
-def _other_dialect(spec: Spec, dialect: Dialect, overlay: str) -> OtherDialect | None:
+def _other_dialect(spec: Spec, dialect: Dialect, overlay: str, files: Files) -> OtherDialect | None:
     project = spec.project
-    files = decode_overlay(_path(spec, overlay), Report(), project.at("overlays"), ())
-    added = {message.name for file in files for message in file.messages}
+    found = decode_overlay(_path(spec, overlay), files, Report(), project.at("overlays"), ())
+    added = {message.name for file in found for message in file.messages}
     replaced = {dialect.messages[name].definition.place.file for name in added if name in dialect.messages}
     kept = tuple(name for name in project.overlays if _path(spec, name) not in replaced)
     listed = {_path(spec, name) for name in (*kept, overlay)}
@@ -46,11 +51,11 @@ def _other_dialect(spec: Spec, dialect: Dialect, overlay: str) -> OtherDialect |
     )
     report = Report()
     changed = replace(spec, project=replace(project, overlays=(*kept, overlay)), corrections=corrections)
-    found = decode_dialect(changed, report)
-    if found is None or report.has_errors:
+    other = decode_dialect(changed, files, report)
+    if other is None or report.has_errors:
         return None
     gone = {message.name for message in dialect.added_messages() if message.definition.place.file in replaced}
-    return OtherDialect(found, frozenset(added | gone))
+    return OtherDialect(other, frozenset(added | gone))
 
 
 def _path(spec: Spec, overlay: str) -> str:

@@ -7,13 +7,12 @@ from dataclasses import replace
 from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect.version import is_stated_version
 from codegen.decode.programs import ListedProgram, list_programs
-from codegen.decode.reach import folders_of
+from codegen.decode.reach import within
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.diagnostics import Diagnostic, Report
-from codegen.load.confined import confined
-from codegen.load.trees import exists
+from codegen.load.files import DISK, Files
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec.spec import Spec
@@ -25,25 +24,24 @@ from codegen.rules import check_system
 from codegen.source import Place
 
 
-def read_system(project_file: str, report: Report) -> System | None:
+def read_system(project_file: str, report: Report, files: Files = DISK) -> System | None:
     """The resolved and checked system of a project; None if too little could be read to resolve anything."""
-    with confined(folders_of(project_file)):
-        return _checked(decode_spec(project_file, report), None, report)
+    own = within(project_file, files)
+    return _checked(decode_spec(project_file, own, report), None, own, report)
 
 
-def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
+def read_systems(project_file: str, report: Report, files: Files = DISK) -> tuple[System, ...]:
     """The system of a project and those of its further programs, which come last; what cannot be read is left out.
 
     What is wrong in a file that they share is reported once.
     """
-    main = read_system(project_file, report)
+    main = read_system(project_file, report, files)
     systems = [] if main is None else [main]
-    with confined(folders_of(project_file)):
-        programs = list_programs(project_file, report)
-    for program in programs:
+    own = within(project_file, files)
+    for program in list_programs(project_file, own, report):
         found = Report()
-        with confined(folders_of(project_file)):
-            system = _checked(decode_program(program, found), main.dialect if main else None, found)
+        spec = decode_program(program, own, found)
+        system = _checked(spec, main.dialect if main else None, own, found)
         known = {_said(finding) for finding in report}
         report.extend(_told(finding, program) for finding in found if _said(finding) not in known)
         if system is not None:
@@ -52,7 +50,7 @@ def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
 
 
 def _said(finding: Diagnostic) -> tuple[Place, str, str]:
-    """What makes two findings the same: hints may differ, as they name what each program has."""
+    """Return what makes two findings the same: hints may differ, as they name what each program has."""
     return finding.place, finding.rule.id, finding.message
 
 
@@ -64,11 +62,11 @@ def _told(finding: Diagnostic, program: ListedProgram) -> Diagnostic:
     return replace(finding, related=(*finding.related, (program.place, f"found for the program {program.name}")))
 
 
-def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> System | None:
+def _checked(spec: Spec | None, dialect: Dialect | None, files: Files, report: Report) -> System | None:
     """The system of a specification, checked; ``dialect`` is the one that its base has read already."""
     if spec is None:
         return None
-    dialect = dialect or read_dialect(spec, report)
+    dialect = dialect or read_dialect(spec, files, report)
     if dialect is None:
         return None
     system = resolve_system(with_adc_channels(spec, report), dialect, report)
@@ -76,12 +74,14 @@ def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> Syst
     return system
 
 
-def read_scenarios(path: str, systems: Sequence[System], report: Report) -> dict[str, Scenario] | None:
+def read_scenarios(
+    path: str, systems: Sequence[System], report: Report, files: Files = DISK
+) -> dict[str, Scenario] | None:
     """The scenarios of a file, those with errors left out; None if it cannot be read.
 
     ``systems`` are those of the project; where its own could not be read, the scenarios are only checked.
     """
-    written = decode_scenarios(path, report)
+    written = decode_scenarios(path, files, report)
     if written is None:
         return None
     programs = {system.spec.program: system for system in systems}
@@ -90,8 +90,7 @@ def read_scenarios(path: str, systems: Sequence[System], report: Report) -> dict
 
 def read_own_scenarios(project_file: str, systems: Sequence[System], report: Report) -> dict[str, Scenario] | None:
     """The scenarios beside a project file, as ``read_scenarios`` has them; they reach no further than the project."""
-    with confined(folders_of(project_file)):
-        return read_scenarios(scenarios_path(project_file), systems, report)
+    return read_scenarios(scenarios_path(project_file), systems, report, within(project_file, DISK))
 
 
 def check_scenarios(project_file: str, systems: Sequence[System], report: Report) -> None:
@@ -99,7 +98,7 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
 
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """
-    if exists(scenarios_path(project_file)):
+    if DISK.exists(scenarios_path(project_file)):
         read_own_scenarios(project_file, () if report.has_errors else systems, report)
 
 
@@ -108,20 +107,20 @@ def scenarios_path(project_file: str) -> str:
     return os.path.join(os.path.dirname(os.path.abspath(project_file)), SCENARIOS)
 
 
-def read_dialect(spec: Spec, report: Report) -> Dialect | None:
+def read_dialect(spec: Spec, files: Files, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
-    if not is_stated_version(project, report):
+    if not is_stated_version(project, files, report):
         return None
     inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections, spec.refusals)
-    dialect, digest = decoded_with_includes("project", inputs, lambda found: _decode_dialect(spec, found), report)
+
+    def read(noting: Files, found: Report) -> Dialect | None:
+        from codegen.project.dialect import decode_dialect  # noqa: PLC0415  most builds find it in the cache
+
+        return decode_dialect(spec, noting, found)
+
+    dialect, digest = decoded_with_includes("project", inputs, read, files, report)
     return None if dialect is None else replace(dialect, digest=digest)
-
-
-def _decode_dialect(spec: Spec, report: Report) -> Dialect | None:
-    from codegen.project.dialect import decode_dialect  # noqa: PLC0415  most builds find it in the cache
-
-    return decode_dialect(spec, report)
 
 
 def project_folder(systems: Sequence[System]) -> str:
@@ -134,7 +133,7 @@ def files_read(systems: Iterable[System]) -> set[str]:
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
-    return read | {path for path in beside if exists(path)}
+    return read | {path for path in beside if DISK.exists(path)}
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:

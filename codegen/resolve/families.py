@@ -30,12 +30,14 @@ class Member:
     siblings: tuple[str, ...] = ()
 
     def at(self, key: str) -> Place:
-        """Where a key of it is written; a default may stand with the instance."""
+        """Return where a key of it is written; a default may stand with the instance."""
         return self.default_place if key == "default" and self.default_place else self.spec.at(key)
 
 
 def _was(spec: ParameterSpec, prefix: str, part: Instance) -> dict[str, Fraction]:
-    """What the member of an instance was called: with its prefix, where the first one's had that of the first one."""
+    """Return what the member of an instance was called: with its prefix, where the
+    first one's had that of the first one.
+    """
     return {
         part.prefix + old.removeprefix(prefix) if old.startswith(prefix) else old: factor
         for old, factor in spec.was.items()
@@ -44,7 +46,7 @@ def _was(spec: ParameterSpec, prefix: str, part: Instance) -> dict[str, Fraction
 
 
 def is_single(parameter: Parameter, place: Place, report: Report) -> bool:
-    """Whether a parameter is one for the whole vehicle; a finding where each instance has its own."""
+    """Return whether a parameter is one for the whole vehicle; a finding where each instance has its own."""
     if parameter.siblings:
         message = f"each {parameter.component} has its own {parameter.name}, and one is needed here"
         related = [(parameter.spec.at("for_each"), f"{parameter.name} is declared here")]

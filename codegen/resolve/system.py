@@ -43,7 +43,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     board = resolve_board_model(spec.board_model, report)
     channels = resolve_channels(spec.board, board, spec.parameters, parameters, index, report)
     streams = resolve_streams(spec, dialect, parameters, index, report)
-    sources = resolve_sources(spec, board, parameters, index, report)
+    sources = resolve_sources(spec, board, index, report)
     components = resolve_components(spec, dialect, instances, channels, sources, parameters, index, report)
     parts = Parts(spec, dialect, parameters, components, streams, index)
     messages = [

@@ -242,7 +242,9 @@ def _resolve_parameter(member: Member, citation: Citation | None, report: Report
 
 
 def _type_problems(name: str, spec: ParameterSpec) -> list[tuple[str, str]]:
-    """Whether a whole type carries every value; a float carries 24 bits exactly, which is enough for all others."""
+    """Return whether a whole type carries every value; a float carries 24 bits
+    exactly, which is enough for all others.
+    """
     if spec.type is ParameterType.REAL32:
         return []
     if spec.step.denominator != 1:

@@ -11,6 +11,6 @@ from codegen.rules.checks import checks_in
 
 
 def check_system(system: System) -> Iterator[Diagnostic]:
-    """What the rules find, in the order of their names."""
+    """Yield what the rules find, in the order of their names."""
     for check in checks_in(__name__):
         yield from check(system)

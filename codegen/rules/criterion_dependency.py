@@ -49,7 +49,7 @@ def _meant(written: str, names: Mapping[str, Requirement]) -> str:
 
 
 def _is_citation(written: str, documents: Mapping[str, Requirement]) -> bool:
-    """Whether a name is meant for a criterion: ``UTF-8`` looks like the id of a document, and is none."""
+    """Return whether a name is meant for a criterion: ``UTF-8`` looks like the id of a document, and is none."""
     fronts = {name.partition("-")[0] for name in documents}
     return "." in written or written.partition("-")[0] in fronts
 

@@ -51,7 +51,7 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _place(system: System, quantity: Quantity, part: Instance) -> Place:
-    """Where it is said: at the count that multiplies it, at the fact, or at the quantity."""
+    """Return where it is said: at the count that multiplies it, at the fact, or at the quantity."""
     fact = quantity.spec.per or quantity.spec.reaches
     if fact is None or fact not in part.facts:
         return quantity.spec.at("reaches")

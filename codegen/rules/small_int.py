@@ -61,7 +61,7 @@ def _conversion(quantity: Quantity, conversion: Conversion) -> Iterator[Diagnost
 
 
 def _sums(reading: Basis, system: System) -> Iterator[Diagnostic]:
-    """What is counted of what is measured: its product with a time, and what is left with a factor."""
+    """Yield what is counted of what is measured: its product with a time, and what is left with a factor."""
     quantities = reading.component.quantities
     most = _largest(reading.quantity, system)
     stale_ms = reading.quantity.trust.stale_after_ms or 0

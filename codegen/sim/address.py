@@ -1,4 +1,4 @@
-"""Where the simulated vehicle sends to: ``udp:HOST:PORT``."""
+"""Where the simulated vehicle sends to: ``udp:HOST:PORT``, and where its links over TCP are."""
 
 import socket
 
@@ -33,6 +33,29 @@ def parse_address(text: str) -> Address:
     except (OSError, UnicodeError):
         raise AddressError(f"the host {host!r} is not known") from None
     return Address(str(found[0][4][0]), int(port), text)
+
+
+@dataclass(frozen=True, slots=True)
+class LinkEnd:
+    """Where a link over TCP listens or connects to in a simulation; ``host`` None is where it would anyway."""
+
+    host: str | None
+    port: int
+
+
+def parse_link(text: str) -> tuple[str, LinkEnd]:
+    """``NAME=HOST:PORT`` or ``NAME=PORT``: the name of a link and its end. AddressError: it cannot be used."""
+    name, equals, rest = text.partition("=")
+    host, _, port = rest.rpartition(":")
+    if not equals or not name or not (port.isascii() and port.isdigit() and 1 <= int(port) <= 65535):
+        raise AddressError(f"{text!r} is not NAME=HOST:PORT or NAME=PORT, such as stations=127.0.0.1:5760")
+    if not host:
+        return name, LinkEnd(None, int(port))
+    try:
+        found = socket.getaddrinfo(host, int(port), socket.AF_INET, socket.SOCK_STREAM)
+    except (OSError, UnicodeError):
+        raise AddressError(f"the host {host!r} is not known") from None
+    return name, LinkEnd(str(found[0][4][0]), int(port))
 
 
 def free_port() -> int:

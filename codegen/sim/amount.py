@@ -17,5 +17,5 @@ def amount(value: float | None, unit: str, digits: int | None = None) -> str:
 
 
 def digits_of(step: float) -> int:
-    """How many digits behind the point show steps of a size: 1 for 0.2, 2 for 0.05."""
+    """Return how many digits behind the point show steps of a size: 1 for 0.2, 2 for 0.05."""
     return max(0, math.ceil(-math.log10(step) - 1e-9)) if step > 0 else 0

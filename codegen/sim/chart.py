@@ -100,14 +100,16 @@ class Chart:
 
 
 def is_marked(happening: Happening) -> bool:
-    """Whether a happening stands in the chart: all but the chatter, and what follows from a failsafe at once."""
+    """Return whether a happening stands in the chart: all but the chatter, and what follows from a failsafe at once."""
     if happening.kind is Kind.TEXT:
         return happening.severity is not None and happening.severity <= 4
     return happening.kind not in (Kind.CONSOLE, Kind.ACTION, Kind.MODE)
 
 
 def concerns(happening: Happening, recording: Recording, label: str) -> bool:
-    """Whether a happening concerns a quantity: it is of its program, and about no other quantity of that alone."""
+    """Return whether a happening concerns a quantity: it is of its program, and
+    about no other quantity of that alone.
+    """
     return happening.program == recording.name and happening.of in ("", label)
 
 
@@ -248,7 +250,7 @@ class _Drawing:
         return Band(x, width, label if width > 7 * len(label) + 12 else "")
 
     def _marked(self, happenings: Sequence[Happening]) -> list[tuple[int, Happening]]:
-        """What is marked, with its number in the table."""
+        """Return what is marked, with its number in the table."""
         return [
             (number, happening)
             for number, happening in enumerate(happenings, 1)

@@ -21,7 +21,7 @@ def unmet(recording: Recording) -> list[str]:
 
 
 def _problem(expectation: Expectation, recording: Recording) -> str | None:
-    """What was found in place of it; None where it holds."""
+    """Return what was found in place of it; None where it holds."""
     at_ms = recording.at_ms if expectation.at_ms is None else expectation.at_ms
     if at_ms > recording.at_ms:
         return f"the simulation ended at {recording.at_ms / 1000:g} s."

@@ -35,12 +35,13 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Watched:
-    """A quantity that the simulation looks at in the state, by its label."""
+    """A quantity that the simulation looks at in the state, by its label; ``ages``: time alone may make it unknown."""
 
     label: str
     component: str
     instance: int
     name: str
+    ages: bool = False
 
 
 def lines_of(system: System, scenario: Scenario, key: str | None) -> tuple[Line, ...]:
@@ -59,7 +60,9 @@ def watched(system: System, expected: Sequence[Expectation]) -> tuple[Watched, .
     labels = [expectation.label for expectation in expected if expectation.label and not expectation.told]
     for label in labels:
         component, instance, name = split_label(label)
-        found.append(Watched(label, component, instance, name))
+        quantity = system.quantity(f"{component}.{name}")
+        ages = quantity is not None and (quantity.ages or quantity.ages_by_readings)
+        found.append(Watched(label, component, instance, name, ages))
     return tuple(dict.fromkeys(found))
 
 

@@ -58,11 +58,11 @@ class Passage:
 
     @property
     def is_done(self) -> bool:
-        """Whether nothing runs, and nothing will."""
+        """Return whether nothing runs, and nothing will."""
         return self.process is None and self._board is None and not self._boards
 
     def is_due(self, until_ms: int | None) -> bool:
-        """Whether a board has to be started in the turn that ends at a time."""
+        """Return whether a board has to be started in the turn that ends at a time."""
         if self.process is not None:
             return False
         if self._board is not None:
@@ -149,7 +149,7 @@ class Passage:
         if given is not None and self._program.folder:
             number = f".{board.number}" if board.number > 1 else ""
             given = os.path.join(given, self._program.folder + number)
-        return flash_folder(given, self._simulation.to, free_port())
+        return flash_folder(given, self._simulation.to, free_port(), {**self._program.ends, **self._simulation.ends})
 
     def _take(self, item: Item, watch: Watch) -> None:
         recording = self.recording
@@ -192,7 +192,7 @@ class Passage:
 
 
 def _problem(code: int, complaints: list[str], mocks: str) -> str:
-    """Why the firmware ended, from its exit code and its traceback, or what it wrote to stderr."""
+    """Return why the firmware ended, from its exit code and its traceback, or what it wrote to stderr."""
     if code == 0:
         return "the firmware's main() returned"
     if code < 0:

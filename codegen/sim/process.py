@@ -115,7 +115,7 @@ class FirmwareProcess:
 
     @property
     def is_over(self) -> bool:
-        """Whether everything that it wrote has been read and it has gone."""
+        """Return whether everything that it wrote has been read and it has gone."""
         return not self._pieces
 
     @property
@@ -130,7 +130,7 @@ class FirmwareProcess:
                 os.write(self._turns, f"{until_ms}\n".encode())
 
     def read(self, timeout_s: float) -> list[Item]:
-        """What it wrote since the last call, waiting for it up to ``timeout_s`` seconds."""
+        """Return what it wrote since the last call, waiting for it up to ``timeout_s`` seconds."""
         items: list[Item] = []
         for key, _ in self._selector.select(timeout_s):
             stream = int(key.fd)

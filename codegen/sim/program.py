@@ -10,6 +10,7 @@ from codegen.frozen import dataclass
 from codegen.loop.load import TrafficLoad, traffic_load
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
+from codegen.sim.address import LinkEnd
 from codegen.sim.guards import Guard, guards
 from codegen.sim.line import Line, Watched, lines_of, watched
 from codegen.sim.told import Telling
@@ -27,7 +28,8 @@ class SimulatedProgram:
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
     ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
-    is, or says why nothing does. ``restart_cause`` is what its board tells after a restart.
+    is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
+    links over TCP, by their names: its servers listen on this computer alone, its clients connect to who gets its UDP.
     """
 
     name: str
@@ -51,6 +53,7 @@ class SimulatedProgram:
     mocked: tuple[str, ...] = ()
     load: TrafficLoad | str = ""
     restart_cause: int | None = None
+    ends: Mapping[str, LinkEnd] = field(default_factory=dict)
 
     @property
     def folder(self) -> str:
@@ -58,7 +61,7 @@ class SimulatedProgram:
         return self.key or ""
 
     def settings(self, stretch: Stretch, *, is_first_start: bool) -> dict[str, Any]:
-        """What the mocks have to know about one board; times are those of the scenario."""
+        """Return what the mocks have to know about one board; times are those of the scenario."""
         stores = is_first_start and bool(self.parameters)
         store = {"files": self.files, "chunk": self.chunk, "parameters": dict(self.parameters)} if stores else None
         # Each course has noise of its own, and the first the one that the scenario's seed alone makes.
@@ -69,7 +72,7 @@ class SimulatedProgram:
             "unique_id": unique_id(self.key or "", stretch.number),
             "names": {str(number): name for number, name in self.messages.items()},
             "told": self.telling.ids,
-            "watched": [[each.label, each.component, each.instance, each.name] for each in self.watched],
+            "watched": [[each.label, each.component, each.instance, each.name, each.ages] for each in self.watched],
             "actions": self.actions,
             "mocked": self.mocked,
             "store": store,
@@ -124,8 +127,17 @@ def _program(
         guards=guards(system),
         mocked=tuple(_mocked(system)),
         load=traffic_load(system),
+        ends=dict(_ends(system)),
         restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
     )
+
+
+def _ends(system: System) -> Iterator[tuple[str, LinkEnd]]:
+    for link in system.links:
+        if link.spec.tcp_server is not None:
+            yield link.name, LinkEnd("127.0.0.1", link.spec.tcp_server)
+        elif link.spec.tcp_client is not None:
+            yield link.name, LinkEnd(None, link.spec.tcp_client)
 
 
 def _mocked(system: System) -> Iterator[str]:

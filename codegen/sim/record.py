@@ -70,12 +70,12 @@ class Recording:
 
     @property
     def is_main(self) -> bool:
-        """Whether it is that of the vehicle's own program."""
+        """Return whether it is that of the vehicle's own program."""
         return self.key is None
 
     @property
     def happenings(self) -> list[Happening]:
-        """What happened, in the order of time, with faults and what was sent; of the console the last lines.
+        """Return what happened, in the order of time, with faults and what was sent; of the console the last lines.
 
         It is what happened in all programs, where there are others beside this one.
         """
@@ -91,7 +91,7 @@ class Recording:
 
     @property
     def traffic(self) -> Traffic:
-        """What went out, over all restarts."""
+        """Return what went out, over all restarts."""
         return self._ended.plus(self._current)
 
     @property
@@ -101,7 +101,7 @@ class Recording:
 
     @property
     def restarts(self) -> int:
-        """How often a board was restarted; one that takes the place of another was not."""
+        """Return how often a board was restarted; one that takes the place of another was not."""
         return max(0, self.starts - self.boards)
 
     def course(self, label: str, at_ms: float) -> Course | None:
@@ -112,22 +112,22 @@ class Recording:
         return None
 
     def has_course(self, label: str) -> bool:
-        """Whether the scenario says what is true of a quantity, at any time."""
+        """Return whether the scenario says what is true of a quantity, at any time."""
         return any(stretch.course(label) for stretch in self.stretches)
 
     def true(self, label: str, at_ms: float) -> float | None:
-        """What is true of a number in its unit; None where nothing is, or is said to be."""
+        """Return what is true of a number in its unit; None where nothing is, or is said to be."""
         course = self.course(label, at_ms)
         value = None if course is None else course.value(at_ms)
         return float(value) if is_number(value) else None
 
     def told(self, label: str, at_ms: float) -> float | None:
-        """What was told last of a number by a time, in its unit; None for unknown, or nothing."""
+        """Return what was told last of a number by a time, in its unit; None for unknown, or nothing."""
         before = [reading for reading in self.readings_of.get(label, ()) if reading.at_ms <= at_ms]
         return before[-1].value if before else None
 
     def state(self, label: str, at_ms: float) -> Any:
-        """What the state had for a quantity that is watched, at a time."""
+        """Return what the state had for a quantity that is watched, at a time."""
         before = [value for time, value in self.states_of.get(label, ()) if time <= at_ms]
         return before[-1] if before else None
 
@@ -143,11 +143,11 @@ class Recording:
 
     @property
     def tells_state(self) -> bool:
-        """Whether the program has a state to tell, armed or not."""
+        """Return whether the program has a state to tell, armed or not."""
         return any(watched.label in (_ARMED, _STATUS) for watched in self.program.watched)
 
     def _varied(self, label: str) -> bool:
-        """Whether what was told or what is true changed; a noise around one value counts."""
+        """Return whether what was told or what is true changed; a noise around one value counts."""
         told = {reading.value for reading in self.readings_of.get(label, ()) if reading.value is not None}
         courses = [course for stretch in self.stretches if (course := stretch.course(label)) is not None]
         true = {point.value for course in courses for point in course.points}
@@ -192,7 +192,7 @@ class Recording:
         return self._happening(record)
 
     def _happening(self, record: Mapping[str, Any]) -> Happening | None:
-        """What a record says has happened."""
+        """Return what a record says has happened."""
         match record["kind"]:
             case "state":
                 return self._take_state(record["label"], record["value"])
@@ -328,7 +328,7 @@ class Recording:
 
 
 def _stated(event: Event, program: str) -> Happening | None:
-    """What an event of the scenario is, where the firmware does not tell of it."""
+    """Return what an event of the scenario is, where the firmware does not tell of it."""
     if isinstance(event, Fault):
         return Happening(event.at_ms, Kind.FAULT, fault_text(event), program=program, of=event.of)
     if isinstance(event, Sending):

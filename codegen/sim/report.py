@@ -191,7 +191,7 @@ def _planned(simulation: Simulation) -> str:
 
 
 def _summary(recording: Recording, line: Line, sentences: list[str]) -> str:
-    """What somebody is told who does not see the chart."""
+    """Return what somebody is told who does not see the chart."""
     end_ms = recording.at_ms
     name, is_true = line_name(recording, line), recording.has_course(line.label)
     start, end = (recording.true(line.label, at_ms) if is_true else None for at_ms in (0, end_ms))
@@ -253,7 +253,7 @@ def _links(recording: Recording) -> tuple[tuple[str, str], ...]:
 
 
 def _load(recording: Recording) -> str:
-    """How busy the board would be, on the whole and in the second with most frames; see codegen/loop."""
+    """Return how busy the board would be, on the whole and in the second with most frames; see codegen/loop."""
     load = recording.program.load
     if isinstance(load, str):
         return f"unknown: {load}" if load else "unknown"

@@ -6,12 +6,13 @@ all of them have come to the end of the last one. So no two are ever further apa
 
 import select
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import field
 
 from codegen.frozen import dataclass
 from codegen.model.scenario import Scenario
-from codegen.sim.address import Address
+from codegen.sim.address import Address, LinkEnd
 from codegen.sim.passage import Passage, Watch
 from codegen.sim.process import Runtime
 from codegen.sim.program import SimulatedProgram
@@ -28,7 +29,8 @@ _WAIT_S = 0.2
 class Simulation:
     """What is run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
 
-    ``programs`` are the vehicle's own and those beside it; all send to ``to``.
+    ``programs`` are the vehicle's own and those beside it; all send to ``to``, and ``ends`` are those of links over TCP
+    that are somewhere else than usual, by their names.
     """
 
     scenario: Scenario
@@ -39,6 +41,7 @@ class Simulation:
     to: Address
     flash: str | None
     programs: tuple[SimulatedProgram, ...]
+    ends: Mapping[str, LinkEnd] = field(default_factory=dict)
 
     def recording(self) -> Recording:
         """An empty record of it: that of the vehicle's own program, with those of the others beside it."""

@@ -34,7 +34,7 @@ class Telling:
         )
 
     def read(self, frame: bytes, parameters: Mapping[str, float]) -> Iterator[Told]:
-        """What a whole frame tells; ``parameters`` are those that the program has."""
+        """Yield what a whole frame tells; ``parameters`` are those that the program has."""
         is_new = frame[0] == _NEW
         number = int.from_bytes(frame[7:10], "little") if is_new else frame[5]
         tables = self._tables.get(number, [])
@@ -88,7 +88,7 @@ def _instance(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, 
 
 
 def _is_meant(table: PopulatedMessage, payload: bytes) -> bool:
-    """Whether all that a table always says stands in a message: several tables may share its number."""
+    """Return whether all that a table always says stands in a message: several tables may share its number."""
     for answer in table.answers:
         always = answer.always
         if always is None:

@@ -65,7 +65,7 @@ def _times(number: int) -> str:
 
 
 def _differences(recording: Recording) -> list[str]:
-    """How far what was told of each quantity with a course was from what was true."""
+    """Return how far what was told of each quantity with a course was from what was true."""
     sentences, right, silent = [], [], []
     for line in recording.lines:
         if not recording.has_course(line.label):

@@ -9,7 +9,6 @@ from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.quantities.source_kind import Polling, Source
 from codegen.model.spec.source import SourceSpec
 from codegen.model.spec.spec import Spec
-from codegen.model.vehicle import Parameter
 from codegen.source import Place
 
 BAD_SOURCE = Rule(
@@ -23,14 +22,13 @@ BAD_SOURCE = Rule(
 class Around:
     """A sensor as written, with what the specification says elsewhere. ``board`` is what is known about the board.
 
-    ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding. ``failed`` once
-    something was found in the sensor itself. ``prefix`` stands before the keys of what it is connected to.
+    ``failed`` once something was found in the sensor itself. ``prefix`` stands before the keys of what it is connected
+    to.
     """
 
     spec: SourceSpec
     board: BoardModel | None
     whole: Spec
-    find_parameter: Callable[[str, Place], Parameter | None]
     report: Report
     failed: bool = False
     prefix: str = ""

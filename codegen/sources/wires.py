@@ -45,7 +45,7 @@ class Serial:
 
     @property
     def port(self) -> str:
-        """What it takes as a whole."""
+        """Return what it takes as a whole."""
         return f"UART {self.number}"
 
     def pins(self) -> Iterator[PinUse]:

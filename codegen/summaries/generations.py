@@ -118,7 +118,7 @@ def _frames(message: PopulatedMessage, generations: Generations, system: System)
 
 
 def sent_at_once(message: PopulatedMessage) -> str:
-    """What announces a message: ``on connection and when battery.swaps changes``."""
+    """Return what announces a message: ``on connection and when battery.swaps changes``."""
     reasons = ["on connection"] if message.on_connection else []
     reasons += [f"when {message.on_change.path} changes"] if message.on_change else []
     return " and ".join(reasons)

@@ -60,7 +60,9 @@ def writer_name(message: "PopulatedMessage") -> str:
 
 
 def message_about(message: "PopulatedMessage") -> tuple[str, ...]:
-    """What those functions are told that a message is about: the instance and the page, as far as it has them."""
+    """Return what those functions are told that a message is about: the instance
+    and the page, as far as it has them.
+    """
     each = ("instance",) if message.component else ()
     return (*each, "page") if message.population.pages else each
 

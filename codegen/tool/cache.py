@@ -38,7 +38,7 @@ _new: dict[str, bytes] = {}
 
 
 def kept(name: str) -> bytes | None:
-    """What is kept under the name of an entry; None where there is nothing that can be believed."""
+    """Return what is kept under the name of an entry; None where there is nothing that can be believed."""
     folder = cache_folder()
     if folder is None or name in _new:
         return _new.get(name)
@@ -58,7 +58,7 @@ def keep(name: str, value: bytes) -> None:
 
 
 def has_new() -> bool:
-    """Whether there is anything to write."""
+    """Return whether there is anything to write."""
     return bool(_new)
 
 
@@ -135,7 +135,7 @@ def cache_folder() -> str | None:
 
 
 def _seal(name: str, value: bytes) -> bytes:
-    """What stands before a value: an entry that was cut off, changed or renamed does not have it."""
+    """Return what stands before a value: an entry that was cut off, changed or renamed does not have it."""
     return hashlib.sha256(name.encode() + value).digest()
 
 

@@ -44,7 +44,7 @@ class Condition:
     number: float
 
     def outcome(self, record: BenchRecord) -> Outcome:
-        """Whether a board has met it; skipped where it was not measured."""
+        """Return whether a board has met it; skipped where it was not measured."""
         value = record.measures.get(self.measure)
         if value is None:
             return Outcome.SKIPPED

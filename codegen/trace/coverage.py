@@ -61,7 +61,7 @@ class Coverage:
 
     @property
     def is_uncovered(self) -> bool:
-        """Whether no test shows it: none is there, or, with results, none passed or one failed."""
+        """Return whether no test shows it: none is there, or, with results, none passed or one failed."""
         if self.is_decision:
             return False
         has_results = any(each.counts is not None for each in self.tests)
@@ -70,12 +70,14 @@ class Coverage:
 
     @property
     def is_suspect(self) -> bool:
-        """Whether its links were made for another text."""
+        """Return whether its links were made for another text."""
         return self.review in (Review.CHANGED, Review.NEW)
 
     @property
     def is_unspecified(self) -> bool:
-        """Whether no row of the tables asks for it: it is met by what is the same in every project, or by nothing."""
+        """Return whether no row of the tables asks for it: it is met by what is the
+        same in every project, or by nothing.
+        """
         return not self.is_decision and not self.rows and not self.by_document
 
     @property

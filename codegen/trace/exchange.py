@@ -63,7 +63,7 @@ class Exchange:
 
 
 def exchange_of(view: TraceView) -> Exchange:
-    """What a trace has to exchange; an object that several criteria share is in it once."""
+    """Return what a trace has to exchange; an object that several criteria share is in it once."""
     objects: dict[str, ExchangeObject] = {}
     answering: dict[str, ExchangeObject] = {}
     relations: dict[Relation, None] = {}
@@ -108,7 +108,7 @@ def _criterion(one: CriterionView) -> ExchangeObject:
 
 
 def _around(one: CriterionView) -> Iterator[tuple[ExchangeObject, Relation]]:
-    """What answers to a criterion, with its relation."""
+    """Yield what answers to a criterion, with its relation."""
     for row in one.rows:
         name = f"{row.kind} {row.label} in {row.place.rpartition(':')[0]}"  # programs can have rows of one name
         found = ExchangeObject(ObjectKind.ROW, name, f"{row.kind} {row.label}", "", (), _stated({"place": row.place}))

@@ -215,7 +215,9 @@ def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnos
 def told_of_hand_written(
     path: str, found: Iterable[TestResult], results: Results, trace: Trace
 ) -> Iterator[Diagnostic]:
-    """What is wrong with the results of tests by hand in a file: of another specification, or not said of which."""
+    """Yield what is wrong with the results of tests by hand in a file: of another
+    specification, or not said of which.
+    """
     own = hand_written_results(found, trace)
     outdated = sum(results.is_stale(each) for each in own)
     undated = sum(each.specification is None for each in own)

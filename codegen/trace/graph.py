@@ -198,7 +198,7 @@ def hand_written(marked: Iterable[MarkedTest], folder: str) -> tuple[Test, ...]:
 
 
 def is_decision(requirement: Requirement) -> bool:
-    """Whether a document decides, and asks for nothing itself: then nothing of it is uncovered."""
+    """Return whether a document decides, and asks for nothing itself: then nothing of it is uncovered."""
     return requirement.id.partition("-")[0] == DECISION
 
 
@@ -212,7 +212,7 @@ class Reached:
 
 
 def reached(trace: Trace, name: str) -> Reached:
-    """What a row reaches: ``name`` is that of a message, a field (``BATTERY_STATUS.voltages``), a parameter...
+    """Return what a row reaches: ``name`` is that of a message, a field (``BATTERY_STATUS.voltages``), a parameter...
 
     A message reaches what its fields do. Of tests about a single message only those about this one count.
     """

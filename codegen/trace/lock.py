@@ -51,7 +51,7 @@ def required(trace: Trace) -> list[str]:
 
 
 def reviews(trace: Trace, lock: TraceLockSpec | None) -> Mapping[str, Review]:
-    """What the lock says of each criterion that asks for something."""
+    """Return what the lock says of each criterion that asks for something."""
     if lock is None:
         return dict.fromkeys(required(trace), Review.NO_LOCK)
     found = {}
@@ -131,7 +131,7 @@ def accepted(written: str | None, lines: Mapping[str, str], dropped: Collection[
 def holds(
     written: TraceLockSpec | None, kept: TraceLockSpec | None, lines: Collection[str], dropped: Collection[str]
 ) -> bool:
-    """Whether a lock has what is accepted, has nothing that was dropped, and all else as it was ``kept``."""
+    """Return whether a lock has what is accepted, has nothing that was dropped, and all else as it was ``kept``."""
     if written is None:
         return False
     before = {name: each for name, each in (kept.criteria if kept else {}).items() if name not in {*lines, *dropped}}

@@ -35,7 +35,7 @@ class Counts:
 
     @property
     def cases(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         return self.passed + self.failed + self.skipped + self.stale + self.missing
 
 
@@ -52,7 +52,7 @@ class Results:
     specification: str
 
     def is_stale(self, result: TestResult) -> bool:
-        """Whether a result is of another specification; what does not say of which counts as of this one."""
+        """Return whether a result is of another specification; what does not say of which counts as of this one."""
         if result.inputs is not None:
             return result.inputs not in self.current
         return result.specification not in (None, self.specification)
@@ -67,7 +67,7 @@ def results_of(found: Iterable[TestResult], tests: Iterable[Test], specification
 
 
 def counts_of(test: Test, results: Results) -> Counts:
-    """How the cases of a test went."""
+    """Return how the cases of a test went."""
     by_case: dict[str, list[TestResult]] = {}
     for result in _about(test, results):
         by_case.setdefault(_case(result), []).append(result)
@@ -99,7 +99,7 @@ def with_links_of(trace: Trace, results: Results) -> Trace:
 
 
 def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
-    """Whether results say nothing about a project: none is of a test that is known, none names a criterion."""
+    """Return whether results say nothing about a project: none is of a test that is known, none names a criterion."""
     known: dict[str, list[Test]] = defaultdict(list)
     for test in trace.tests:
         known[test.function.rpartition("::")[2]].append(test)
@@ -148,7 +148,9 @@ def _case(result: TestResult) -> str:
 
 
 def _is_in(module: str, test: Test) -> bool:
-    """Whether a dotted name is that of a test's module: pytest counts from the folder of its settings, not of ours."""
+    """Return whether a dotted name is that of a test's module: pytest counts from the
+    folder of its settings, not of ours.
+    """
     owner, _, _ = test.function.rpartition("::")
     own = test.file.removesuffix(".py").replace("/", ".") + (f".{owner.replace('::', '.')}" if owner else "")
     return module == own or (bool(module) and (own.endswith(f".{module}") or module.endswith(f".{own}")))

@@ -59,6 +59,8 @@ _PORTS = {
     LinkKind.UART: ("firmware/serial_port.py", "open_uart"),
     LinkKind.USB: ("firmware/serial_port.py", "open_usb"),
     LinkKind.UDP: ("firmware/udp_port.py", "UdpPort"),
+    LinkKind.TCP_SERVER: ("firmware/tcp_server.py", "TcpServer"),
+    LinkKind.TCP_CLIENT: ("firmware/tcp_client.py", "TcpClient"),
 }
 
 
@@ -76,7 +78,7 @@ class Symbols:
         return self._all([*found, *self._read_by_receiver(message)])
 
     def field(self, message: PopulatedMessage, answer: Answer) -> tuple[Symbol, ...]:
-        """Where its value is written, and the quantities of the state and the parameters that it reads."""
+        """Return where its value is written, and the quantities of the state and the parameters that it reads."""
         found = [(TELEMETRY, builder_name(message)), (PAYLOADS, writer_name(message))]
         for quantity in answer.quantities:
             found += self._quantity(quantity)
@@ -90,7 +92,7 @@ class Symbols:
         return self._all([*found, *([(VEHICLE, f"Vehicle.{call_name(table)}")] if table.spec.call else [])])
 
     def received(self, table: Reception, taken: ReceivedField) -> tuple[Symbol, ...]:
-        """What takes it, and the quantity."""
+        """Return what takes it, and the quantity."""
         return self._all([(RECEIVING, f"take_{table.name.lower()}"), *self._quantity(taken.quantity)])
 
     def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:
@@ -98,26 +100,26 @@ class Symbols:
         return self._all(self._parameter(parameter))
 
     def stream(self, stream: Stream) -> tuple[Symbol, ...]:
-        """What sends its messages."""
+        """Return what sends its messages."""
         sent = [message for message in self.system.messages if message.stream is stream]
         return self._all([(STREAMS, "Streams"), *((TELEMETRY, encoder_name(message)) for message in sent)])
 
     def generations(self) -> tuple[Symbol, ...]:
-        """What knows which generation is chosen."""
+        """Return what knows which generation is chosen."""
         return self._all([(STREAMS, "_GENERATIONS"), (STREAMS, "Streams._is_chosen")])
 
     def link(self, link: BoardLink) -> tuple[Symbol, ...]:
-        """What opens it."""
+        """Return what opens it."""
         return self._all([(BOARD, "Board.open_ports"), _PORTS[link.kind]])
 
     def readings(self, readings: Iterable[Reading]) -> tuple[Symbol, ...]:
-        """What reads the ADC."""
+        """Return what reads the ADC."""
         return self._all(
             (INPUTS, "AdcInputs.read") if reading.is_first else (_module(reading), "connect") for reading in readings
         )
 
     def sensor(self, source: Source) -> tuple[Symbol, ...]:
-        """What keeps and loses what it gives."""
+        """Return what keeps and loses what it gives."""
         name = source.name
         return self._all([(SOURCES, f"_keep_{name}"), (SOURCES, f"_lose_{name}"), (SOURCES, "Sources")])
 
@@ -133,7 +135,7 @@ class Symbols:
         return self._all(self._quantity(quantity))
 
     def failsafe(self, failsafe: Failsafe) -> tuple[Symbol, ...]:
-        """What makes it, and the class of all."""
+        """Return what makes it, and the class of all."""
         return self._all([(FAILSAFE, failsafe_function(failsafe.name)), (FAILSAFE, "Failsafe")])
 
     def part_of_program(self, name: str) -> tuple[Symbol, ...]:
@@ -154,7 +156,7 @@ class Symbols:
         return self._all([*found, *([("firmware/long_commands.py", "LongCommands")] if command.spec.long else [])])
 
     def mode(self) -> tuple[Symbol, ...]:
-        """What changes modes."""
+        """Return what changes modes."""
         return self._all([(VEHICLE, "Vehicle.MODES"), (VEHICLE, "Vehicle.set_mode")])
 
     def whole_receiver(self) -> tuple[Symbol, ...]:

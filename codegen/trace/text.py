@@ -12,7 +12,7 @@ SUSPECT = "  suspect"
 
 
 def summary_text(view: TraceView) -> str:
-    """What there is, and how the tests of the criteria went."""
+    """Return what there is, and how the tests of the criteria went."""
     totals = ", ".join(f"{number} {what}" for number, what in view.totals)
     lines = [f"{view.project}:", *wrap(totals, WIDTH, initial_indent="  ", subsequent_indent="  ")]
     width = max((len(status) for status, _, _ in view.verdicts), default=0)

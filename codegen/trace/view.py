@@ -303,7 +303,7 @@ def _criterion(each: Coverage, folder: str, words: _Words) -> CriterionView:
 
 
 def _dependencies(each: Coverage) -> Iterable[DependencyView]:
-    """What a criterion depends on, and behind it, by detours, what of that is not shown."""
+    """Return what a criterion depends on, and behind it, by detours, what of that is not shown."""
     unmet = {name: unmet_text(name, verdict).partition(", ")[2] for name, verdict in each.unmet}
     for name in dict.fromkeys([*each.depends_on, *unmet]):
         yield DependencyView(name, unmet.get(name, ""), is_suspect=False)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: 0b2755ba9280d202
+# Inputs: 3f04a08802a35f23
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 from time import ticks_diff
@@ -24,7 +24,8 @@ class Inbox:
     the pass has had its share.
 
     A datagram, which ports with `ends` read(), has whole frames: what is not whole at its end is given up at once, so
-    that nobody's bytes become part of another one's frame. Other ports readinto() a buffer and may bring a frame in
+    that nobody's bytes become part of another one's frame; a port that has keep(link) brings what several streams sent,
+    and takes that back until more of the same stream arrives. Other ports readinto() a buffer and may bring a frame in
     parts: it is given up when its end did not come within the time that the longest one takes, the `patience_ms`.
     """
 
@@ -57,6 +58,7 @@ class Inbox:
         """
         port, link, state = self._port, self._link, self._state
         receive = link.receive
+        keep = getattr(port, "keep", None)
         is_open = False  # whether the link may find more in what it has
         try:
             now_ms = yield
@@ -66,8 +68,10 @@ class Inbox:
                     message = receive()
                     if message is None and state[_WORKED] < _WORK:
                         if buffer is None and state[_FIRST] < state[_END]:
-                            link.give_up()
-                            continue
+                            if keep is None:
+                                link.give_up()
+                                continue
+                            keep(link)
                         is_open = False
                 if is_open:
                     now_ms = yield message

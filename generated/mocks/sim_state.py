@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_state.py: do not edit.
-# Inputs: e5b3b9549cc5395d
+# Inputs: f9b6a1537a3ea67f
 """True values that code of the vehicle sets: the simulation sets them in the state, as that code would."""
 
 import math
@@ -13,6 +13,7 @@ def connect(courses, now_ms, start_ms):  # noqa: ARG001 - as other inputs, see s
         for setter in setters:
             if at_ms >= setter.due_ms:
                 setter.set(at_ms, vehicle.state)
+        return min([setter.due_ms for setter in setters])
 
     return turn
 

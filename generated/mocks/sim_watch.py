@@ -1,12 +1,15 @@
 # Generated from templates/mocks/sim_watch.py: do not edit.
-# Inputs: e75667ad7aacba2a
+# Inputs: 5b81c549dc2a1fa7
 """What the vehicle does in a simulation, taken from its state whenever that changes: nothing is read out of texts."""
+
+from array import array
 
 
 class Watch:
     """Looks at a vehicle: quantities of its state, levels of its failsafes, and the actions that are called.
 
-    `quantities` are [label, component, instance, name] of what is looked at; `actions` are names of methods.
+    `quantities` are [label, component, instance, name, ages] of what is looked at; one that ages may be forgotten
+    without anything being set. `actions` are names of methods.
     """
 
     def __init__(self, records, quantities, actions):
@@ -15,6 +18,8 @@ class Watch:
         self._actions = actions
         self._known = {}
         self._failsafes = ()
+        self._ages = any(quantity[4] for quantity in quantities)
+        self._words = self._seen = None  # of the state, and what they were when its quantities were looked at last
 
     def begin(self, vehicle):
         """Begin to watch a vehicle: what its failsafes and methods are called."""
@@ -27,9 +32,10 @@ class Watch:
             several = value if isinstance(value, (list, tuple)) else (value,)
             for index, each in enumerate(several):
                 if hasattr(each, "level") and hasattr(each, "title"):
-                    found.append((name, index, each))
-                    self._known[(name, index)] = each.level
+                    found.append([name, index, each, each.level])
         self._failsafes = tuple(found)
+        self._words = None if self._ages else getattr(vehicle.state, "words", None)
+        self._seen = None
         for name in self._actions:
             method = getattr(vehicle, name, None)
             if method is not None:
@@ -37,13 +43,19 @@ class Watch:
 
     def look(self, vehicle):
         """Record what has changed."""
-        for name, index, failsafe in self._failsafes:
-            level = failsafe.level
-            if level != self._known[(name, index)]:
-                self._known[(name, index)] = level
-                self._records.put("failsafe", name=name, index=index, title=failsafe.title, level=level)
-        state = vehicle.state
-        for label, component, instance, name in self._quantities:
+        for entry in self._failsafes:
+            if entry[2].level != entry[3]:
+                entry[3] = entry[2].level
+                self._records.put("failsafe", name=entry[0], index=entry[1], title=entry[2].title, level=entry[3])
+        words = self._words
+        if words is None:
+            self._look_at(vehicle.state)
+        elif words != self._seen:
+            self._seen = array("i", words)
+            self._look_at(vehicle.state)
+
+    def _look_at(self, state):
+        for label, component, instance, name, _ in self._quantities:
             value = getattr(getattr(state, component)[instance], name)
             if label not in self._known or self._known[label] != value:
                 self._known[label] = value

@@ -12,10 +12,12 @@
 # Inputs: 8e7a0acf9dba16a2
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
-As a program it prints one JSON object: what went wrong in each check, or null.
+As a program it prints one JSON object: what went wrong in each check, or null. Its arguments are the names of the
+checks to run; without any, all are.
 """
 
 import json
+import sys
 
 import mock_time
 
@@ -779,14 +781,14 @@ def battery_cells_in_their_unit():
 
 
 def sent_in_40_seconds(state, message_id):
-    """Return how many such messages go out in 40 seconds of a loop that runs at 400 Hz."""
+    """Return how many such messages go out in 40 seconds in which 100 passes a second look for what is due."""
     stream = Recorder()
     mock_time.set_ticks_us(((1 << 30) - 5000) * 1000)  # ticks_ms() wraps in the middle
     streams = Streams(state, Link(stream))
-    for _ in range(16000):
+    for _ in range(4000):
         streams.run(time.ticks_ms())
         streams.announce()
-        mock_time.advance_us(2500)
+        mock_time.advance_us(10000)
     mock_time.set_ticks_us(0)
     return stream.counts.get(message_id, 0)
 
@@ -988,4 +990,5 @@ def outcome(check):
 
 
 if __name__ == "__main__":
-    print(json.dumps({check.__name__: outcome(check) for _, check in CHECKS}))
+    asked = sys.argv[1:] or [check.__name__ for _, check in CHECKS]
+    print(json.dumps({check.__name__: outcome(check) for _, check in CHECKS if check.__name__ in asked}))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 4a028514a48fd18c
+# Inputs: b7ae761ad59d8ea2
 """What the firmware does in the cases and checks of this suite, once for each interpreter; and what each test shows.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -10,15 +10,15 @@ import json
 import os
 import re
 import time
-from functools import cache
 
 import pytest
 from interpreters import CASES, HERE, run_under
 
 
 def pytest_configure(config):
-    """Make the marker known."""
+    """Make the markers known."""
     config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
+    config.addinivalue_line("markers", "days: goes through simulated days, which take longer than all other tests")
 
 
 def pytest_collection_modifyitems(items):
@@ -50,12 +50,22 @@ def modules():
 
 @pytest.fixture(scope="session")
 def printed(request, tmp_path_factory):
-    """What a script prints, as JSON: it runs once, however many processes pytest-xdist lets ask."""
+    """What a script prints, as JSON: it runs once, however many processes pytest-xdist lets ask.
+
+    A script that is given the names of checks runs these alone: those of all tests like `item` that are selected.
+    """
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
 
-    @cache
-    def by(interpreter, script, arguments=tuple):
+    known = {}
+
+    def by(interpreter, script, arguments=tuple, item=None):
+        if (interpreter, script) not in known:
+            names = _asked(item) if item else ()
+            known[interpreter, script] = found(interpreter, script, lambda: (*arguments(), *names))
+        return known[interpreter, script]
+
+    def found(interpreter, script, arguments):
         path = shared / f"{interpreter}-{script}.json"
         try:
             os.close(os.open(path.with_suffix(".started"), os.O_CREAT | os.O_EXCL))
@@ -70,6 +80,13 @@ def printed(request, tmp_path_factory):
         return json.loads(text)
 
     return by
+
+
+def _asked(item):
+    """Return the `name` of each selected test of a function, with the parameters of `item` beside it."""
+    alike = {**item.callspec.params, "name": None}
+    others = [each for each in item.session.items if each.path == item.path and each.originalname == item.originalname]
+    return [each.callspec.params["name"] for each in others if {**each.callspec.params, "name": None} == alike]
 
 
 def _awaited(path):

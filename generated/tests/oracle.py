@@ -1,5 +1,5 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: e6c38175f55bc9f4
+# Inputs: af831064c9d98cd0
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
@@ -44,7 +44,7 @@ def message_class(dialect, name):
 def _generated(files, corrections, messages, wire):
     with tempfile.TemporaryDirectory() as folder:
         source, output = Path(folder) / "project.xml", Path(folder) / f"project_{wire}.py"
-        copies = [Path(folder) / f"{number}.xml" for number in range(len(files))]
+        copies = [Path(folder) / _copied(file, number) for number, file in enumerate(files)]
         plain = [_plain(file, copy, corrections, messages) for file, copy in zip(files, copies, strict=True)]
         includes = "".join(f"<include>{file}</include>" for file in plain)
         source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
@@ -57,10 +57,15 @@ def _generated(files, corrections, messages, wire):
         return module
 
 
+def _copied(file, number):
+    """Return what the copy of a file is called: of a shipped one there is only one, however many include it."""
+    return file.name if file.parent == DIALECTS else f"{number}.xml"
+
+
 def _plain(file, copy, corrections, messages):
     """Return a corrected copy of an XML file, without descriptions: pymavlink's generator stumbles over quotes.
 
-    Of a shipped file, it has only `messages`, and no enums, which are not on the wire.
+    Of a shipped file, and of those that it includes, it has only `messages`, and no enums, which are not on the wire.
     """
     tree = ElementTree.parse(file)
     if file.parent == DIALECTS:
@@ -75,7 +80,11 @@ def _plain(file, copy, corrections, messages):
             element.text = ""
         if element.tag == "include":
             beside = file.parent / element.text.strip()
-            element.text = str(beside if beside.exists() else DIALECTS / element.text.strip())
+            included = beside if beside.exists() else DIALECTS / element.text.strip()
+            inner = copy.with_name(included.name)
+            if included.parent == DIALECTS and not inner.exists():
+                _plain(included, inner, corrections, messages)
+            element.text = str(inner if included.parent == DIALECTS else included)
     tree.write(copy)
     return copy
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_behaviour.py: do not edit.
-# Inputs: 8fdad2fe6a1df20c
+# Inputs: 4d3b87475d649af0
 """The checks of behaviour.py, in one run of each interpreter; a test is named by its check and criterion."""
 
 import ast
@@ -25,8 +25,8 @@ def _cases():
 
 
 @pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
-def test_behaviour(interpreter, name, printed):
+def test_behaviour(interpreter, name, printed, request):
     """The board and the state behave as the requirements say, and the steady cycle allocates nothing."""
-    found = printed(interpreter, "behaviour.py")
+    found = printed(interpreter, "behaviour.py", item=request.node)
     assert "" not in found, found[""]
     assert found[name] is None, found[name]

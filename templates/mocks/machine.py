@@ -4,7 +4,6 @@ analog(gpio) is the script of one input; it works on all ADC objects of that GPI
 """
 
 import errno
-from array import array
 
 import mock_time
 
@@ -289,7 +288,7 @@ def set_reset_cause(number, by_watchdog=False):
     mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED if by_watchdog else 0))
 
 
-_watchdog = array("i", [0, 0, 0])  # microseconds: until it resets the board, its timeout or 0; how often it was fed
+_watchdog = [0, 0]  # its timeout in microseconds, or 0; how often it was fed
 
 
 class WDT:
@@ -299,39 +298,33 @@ class WDT:
         shortest, longest = watchdog_range_ms
         if timeout < shortest or (longest is not None and timeout > longest):
             raise ValueError(f"a watchdog of this board does not take {timeout} ms")
-        _watchdog[1] = timeout * 1000
+        _watchdog[0] = timeout * 1000
         mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED))
         mem32.update(dict.fromkeys(_CLEARS, 0))
-        mock_time.follow(_count_down)
         self.feed()
 
     def feed(self):
         """Begin its time anew."""
-        _watchdog[0] = _watchdog[1]
-        _watchdog[2] += 1
+        mock_time.set_alarm(_watchdog[0], _not_fed)
+        _watchdog[1] += 1
 
 
 def watchdog():
     """Return the microseconds until it resets the board, its timeout, 0 while none runs, and how often it was fed."""
-    return tuple(_watchdog)
+    return mock_time.alarm_left_us(), _watchdog[0], _watchdog[1]
 
 
 def reset_watchdog():
     """Let none run, and no timer, as after a reset."""
     mock_time.follow_nobody()
-    _watchdog[0] = _watchdog[1] = _watchdog[2] = 0
+    mock_time.set_alarm(0, None)
+    _watchdog[0] = _watchdog[1] = 0
 
 
-def _count_down(passed_us):
-    if _watchdog[1] == 0:
-        return
-    if passed_us <= _watchdog[0]:
-        _watchdog[0] -= passed_us
-        return
+def _not_fed(left_us):
     if any(mem32[clear] for clear in _CLEARS):
-        _watchdog[0] = _watchdog[1] = 0
+        _watchdog[0] = 0
         return
-    left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)
     mock_time.advance_us(left_us)
     raise WatchdogReset("the watchdog was not fed in time")

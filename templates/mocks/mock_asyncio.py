@@ -12,6 +12,7 @@ import mock_time
 _LATER_MS = 1 << 24  # five hours: the queue in C asks the host's clock when tasks are due at once: ours is ahead of it
 
 _hooks = []
+_quiet = [False, 0]  # whether nothing has run since hooks were called; until when they need not be asked then
 
 
 def install():
@@ -31,12 +32,26 @@ def on_wait(hook):
         _hooks.clear()
     else:
         _hooks.append(hook)
+    leave_out_until(0)
+
+
+def leave_out_until(due_us):
+    """Do not call hooks with 0 right behind a wait, while mock_time.elapsed_us() is less than this."""
+    _quiet[1] = due_us
 
 
 def _wait(duration_us):
-    for hook in _hooks:
-        hook(duration_us)
-    mock_time.advance_us(duration_us)
+    if duration_us:
+        for hook in _hooks:
+            hook(duration_us)
+        mock_time.advance_us(duration_us)
+        _quiet[0] = True
+        return
+    is_quiet = _quiet[0] and mock_time.elapsed_us() < _quiet[1]
+    _quiet[0] = False
+    if not is_quiet:
+        for hook in _hooks:
+            hook(0)
 
 
 def _until_us(milliseconds):
@@ -46,6 +61,8 @@ def _until_us(milliseconds):
 
 def _install_micropython():
     core = asyncio.core
+    words = mock_time.words
+    fast = mock_time.machine_code
     host = mock_time.host_time
     started = [0, 0]  # when the loop was made: milliseconds of the host's clock, of ours
 
@@ -54,20 +71,27 @@ def _install_micropython():
 
         def __init__(self):
             core_init(self)
+            if not hasattr(self, "map"):  # nobody says whether tasks wait for streams
+                self.map = (None,)
             started[0] = host.ticks_add(host.ticks_ms(), _LATER_MS)
             started[1] = mock_time.elapsed_us() // 1000
+            if fast is not None:
+                fast.start_ms = started[0] - words[4]
 
         def wait_io_event(self, milliseconds):
             if milliseconds < 0:  # only streams can go on
                 _wait(0)
                 core_wait(self, 1)
                 return
-            _wait(_until_us(milliseconds) if milliseconds > 0 else 0)
-            core_wait(self, 0)
+            _wait(1000 * milliseconds - words[2] if milliseconds > 0 else 0)  # see _until_us()
+            if self.map:
+                core_wait(self, 0)
 
     core_init = core.IOQueue.__init__
     core_wait = core.IOQueue.wait_io_event
     core.ticks = lambda: host.ticks_add(started[0], mock_time.elapsed_us() // 1000 - started[1])
+    if fast is not None:
+        core.ticks = fast.loop_ms
     core.ticks_add = host.ticks_add
     core.ticks_diff = host.ticks_diff
     core.IOQueue = VirtualQueue

@@ -16,12 +16,12 @@ _NAMES = ("ticks_ms", "ticks_us", "ticks_add", "ticks_diff", "sleep_ms", "sleep_
 
 host_time = None  # under MicroPython, after install(): the true module, as for the queue of asyncio in C
 
-_word = array("i", [0])
-_turns = 0  # of the microseconds, each of PERIOD
-_us = 0
-_ms = 0
-_rest_us = 0  # since the last whole millisecond
+# The clock: microseconds and milliseconds as ticks, microseconds since the last whole millisecond, turns of the
+# microseconds, each of PERIOD, all milliseconds where there is machine code, and the microseconds until _ring().
+words = array("i", [0, 0, 0, 0, 0, _HALF])
 _followers = []
+_ring = None
+_ring_later_us = 0  # beyond what its word says
 
 
 def install():
@@ -70,55 +70,82 @@ def follow_nobody():
     _followers.clear()
 
 
+def set_alarm(left_us, ring):
+    """Call `ring` with the microseconds that were left, where more than these are about to pass; None for nobody."""
+    global _ring, _ring_later_us  # noqa: PLW0603 - there is one
+    _ring = ring
+    words[5] = _HALF if ring is None else min(left_us, _HALF)
+    _ring_later_us = 0 if ring is None else left_us - words[5]
+
+
+def alarm_left_us():
+    """Return the microseconds until the alarm rings, 0 where there is none."""
+    return 0 if _ring is None else words[5] + _ring_later_us
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
-    global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if now < 0:
         raise ValueError("the clock starts at 0")
-    _turns, _us = now // PERIOD, _tick(now % PERIOD)
-    _ms = _tick(now // 1000 % PERIOD)
-    _rest_us = _tick(now % 1000)
-
-
-def _tick(number):
-    """Return the number as boards have it: what 32-bit ports divide by a large one stays on the heap, and so does all
-    that is computed with it."""
-    _word[0] = number
-    return _word[0]
+    words[0] = now % PERIOD
+    words[1] = now // 1000 % PERIOD
+    words[2] = now % 1000
+    words[3] = now // PERIOD
+    words[4] = now // 1000 & 0x7FFFFFFF
 
 
 def advance_us(duration):
     """Let `duration` microseconds pass."""
-    global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
+    if _followers or not 0 <= duration < words[5]:
+        _advance_slowly(duration)
+        return
+    move(duration)
+
+
+def move(duration):
+    """Let microseconds pass, fewer than those until the alarm."""
+    before_us = words[0]
+    words[0] = now_us = _later(before_us, duration)
+    if now_us < before_us:
+        words[3] += 1
+    rest_us = words[2] + duration
+    words[1] = _later(words[1], rest_us // 1000)
+    words[2] = rest_us % 1000
+    words[5] -= duration
+
+
+def _advance_slowly(duration):
+    """Let microseconds pass that somebody has to be told of."""
     if duration < 0:
         raise ValueError("time does not run backwards")
     for follower in _followers:
         follower(duration)
+    left_us = alarm_left_us()
+    ring = _ring
+    if ring is not None and duration > left_us:
+        set_alarm(0, None)
+        ring(left_us)
     if duration > _HALF:
         set_ticks_us(elapsed_us() + duration)
-        return
-    before_us = _us
-    _us = _later(before_us, duration)
-    if _us < before_us:
-        _turns += 1
-    _rest_us += duration
-    _ms = _later(_ms, _rest_us // 1000)
-    _rest_us %= 1000
+    else:
+        words[5] = _HALF
+        move(duration)
+    set_alarm(max(0, left_us - duration), _ring)
 
 
 def elapsed_us():
     """Return the microseconds since the start, not wrapped."""
-    return _turns * PERIOD + _us
+    return words[3] * PERIOD + words[0]
 
 
 def ticks_us():
     """Return microseconds, 0 to 2**30 - 1."""
-    return _us
+    return words[0]
 
 
 def ticks_ms():
     """Return milliseconds, 0 to 2**30 - 1."""
-    return _ms
+    return words[1]
 
 
 def ticks_diff(end, start):
@@ -162,3 +189,18 @@ def sleep(duration):
 def time():
     """Return the seconds since the start, whole."""
     return elapsed_us() // 1000000
+
+
+machine_code = None  # the module that has the clock in machine code, where there is one
+if sys.implementation.name == "micropython":
+    try:
+        import mock_ticks_viper as machine_code
+    except Exception:  # this port, or this computer, has none
+        machine_code = None
+if machine_code is not None:
+    machine_code.words = words
+    machine_code.followers = _followers
+    machine_code.slowly = _advance_slowly
+    ticks_us, ticks_ms = machine_code.ticks_us, machine_code.ticks_ms
+    ticks_diff, ticks_add = machine_code.ticks_diff, machine_code.ticks_add
+    advance_us, move, elapsed_us = machine_code.advance_us, machine_code.move, machine_code.elapsed_us

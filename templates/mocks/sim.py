@@ -50,6 +50,7 @@ sim_machine.install()
 EXIT_RESET = 3
 SAMPLE_MS = 100
 MESSAGES_MS = 1000
+NEVER_MS = 1 << 40
 
 
 class End(BaseException):
@@ -76,6 +77,9 @@ class Simulation:
         self._watched = None
         self._main = None
         self._pace = None
+        self._inputs_ms = 0
+        self._due_us = 0  # when there is something to do again, but for looking at what the vehicle has done
+        self._changes = None  # of parameters, when they were recorded last
         self._speed = settings["speed"]
         self._sample_ms = self._messages_ms = self._start_ms
         unique_id = bytes([int(settings["unique_id"][at : at + 2], 16) for at in range(0, 16, 2)])
@@ -107,6 +111,7 @@ class Simulation:
             code = 1
             self.records.put("failed", traceback=traceback_of(error))
         finally:
+            self._changes = None
             self._sum_up()
             self.records.put("end", reason=reason)
         return code
@@ -169,8 +174,9 @@ class Simulation:
             )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
-        self._wire.listen(udp_port.UdpPort)
-        self._ground.speak_to(udp_port.UdpPort)
+        for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way
+            self._wire.listen(port_class)
+            self._ground.speak_to(port_class)
         import texts  # noqa: PLC0415
 
         plain = texts.Texts
@@ -187,6 +193,13 @@ class Simulation:
         return getattr(self._main, "vehicle", None)
 
     def _on_wait(self, wait_us):
+        vehicle = self._watched
+        if vehicle is not None:
+            self._watch.look(vehicle)
+        if mock_time.elapsed_us() + wait_us >= self._due_us:
+            self._turn(wait_us)
+
+    def _turn(self, wait_us):
         now_ms = self.now_ms()
         vehicle = self._vehicle()
         if vehicle is not None:
@@ -204,14 +217,30 @@ class Simulation:
         if not self._turns.wait_until(now_ms + wait_us // 1000):
             raise KeyboardInterrupt
         self._pace.wait_until(mock_time.elapsed_us() + wait_us)
+        self._due_us = 1000 * (self._next_ms() - self._start_ms)
+        mock_asyncio.leave_out_until(self._due_us)
+
+    def _next_ms(self):
+        """Return when _turn() is to be called again, in the scenario's time."""
+        if self._speed or self._watched is None:
+            return self._start_ms  # there is a clock to wait for, or a vehicle to come
+        next_ms = min(self._sample_ms, self._messages_ms, self._ground.next_ms(), self._inputs_ms)
+        if self._turns.until_ms is not None:
+            next_ms = min(next_ms, self._turns.until_ms)
+        if self._events:
+            next_ms = min(next_ms, self._events[0]["at_ms"])
+        if self._duration_ms is not None:
+            next_ms = min(next_ms, self._duration_ms)
+        return next_ms
 
     def _look(self, vehicle, now_ms):
         """Let the inputs follow their courses, and record what the vehicle has done."""
         if self._watched is not vehicle:
             self._watched = vehicle
             self._watch.begin(vehicle)
+        self._inputs_ms = NEVER_MS
         for turn in self._inputs:
-            turn(now_ms, vehicle)
+            self._inputs_ms = min(self._inputs_ms, turn(now_ms, vehicle) or 0)
         self._watch.look(vehicle)
 
     def _happen(self, event, vehicle):
@@ -242,11 +271,24 @@ class Simulation:
         self.records.put("messages", counts=self._wire.counts, parameters=self._parameters(), **statistics)
 
     def _parameters(self):
+        """Return all parameters by their names where one has changed since the last time, else none."""
         parameters = getattr(self._vehicle(), "parameters", None)
-        return {name: parameters.get(name) for name in parameters.names()} if parameters else {}
+        if parameters is None or parameters.changes == self._changes:
+            return {}
+        self._changes = parameters.changes
+        return {name: parameters.get(name) for name in parameters.names()}
 
     def _reset(self):
         raise SystemExit(EXIT_RESET)
+
+
+def tcp_ports():
+    """Return the class of ports over TCP, in a tuple, if the firmware has one."""
+    try:
+        import tcp_port  # noqa: PLC0415 - the firmware's own
+    except ImportError:
+        return ()
+    return (tcp_port.TcpPort,)
 
 
 def store_parameters(store):

@@ -2,7 +2,8 @@
 
 Every kind of input in a simulation has a module `sim_<kind>` with such a connect(): it gets the courses of that kind,
 a function that returns the scenario's time in ms, and that of the board's start. It lets the mocks of the board follow
-them, and returns a function to be called with the time and the vehicle whenever the firmware waits, or None.
+them, and returns a function to be called with the time and the vehicle whenever the firmware waits, or None. The
+function returns the time in ms before which it need not be called again, or None.
 """
 
 import machine

@@ -1,6 +1,7 @@
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
+_NEVER_MS = 1 << 40
 HERE = (True,)  # what a port returns that has something
 
 
@@ -24,15 +25,16 @@ class Ground:
             if not data:
                 return read(port)
             self._waiting = bytearray()
-            if port.home is None:  # nobody is reached before there is a network
-                return None
+            peers = getattr(port, "peers", None)  # over TCP it speaks as who is there, or as nobody
+            if port.home is None and not getattr(port, "has_network", False):
+                return None  # nobody is reached before there is a network
             port.received += len(data)
-            port.ends[1] = port.home
+            port.ends[1] = peers[0] if peers else port.home
             return data
 
         port_class.read = heard
         init = getattr(port_class, "__init__", None)
-        if init is not None:  # one without has nothing to look with either
+        if init is not None and self._sendings:  # one without has nothing to look with either
 
             def made(port, *arguments, **named):
                 init(port, *arguments, **named)
@@ -41,6 +43,10 @@ class Ground:
                     port.look = lambda wait_ms: HERE if self._waiting else look(wait_ms)
 
             port_class.__init__ = made
+
+    def next_ms(self):
+        """Return when something is sent next, far ahead for never."""
+        return min([entry[0] for entry in self._sendings if entry[0] is not None] + [_NEVER_MS])
 
     def turn(self, now_ms):
         """Send what is due."""

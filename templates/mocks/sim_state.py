@@ -11,6 +11,7 @@ def connect(courses, now_ms, start_ms):  # noqa: ARG001 - as other inputs, see s
         for setter in setters:
             if at_ms >= setter.due_ms:
                 setter.set(at_ms, vehicle.state)
+        return min([setter.due_ms for setter in setters])
 
     return turn
 

@@ -23,8 +23,8 @@ def _cases():
 
 
 @pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
-def test_behaviour(interpreter, name, printed):
+def test_behaviour(interpreter, name, printed, request):
     """The board and the state behave as the requirements say, and the steady cycle allocates nothing."""
-    found = printed(interpreter, "behaviour.py")
+    found = printed(interpreter, "behaviour.py", item=request.node)
     assert "" not in found, found[""]
     assert found[name] is None, found[name]

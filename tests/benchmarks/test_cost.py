@@ -1,15 +1,29 @@
 """The steady path takes no more instructions than is stored: what makes it slower is seen at once, on any computer."""
 
 import shutil
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import cost
 import pytest
 import results
+from figure import Figure
 
 STORED = {figure.key: figure for figure in results.read(results.FOLDER / "cost.json").figures}
 MORE = 1.03
+LAYOUTS = sorted(cost.LAYOUTS, key=lambda layout: min(layout, max(cost.LAYOUTS) - layout))
+"""Those at both ends first: what one name more leaves in the same places is counted alike."""
+
+Counted = Callable[[str, int], list[Figure]]
+
+
+@pytest.fixture(scope="module")
+def counted(tmp_path_factory: pytest.TempPathFactory) -> Counted:
+    """The figures of a script in one layout, counted once."""
+    folder = tmp_path_factory.mktemp("cost")
+    return cache(lambda script, layout: cost.counted(script, folder, [layout]))
 
 
 def test_every_workload_is_stored() -> None:
@@ -25,15 +39,15 @@ OF_DRAFTS = pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_001
 @pytest.mark.parametrize(
     "script", [pytest.param(each, marks=OF_DRAFTS if each == "firmware" else ()) for each in cost.SCRIPTS]
 )
-def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> None:
+def test_instructions_are_not_more_than_stored(script: str, counted: Counted) -> None:
     """Up to 3 % more are none; else the change is to be mended, or `make benchmarks` stores the new figure."""
     if shutil.which("valgrind") and cost.problem():
         pytest.skip(cost.problem())  # another processor; make test says so
     lowest: dict[str, float] = {}
-    for layout in cost.LAYOUTS:  # the first one mostly is enough
-        counted = cost.counted(script, tmp_path, [layout])
-        assert all(figure.value for figure in counted), counted[0].note
-        for figure in counted:
+    for layout in LAYOUTS:
+        figures = counted(script, layout)
+        assert all(figure.value for figure in figures), figures[0].note
+        for figure in figures:
             lowest[figure.key] = min(figure.value, lowest.get(figure.key, figure.value))
         more = [
             f"{STORED[key].measure}: {value:.0f} instructions, stored are {STORED[key].value:.0f}"
@@ -45,13 +59,13 @@ def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> N
     pytest.fail("\n".join([*more, f"stored with MicroPython {results.read_versions()['MicroPython']}"]))
 
 
-def test_a_field_of_more_bits_takes_at_most_150_instructions_more(tmp_path: Path) -> None:
+def test_a_field_of_more_bits_takes_at_most_150_instructions_more(counted: Counted) -> None:
     """Than one of 16, in machine code from the state to the frame, the checksum of its bytes included."""
     if shutil.which("valgrind") and cost.problem():
         pytest.skip(cost.problem())
-    counted = cost.counted("fields", tmp_path, [0])
-    assert len(counted) == 5
-    for figure in counted:
+    figures = counted("fields", LAYOUTS[0])
+    assert len(figures) == 5
+    for figure in figures:
         assert figure.value, figure.note
         assert 0 < figure.value <= figure.most == 150, figure.measure
 

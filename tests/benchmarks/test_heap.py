@@ -50,9 +50,9 @@ def test_boat_runs_in_the_heap_that_is_stored(tmp_path: Path) -> None:
 
 
 @pytest.mark.requirement("FR-00071.4")
-def test_stored_heap_is_not_more_than_132_kb() -> None:
+def test_stored_heap_is_not_more_than_136_kb() -> None:
     """From .mpy files, as a board has them; that the program does run in as much is tested above."""
-    assert STORED["smallest_mpy"] <= 132
+    assert STORED["smallest_mpy"] <= 136
 
 
 @pytest.mark.parametrize("form", heap.FORMS)

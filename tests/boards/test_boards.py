@@ -12,6 +12,7 @@ import pytest
 from codegen.decode.board_model import FOLDER
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.board_model import BoardModel, BoardModelSpec, shown_pins
 from codegen.project.systems import read_system
 from codegen.resolve.board.model import resolve_board_model
@@ -48,7 +49,7 @@ def test_how_fast_a_board_is_may_be_known():
 def model_of(name: str) -> BoardModel:
     """What codegen knows of a board, without a finding."""
     report = Report()
-    written = decode_record_file(os.path.join(FOLDER, f"{name}.yaml"), BoardModelSpec, report)
+    written = decode_record_file(os.path.join(FOLDER, f"{name}.yaml"), BoardModelSpec, DISK, report)
     model = resolve_board_model(written, report)
     assert not list(report)
     assert model is not None
@@ -150,6 +151,19 @@ def test_a_board_of_the_project(tmp_path):
             "  air: {udp: 14550, to: 1.2.3.4, credentials: w.json, retry: 5 s}\n  radio: {uart: 1, tx: 4, rx: 5, ",
             "board.yaml:5 bad-link: the Raspberry Pi Pico has no Wi-Fi",
         ),
+        (
+            "pico",
+            27,
+            "  air: {tcp_server: 1, credentials: w.json, retry: 5 s, timeout: 9 s}\n  radio: {uart: 1, tx: 4, rx: 5, ",
+            "board.yaml:5 bad-link: the Raspberry Pi Pico has no Wi-Fi",
+        ),
+        (
+            "pico_2",
+            27,
+            "  air: {tcp_client: 1, to: 1.2.3.4, credentials: w.json, retry: 5 s, timeout: 9 s}\n"
+            "  radio: {uart: 1, tx: 4, rx: 5, ",
+            "board.yaml:5 bad-link: the Raspberry Pi Pico 2 has no Wi-Fi",
+        ),
         ("", 27, "", "board.yaml:2 bad-adc: the pin of pack is on no known board (say which board it is, such as"),
     ],
 )
@@ -234,7 +248,7 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     path = tmp_path / "specs" / "boards" / "own.yaml"
     path.write_text(OWN.replace(old, new))
     report = Report()
-    assert resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report) is None
+    assert resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report) is None
     [found] = report
     assert found.rule.id == "bad-board"
     assert found.place.line >= 4
@@ -267,7 +281,7 @@ def test_a_watchdog_that_contradicts_itself(old, new, wanted, tmp_path):
     path = tmp_path / "specs" / "boards" / "own.yaml"
     path.write_text(OWN.replace("usb: false", WATCHED.replace(old, new)))
     report = Report()
-    resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report)
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
     found = [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
     assert len(found) == 1, found
     assert wanted in found[0], found

@@ -28,6 +28,14 @@ CASES = [
         is_alone=False,
     ),
     Case(
+        "bad-quantity",
+        STATE,
+        VOLTAGE,
+        VOLTAGE + "        min: 5\n        max: §4\n",
+        "max of voltage is below its min",
+        is_alone=False,
+    ),
+    Case(
         "reading-beyond-limits",
         STATE,
         VOLTAGE,

@@ -16,6 +16,7 @@ from codegen.commands import document_findings, documents
 from codegen.decode import decoded
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.findings import catalogue
+from codegen.load.files import Files
 from codegen.source import Place, shown_path
 from codegen.tool import cache
 from codegen.tool import digest as tool
@@ -61,12 +62,40 @@ Check = Callable[..., list[dict[str, Any]]]
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The rover with documents that are wrong, as the working directory."""
-    folder = tmp_path / "project"
+    folder = _copied(tmp_path)
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def _copied(parent: Path) -> Path:
+    folder = parent / "project"
     shutil.copytree(ROOT / "specs", folder / "specs")
     file = folder / DOCUMENT
     file.write_text(file.read_text() + WRONG)
-    monkeypatch.chdir(folder)
     return folder
+
+
+@pytest.fixture(scope="module")
+def looked_at(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The same project, and the cache that a check of it leaves: in this folder, whose path is part of what is kept."""
+    folder = _copied(tmp_path_factory.mktemp("looked_at"))
+    kept = folder.with_name("cache")
+    surroundings = {**os.environ, cache.VARIABLE: str(kept), "PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-m", "codegen", "check", "--waived", "--format", "json"]
+    done = subprocess.run(command, cwd=folder, env=surroundings, capture_output=True, check=False)
+    assert done.returncode == 1, done.stderr
+    return folder, kept
+
+
+@pytest.fixture
+def known(looked_at: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """That project as the working directory; the checks of a test begin with what is kept, and it is as it was then."""
+    folder, kept = looked_at
+    shutil.copytree(kept, tmp_path / "cache")
+    monkeypatch.chdir(folder)
+    yield folder
+    shutil.rmtree(folder / "specs")
+    _copied(folder.parent)
 
 
 @pytest.fixture
@@ -99,24 +128,22 @@ def test_the_documents_are_wrong_in_many_ways(check: Check) -> None:
 
 
 @pytest.mark.parametrize("what", EDITS)
-def test_after_an_edit_the_findings_are_those_of_a_run_that_knows_nothing(
-    project: Path, check: Check, what: str
-) -> None:
+def test_after_an_edit_the_findings_are_those_of_a_run_that_knows_nothing(known: Path, check: Check, what: str) -> None:
     path, old, new = EDITS[what]
     before = check()
-    text = (project / path).read_text()
+    text = (known / path).read_text()
     assert old in text
-    (project / path).write_text(text.replace(old, new, 1))
+    (known / path).write_text(text.replace(old, new, 1))
     after = check()
     assert after == check(knows=False)
     assert after != before
-    (project / path).write_text(text)
+    (known / path).write_text(text)
     assert check() == before
 
 
-def test_documents_that_come_and_go_are_noticed(project: Path, check: Check) -> None:
+def test_documents_that_come_and_go_are_noticed(known: Path, check: Check) -> None:
     before = check()
-    own = project / DOCUMENT
+    own = known / DOCUMENT
     further = own.with_name("FR-00099-further.md")
     further.write_text(own.read_text().replace("# FR-00068", "# FR-00099", 1))
     assert check() == check(knows=False) != before
@@ -146,9 +173,9 @@ def test_a_document_is_read_again_only_where_something_changed(
     read: list[str] = []
     found_claims = documents.found_claims
 
-    def noted(text: str, path: str, reference: Any) -> Any:
+    def noted(text: str, path: str, reference: Any, files: Files) -> Any:
         read.append(Path(path).name)
-        return found_claims(text, path, reference)
+        return found_claims(text, path, reference, files)
 
     monkeypatch.setattr(documents, "found_claims", noted)
     check()
@@ -174,7 +201,7 @@ def test_another_codegen_looks_again(check: Check, monkeypatch: pytest.MonkeyPat
 def test_what_is_found_may_name_files_as_they_are_called_from_here(
     project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def found(_text: str, path: str, _reference: object) -> list[Diagnostic]:
+    def found(_text: str, path: str, _reference: object, _files: object) -> list[Diagnostic]:
         return [Diagnostic(Place(path), Rule("claim-anything", ""), shown_path(path))]
 
     monkeypatch.setattr(documents, "found_claims", found)

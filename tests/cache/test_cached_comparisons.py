@@ -69,6 +69,7 @@ def commit(folder: Path) -> None:
     git(folder, "-c", "user.name=a", "-c", "user.email=a@b.c", "commit", "--quiet", "-m", "step")
 
 
+@pytest.mark.long
 def test_after_each_edit_and_commit_it_says_what_a_run_that_knows_nothing_says(project: Path, compare: Compare) -> None:
     """The last version stays the one that the edit has changed, and then becomes a revision of the same name."""
     assert compare("HEAD")["changes"] == []

@@ -11,8 +11,7 @@ from codegen.decode.marked_tests import read_tests_below
 from codegen.diagnostics import Report
 from codegen.findings import catalogue
 from codegen.findings.catalogue import rule_catalogue, rule_ids
-from codegen.load.text import asked_once, noting, read_text
-from codegen.load.trees import hung
+from codegen.load.files import DISK, Files, asked_once
 from codegen.tool import cache
 
 
@@ -39,13 +38,13 @@ class Asked:
         self.paths = paths
         self.count = 0
 
-    def __call__(self) -> list[str | None]:
+    def __call__(self, files: Files) -> list[str | None]:
         self.count += 1
-        return [read_text(str(path), Report()) for path in self.paths]
+        return [files.read_text(str(path), Report()) for path in self.paths]
 
 
-def found(ask: Callable[[], list[str | None]], inputs: object = "one") -> list[str | None]:
-    made = with_files_read(inputs, ask, {})
+def found(ask: Callable[[Files], list[str | None]], inputs: object = "one") -> list[str | None]:
+    made = with_files_read(inputs, ask, {}, DISK)
     later_run()
     return made
 
@@ -72,7 +71,7 @@ def test_it_is_asked_again_for_other_inputs_by_another_codegen_and_with_other_di
     found(ask)
     found(ask, "other")
     assert ask.count == 2
-    monkeypatch.setattr(decoded, "shipped_dialect_names", lambda: ("own",))
+    monkeypatch.setattr(decoded, "shipped_dialect_names", lambda _files: ("own",))
     found(ask)
     assert ask.count == 3
     monkeypatch.setattr(decoded, "tool_digest", lambda: "another")
@@ -87,7 +86,7 @@ def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) ->
 
     def texts() -> tuple[list[str | None], list[str | None]]:
         shared = asked_once(Asked(file))
-        return with_files_read("one", shared, {}), with_files_read("other", shared, {})
+        return with_files_read("one", shared, {}, DISK), with_files_read("other", shared, {}, DISK)
 
     for text in ("1", "2"):
         file.write_text(text)
@@ -95,16 +94,17 @@ def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) ->
         later_run()
 
 
-def test_who_notes_inside_of_another_note_ends_only_his_own(tmp_path: Path) -> None:
-    """Also while nothing was read yet, and both have noted the same."""
-    file = tmp_path / "file"
-    file.write_text("1")
-    with noting() as outer:
-        with noting() as inner:
-            pass
-        read_text(str(file), Report())
-    assert list(outer) == [str(file)]
+def test_who_notes_inside_of_another_note_notes_for_both(tmp_path: Path) -> None:
+    """What is read of the outer files is none of the inner notes, also while nothing was read yet."""
+    first, second = tmp_path / "first", tmp_path / "second"
+    for file in (first, second):
+        file.write_text("1")
+    outer_files, outer = DISK.noting()
+    inner_files, inner = outer_files.noting()
+    outer_files.read_text(str(first), Report())
     assert inner == {}
+    inner_files.read_text(str(second), Report())
+    assert (list(outer), list(inner)) == ([str(first), str(second)], [str(second)])
 
 
 class Revision:
@@ -130,8 +130,7 @@ MARKED = '@pytest.mark.requirement("FR-1.{}")\ndef test_it(): ...\n'
 
 
 def shown(root: Path, tree: Revision) -> list[str]:
-    with hung(str(root), tree):
-        tests = read_tests_below([str(root)], Report())
+    tests = read_tests_below([str(root)], DISK.with_tree(str(root), tree), Report())
     later_run()
     return [test.shows for test in tests]
 
@@ -164,7 +163,7 @@ def test_a_file_of_tests_is_read_again_where_it_differs(tmp_path: Path) -> None:
     file.parent.mkdir()
     for number in (1, 1, 2):
         file.write_text(MARKED.format(number))
-        assert [test.shows for test in read_tests_below([str(file.parent)], Report())] == [f"FR-1.{number}"]
+        assert [test.shows for test in read_tests_below([str(file.parent)], DISK, Report())] == [f"FR-1.{number}"]
         later_run()
 
 

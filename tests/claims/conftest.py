@@ -10,6 +10,7 @@ from codegen.claims.reading import Reference, read_document
 from codegen.commands.codec import read_codec_dialect
 from codegen.commands.documents import with_other_dialects
 from codegen.diagnostics import Diagnostic, Report
+from codegen.load.files import DISK
 
 PATH = "/documents/notes.md"
 
@@ -27,4 +28,4 @@ def reference() -> Reference:
 @pytest.fixture(scope="session")
 def check() -> Check:
     """What is found in a text, in its order."""
-    return lambda text: check_claims(with_other_dialects(read_document(text, PATH, reference())))
+    return lambda text: check_claims(with_other_dialects(read_document(text, PATH, reference()), DISK))

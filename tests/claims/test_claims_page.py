@@ -13,6 +13,7 @@ from codegen.commands.documents import found_claims, project_reference
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Report
 from codegen.findings.catalogue import rule_catalogue
+from codegen.load.files import DISK
 from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -47,7 +48,7 @@ def test_the_waiver_of_the_page_is_for_the_example(proposal: Path, capsys: Any) 
     path = proposal.with_name("waivers.yaml")
     path.write_text(written[1])
     report = Report()
-    (waiver,) = decode_waivers(str(path), report)
+    (waiver,) = decode_waivers(str(path), DISK, report)
     assert list(report) == []
     main(["check", "proposal.md", "--format", "json"])
     found = json.loads(capsys.readouterr().out)["findings"]
@@ -71,6 +72,6 @@ def own() -> Reference:
 def test_documents_of_this_repository_claim_nothing_wrong(own: Reference, path: Path) -> None:
     """Hundreds of figures, among them quotations of documents that are wrong."""
     if path.name != "claims.md":
-        found = found_claims(path.read_text(), str(path), own)
-        waived = {waiver.fingerprint for waiver in decode_waivers(str(ROOT / "specs" / "waivers.yaml"), Report())}
+        found = found_claims(path.read_text(), str(path), own, DISK)
+        waived = {waiver.fingerprint for waiver in decode_waivers(str(ROOT / "specs" / "waivers.yaml"), DISK, Report())}
         assert [(one.place.line, one.message) for one in found if one.fingerprint not in waived] == []

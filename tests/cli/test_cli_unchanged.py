@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from codegen.emit import stamp
+from codegen.project.output import stated_output
 
 
 def build(folder: Path, *options: str) -> str:
@@ -20,7 +21,10 @@ def build(folder: Path, *options: str) -> str:
 
 
 def known(folder: Path) -> int | None:
-    return stamp.unchanged(str(folder / "specs" / "codegen.yaml"))
+    project = str(folder / "specs" / "codegen.yaml")
+    output = stated_output(project)
+    assert output is not None
+    return stamp.unchanged(project, output)
 
 
 def test_the_second_build_is_known_to_change_nothing(built: Path) -> None:
@@ -28,6 +32,20 @@ def test_the_second_build_is_known_to_change_nothing(built: Path) -> None:
         len([path for path in (built / "generated").rglob("*") if path.is_file()]) - 3
     )  # manifest, stamp, .gitignore
     assert known(built) == count
+    assert build(built) == f"up to date: {count} files\n"
+
+
+@pytest.mark.parametrize("written", ['"../made by codegen"', "'../it''s'", '"..\\u002fmade"', "../made#1  # here"])
+def test_the_output_is_where_the_project_says(built: Path, written: str) -> None:
+    """Quotes, escapes, spaces and comments are read as YAML has them: a build finds its stamp again."""
+    project = built / "specs" / "codegen.yaml"
+    text = project.read_text()
+    shutil.rmtree(built / "generated")
+    project.write_text(text.replace("output: ../generated\n", f"output: {written}\n"))
+    os.utime(project, (1, 1))
+    assert "up to date" not in build(built)
+    count = known(built)
+    assert count is not None
     assert build(built) == f"up to date: {count} files\n"
 
 

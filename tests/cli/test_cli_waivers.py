@@ -10,6 +10,7 @@ from codegen.cli import main
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.findings.waivers import LookedAt, apply_waivers
+from codegen.load.files import DISK
 from codegen.source import Place
 
 SIZE = Rule("claim-size", "It is wrong.")
@@ -32,7 +33,7 @@ def judged(tmp_path: Path, text: str, findings: Any = (FOUND,), day: str = "2030
     """What is said about findings and the waivers of a text on a day."""
     (tmp_path / "waivers.yaml").write_text(text)
     report = Report()
-    waivers = decode_waivers(str(tmp_path / "waivers.yaml"), report)
+    waivers = decode_waivers(str(tmp_path / "waivers.yaml"), DISK, report)
     looked_at = LookedAt(**{"rules": {"claim-size"}, "files": {DOCUMENT}, **looked})
     rules = ("claim-size", "claim-rate")
     report.extend(apply_waivers(findings, waivers, date.fromisoformat(day), looked_at, rules.__contains__))

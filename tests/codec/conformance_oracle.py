@@ -21,6 +21,7 @@ from typing import Any
 
 from pymavlink.generator import mavgen, mavparse
 
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 
 CODES = {
@@ -180,7 +181,7 @@ def _module(name: str, path: str, version: int, folder: Path) -> tuple[ModuleTyp
 
 def read_dialect(name: str, folder: Path) -> Dialect:
     """A dialect as pymavlink has it; `folder` is for modules that have to be made."""
-    path = shipped_dialect_path(name)
+    path = shipped_dialect_path(name, DISK)
     assert path is not None
     v2, problem_2 = _module(name, path, 2, folder)
     v1, problem_1 = _module(name, path, 1, folder)

@@ -12,11 +12,12 @@ from conformance_cases import write_cases
 from conformance_run import MICROPYTHON32, SINGLE_FLOATS, compare, generate, run_cases
 from conformance_values import TEXTS
 
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 
 LARGEST = "all"
 PARTS = 8
-NAMES = (LARGEST, *(name for name in shipped_dialect_names() if name != LARGEST))
+NAMES = (LARGEST, *(name for name in shipped_dialect_names(DISK) if name != LARGEST))
 WITH_DOUBLES = ["common", "python_array_test", "test"]
 CHUNKS = [(name, part) for name in NAMES for part in range(PARTS if name == LARGEST else 1)]
 
@@ -88,7 +89,7 @@ def test_floats_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path
 
 def test_no_other_dialect_states_doubles() -> None:
     """Those above, and of benchmarks/conformance.py, are all."""
-    texts = {name: Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8") for name in NAMES}
+    texts = {name: Path(str(shipped_dialect_path(name, DISK))).read_text(encoding="utf-8") for name in NAMES}
     assert sorted(name for name, text in texts.items() if 'type="double' in text) == WITH_DOUBLES
 
 
@@ -110,7 +111,7 @@ def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None
 
 def test_modules_of_pymavlink_are_made_where_they_are_missing(tmp_path: Path) -> None:
     """A dialect without a module, or with one of another release, is compared with what pymavlink makes of its XML."""
-    path = shipped_dialect_path("loweheiser")
+    path = shipped_dialect_path("loweheiser", DISK)
     assert path is not None
     for version in (1, 2):
         made = oracle.make_module("loweheiser", path, version, tmp_path)

@@ -8,6 +8,7 @@ import pytest
 
 from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, DialectFile
 from codegen.resolve.dialect.dialect import resolve_dialect
@@ -44,7 +45,7 @@ def reader(write: Callable[..., str], decode_later: Callable[..., tuple]) -> Cal
         files: tuple[DialectFile, ...] = ()
         for index, text in enumerate(texts):
             decode = decode_later if index else decode_dialect_files
-            files += decode(write(text, f"d{index or ''}.xml"), report)
+            files += decode(write(text, f"d{index or ''}.xml"), DISK, report)
         dialect = resolve_dialect("d", files, corrections, report)
         found = [f"{one.place.line}:{one.place.column} {one.rule.id}" for one in report]
         return SimpleNamespace(dialect=dialect, report=report, files=files, found=found)
@@ -60,9 +61,9 @@ def shipped() -> Callable[[str], tuple[Dialect, Report]]:
     def shipped(name: str) -> tuple[Dialect, Report]:
         if name not in resolved:
             report = Report()
-            path = shipped_dialect_path(name)
+            path = shipped_dialect_path(name, DISK)
             assert path is not None
-            resolved[name] = (resolve_dialect(name, decode_dialect_files(path, report), (), report), report)
+            resolved[name] = (resolve_dialect(name, decode_dialect_files(path, DISK, report), (), report), report)
         return resolved[name]
 
     return shipped

@@ -12,6 +12,7 @@ import yaml
 
 from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.spec import Correction
@@ -52,11 +53,11 @@ def corrections_for(*overlays: str) -> tuple[Correction, ...]:
 def overlaid(*overlays: str, is_corrected: bool) -> tuple[Dialect, list[str]]:
     """common.xml with overlays of the shipped specification, and the rules that it breaks while it is read."""
     report = Report()
-    path = shipped_dialect_path("common")
+    path = shipped_dialect_path("common", DISK)
     assert path is not None
-    files = decode_dialect_files(path, report)
+    files = decode_dialect_files(path, DISK, report)
     for name in overlays:
-        files += decode_overlay(str(DIALECTS / name), report, known=files)
+        files += decode_overlay(str(DIALECTS / name), DISK, report, known=files)
     corrections = corrections_for(*overlays) if is_corrected else ()
     return resolve_dialect("common", files, corrections, report), [found.rule.id for found in report]
 

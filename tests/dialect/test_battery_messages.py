@@ -9,6 +9,7 @@ from overlay_codec import overlaid
 
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect
 from codegen.resolve.dialect.dialect import resolve_dialect
@@ -24,11 +25,11 @@ def message(number: int, name: str, fields: str) -> str:
 @pytest.fixture(scope="module")
 def common_with_v2() -> Dialect:
     report = Report()
-    path = shipped_dialect_path("common")
+    path = shipped_dialect_path("common", DISK)
     assert path is not None
-    files = decode_dialect_files(path, report)
+    files = decode_dialect_files(path, DISK, report)
     for name in ("battery_upstream.xml", "battery_info_upstream.xml"):
-        files += decode_dialect_files(str(DIALECTS / name), report, known=files)
+        files += decode_dialect_files(str(DIALECTS / name), DISK, report, known=files)
     dialect = resolve_dialect("common", files, (), report)
     assert list(report) == []
     return dialect

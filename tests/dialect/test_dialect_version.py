@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.load.shipped import shipped_dialect_path, shipped_in
+from codegen.load.files import DISK, Files
+from codegen.load.shipped import dialects_in, shipped_dialect_path
 from codegen.project.systems import read_systems
 
 INSTALLED = f"pymavlink {metadata.version('pymavlink')}"
@@ -22,10 +23,10 @@ def project(tmp_path: Path) -> Path:
     return tmp_path / "codegen.yaml"
 
 
-def found(project: Path, stated: str) -> list[tuple[str, str, str | None]]:
+def found(project: Path, stated: str, files: Files = DISK) -> list[tuple[str, str, str | None]]:
     project.write_text(f"project: boat\ndialect: ardupilotmega\ndialect_version: {stated}\n")
     report = Report()
-    read_systems(str(project), report)
+    read_systems(str(project), report, files)
     return [(one.rule.id, one.message, one.hint) for one in report]
 
 
@@ -45,7 +46,7 @@ def test_another_release_is_one_finding(project: Path) -> None:
 
 def test_a_release_that_is_given_is_compared_as_it_is(project: Path) -> None:
     """`codegen diff --base-pymavlink` reads the project with another release on purpose."""
-    path = shipped_dialect_path("ardupilotmega")
+    path = shipped_dialect_path("ardupilotmega", DISK)
     assert path is not None
-    with shipped_in(str(Path(path).parent)):
-        assert found(project, "pymavlink 2.4.49") == []
+    files = DISK.with_dialects(dialects_in(str(Path(path).parent), DISK, Report()))
+    assert found(project, "pymavlink 2.4.49", files) == []

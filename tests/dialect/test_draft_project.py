@@ -16,6 +16,7 @@ from generated_suite import suite_is_green
 from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.system import System
 from codegen.project.systems import read_system
 
@@ -78,7 +79,7 @@ def test_files_of_other_overlays_are_known_to_be_unused(tmp_path: Path) -> None:
     table = file.parent / "messages" / "battery_cell_faults.yaml"
     table.write_text(table.read_text().replace("stream: battery", "streams: battery"))
     report = Report()
-    spec = decode_spec(str(file), report)
+    spec = decode_spec(str(file), DISK, report)
     assert spec is not None
     assert str(table) in spec.files
     assert [one.rule.id for one in report] == ["unknown-key"]

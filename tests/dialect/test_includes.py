@@ -10,8 +10,8 @@ import pytest
 
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.load.text import noting
 from codegen.source import Place
 
 Write = Callable[..., str]
@@ -24,7 +24,7 @@ def including(*paths: str) -> str:
 def read(path: str, asked_at: Place | None = None) -> tuple[list[str], list[str]]:
     """Names of the files in the order read, and the findings as 'file:line:col rule'."""
     report = Report()
-    files = decode_dialect_files(path, report, asked_at)
+    files = decode_dialect_files(path, DISK, report, asked_at)
     assert all(os.path.isabs(file.path) for file in files)
     findings = [f"{Path(one.place.file).name}:{one.place.line}:{one.place.column} {one.rule.id}" for one in report]
     return [Path(file.path).name for file in files], findings
@@ -32,7 +32,7 @@ def read(path: str, asked_at: Place | None = None) -> tuple[list[str], list[str]
 
 def test_shipped_order() -> None:
     """Included files come first, over all levels."""
-    path = shipped_dialect_path("common")
+    path = shipped_dialect_path("common", DISK)
     assert path is not None
     assert read(path) == (["minimal.xml", "standard.xml", "common.xml"], [])
 
@@ -95,8 +95,8 @@ def test_known_files_are_not_read_again(write: Write) -> None:
     """An overlay may include what the dialect includes."""
     write(including(), "base.xml")
     report = Report()
-    files = decode_dialect_files(write(including("base.xml")), report)
-    overlay = decode_dialect_files(write(including("base.xml"), "overlay.xml"), report, known=files)
+    files = decode_dialect_files(write(including("base.xml")), DISK, report)
+    overlay = decode_dialect_files(write(including("base.xml"), "overlay.xml"), DISK, report, known=files)
     assert [Path(file.path).name for file in overlay] == ["overlay.xml"]
 
 
@@ -115,27 +115,28 @@ def test_a_name_with_a_nul_is_a_finding() -> None:
 
 def test_shipped_dialects_by_name() -> None:
     """Names are those of the XML files; what is not shipped has no path."""
-    assert list(shipped_dialect_names()) == sorted(shipped_dialect_names())
-    assert all(os.path.isfile(shipped_dialect_path(name) or "") for name in shipped_dialect_names())
-    assert shipped_dialect_path("commn") is None
-    assert shipped_dialect_path("../v20/common") is None
+    assert list(shipped_dialect_names(DISK)) == sorted(shipped_dialect_names(DISK))
+    assert all(os.path.isfile(shipped_dialect_path(name, DISK) or "") for name in shipped_dialect_names(DISK))
+    assert shipped_dialect_path("commn", DISK) is None
+    assert shipped_dialect_path("../v20/common", DISK) is None
 
 
 def test_finding_the_shipped_dialects_does_not_import_pymavlink() -> None:
     """Importing it takes longer than reading the XML, and the generator must not depend on its code."""
     program = (
-        "import sys; from codegen.load.shipped import shipped_dialect_path; assert shipped_dialect_path('common'); "
+        "import sys; from codegen.load.files import DISK; from codegen.load.shipped import shipped_dialect_path; "
+        "assert shipped_dialect_path('common', DISK); "
         "assert not [name for name in sys.modules if name.startswith('pymavlink')]"
     )
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
 
 
-@pytest.mark.parametrize("name", shipped_dialect_names())
+@pytest.mark.parametrize("name", shipped_dialect_names(DISK))
 def test_every_place_in_a_shipped_dialect_is_its_opening_tag(name: str) -> None:
     """Line and column of messages, fields, enums and entries, held against the text of the file."""
-    path = shipped_dialect_path(name)
+    path = shipped_dialect_path(name, DISK)
     assert path is not None
-    for file in decode_dialect_files(path, Report()):
+    for file in decode_dialect_files(path, DISK, Report()):
         lines = Path(file.path).read_text(encoding="utf-8").split("\n")
         definitions = [
             *(("message", message) for message in file.messages),
@@ -161,8 +162,8 @@ def test_what_does_not_lie_beside_is_what_pymavlink_ships(write: Write) -> None:
     """A dialect of one's own needs no copy of common.xml; one that is there is the one that is meant."""
     path = write(including("common.xml"), "mine.xml")
     assert read(path) == (["minimal.xml", "standard.xml", "common.xml", "mine.xml"], [])
-    with noting() as noted:
-        read(path)
+    files, noted = DISK.noting()
+    decode_dialect_files(path, files, Report())
     beside = os.path.join(os.path.dirname(path), "common.xml")
     assert noted[beside] == ""  # what is kept for later runs holds only while there is none
     write(including(), "common.xml")

@@ -10,6 +10,7 @@ import pytest
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, KnownMessage
 from codegen.model.system import System
@@ -60,7 +61,7 @@ def test_texts(text: str, kind: str, invalid: str, quoted: str | None, read_over
 def test_texts_of_shipped_dialects(shipped: Callable[[str], tuple[Dialect, Report]]) -> None:
     """Of 3000 sentinels none is taken for a contradiction, however its text is worded."""
     looked_at = 0
-    for name in shipped_dialect_names():
+    for name in shipped_dialect_names(DISK):
         for message in shipped(name)[0].messages.values():
             for field in message.fields:
                 looked_at += field.sentinel is not None
@@ -98,7 +99,7 @@ def test_ids_and_names_of_other_dialects(read_overlay: Read) -> None:
     here = Place("/known.xml", 3)
     added = [message.definition for message in result.dialect.added_messages()]
     listed = [KnownMessage(54008, "OTHER", here), KnownMessage(9, "NOBODY", here)]
-    known = taken_elsewhere(added, result.dialect.files, listed)
+    known = taken_elsewhere(added, result.dialect.files, listed, DISK)
     assert {(one.id, one.name) for one in known} == {
         (42000, "ICAROUS_HEARTBEAT"),
         (42001, "ICAROUS_KINEMATIC_BANDS"),
@@ -118,8 +119,8 @@ def test_ids_and_names_of_other_dialects(read_overlay: Read) -> None:
 
 def test_a_file_of_the_dialect_is_no_other_dialect() -> None:
     """What is in use contradicts itself by other rules; without a message there is nothing to look for."""
-    path = shipped_dialect_path("icarous")
+    path = shipped_dialect_path("icarous", DISK)
     assert path is not None
-    files = decode_dialect_files(path, Report())
-    assert taken_elsewhere(files[-1].messages, [file.path for file in files], ()) == ()
-    assert taken_elsewhere((), (), [KnownMessage(1, "A", Place("/x"))]) == ()
+    files = decode_dialect_files(path, DISK, Report())
+    assert taken_elsewhere(files[-1].messages, [file.path for file in files], (), DISK) == ()
+    assert taken_elsewhere((), (), [KnownMessage(1, "A", Place("/x"))], DISK) == ()

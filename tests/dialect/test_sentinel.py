@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names
 from codegen.model.dialect.dialect import (
     Dialect,
@@ -156,7 +157,7 @@ def test_a_misspelt_name_gets_a_suggestion() -> None:
     assert "STATE_UNDEFINED" in (hints[1] or "")
 
 
-@pytest.mark.parametrize("name", shipped_dialect_names())
+@pytest.mark.parametrize("name", shipped_dialect_names(DISK))
 def test_every_shipped_sentinel_can_be_read(name: str, shipped: Callable[[str], tuple[Dialect, Report]]) -> None:
     """322 attributes in pymavlink 2.4.50; each field that has one has its sentinel, and the type can carry it."""
     dialect, report = shipped(name)

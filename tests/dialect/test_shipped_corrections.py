@@ -16,7 +16,8 @@ from codegen.decode.shipped_corrections import FOLDER, shipped_corrections
 from codegen.diagnostics import Report
 from codegen.explain.corrections import line_of
 from codegen.explain.story import explain
-from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path, shipped_in
+from codegen.load.files import DISK
+from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, DialectFile, FieldCorrection, SentinelForm, Standing
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.spec.spec import Correction, Refusal, ShippedCorrection
@@ -35,8 +36,8 @@ FILES = sorted(Path(FOLDER).glob("*.yaml"))
 def read(name: str) -> tuple[Dialect, tuple[DialectFile, ...], tuple[ShippedCorrection, ...]]:
     """A shipped dialect with nothing but the corrections that come with codegen."""
     report = Report()
-    files = decode_dialect_files(str(shipped_dialect_path(name)), report)
-    shipped = shipped_corrections(files, report)
+    files = decode_dialect_files(str(shipped_dialect_path(name, DISK)), DISK, report)
+    shipped = shipped_corrections(files, DISK, report)
     dialect = resolve_dialect(name, files, (), report, shipped)
     assert not list(report)
     return dialect, files, shipped
@@ -44,7 +45,7 @@ def read(name: str) -> tuple[Dialect, tuple[DialectFile, ...], tuple[ShippedCorr
 
 @pytest.fixture(scope="module")
 def dialects() -> dict[str, tuple[Dialect, tuple[DialectFile, ...], tuple[ShippedCorrection, ...]]]:
-    return {name: read(name) for name in shipped_dialect_names()}
+    return {name: read(name) for name in shipped_dialect_names(DISK)}
 
 
 def own(path: Path, name: str) -> tuple[Dialect, tuple[ShippedCorrection, ...]]:
@@ -181,10 +182,10 @@ def resolved(tmp_path: Path) -> Callable[..., SimpleNamespace]:
         path = tmp_path / "common.xml"
         path.write_text(RC.format(description, attribute), encoding="utf-8")
         report = Report()
-        with shipped_in(str(tmp_path if is_shipped else tmp_path / "elsewhere")):
-            files = decode_dialect_files(str(path), report)
-            shipped = shipped_corrections(files, report)
-            dialect = resolve_dialect("common", files, own, report, shipped, refuse)
+        files = DISK.with_dialects({"common": str(path)} if is_shipped else {})
+        found = decode_dialect_files(str(path), files, report)
+        shipped = shipped_corrections(found, files, report)
+        dialect = resolve_dialect("common", found, own, report, shipped, refuse)
         message = dialect.messages["RC_CHANNELS"]
         written = {field.name: field.definition.invalid for field in message.fields}
         standing = {one.field: one.standing for one in dialect.corrections}
@@ -272,13 +273,13 @@ def test_a_project_hears_of_words_that_are_gone(tmp_path: Path) -> None:
     """One warning for a message that it sends, at the field; and what explain says then."""
     folder = tmp_path / "v20"
     folder.mkdir()
-    for name in shipped_dialect_names():
-        text = Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8")
+    for name in shipped_dialect_names(DISK):
+        text = Path(str(shipped_dialect_path(name, DISK))).read_text(encoding="utf-8")
         changed = text.replace("Battery weight. 0: field not provided.", "Battery weight. 0: it flies by itself.")
         (folder / f"{name}.xml").write_text(changed.replace("0: Not supported/available", "0: nil"), encoding="utf-8")
     report = Report()
-    with shipped_in(str(folder)):
-        system = read_system(str(ROVER), report)
+    files = DISK.with_dialects(dialects_in(str(folder), DISK, report))
+    system = read_system(str(ROVER), report, files)
     assert system is not None
     field = system.dialect.messages["SMART_BATTERY_INFO"].field("weight")
     assert field.sentinel is None
@@ -296,7 +297,7 @@ def test_explain_names_the_words_and_their_line() -> None:
     """Of what no table populates, too; an unknown field of such a message is no topic."""
     report = Report()
     system = read_system(str(ROVER), report)
-    xml = Path(str(shipped_dialect_path("common")))
+    xml = Path(str(shipped_dialect_path("common", DISK)))
     story = explain("rc_channels.chan5_raw", system, report)
     (line,) = re.findall(rf'in words     "{re.escape(WORDS)}"  \(.*common\.xml:(\d+):1\)', story)
     assert WORDS in " ".join(xml.read_text(encoding="utf-8").splitlines()[int(line) - 1].split())

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.xml_tree import XmlElement, parse_xml, place_of, read_xml
 from codegen.source import Place
 
@@ -30,7 +31,7 @@ def parsed(text: str) -> XmlElement:
 def found(path: str, asked_at: Place | None = None) -> list[tuple[str, str, int, int]]:
     """Rule, file name, line and column of all findings."""
     report = Report()
-    assert read_xml(path, report, asked_at) is None
+    assert read_xml(path, DISK, report, asked_at) is None
     assert all(one.rule.unreadable for one in report)
     assert report.exit_code == 2
     return [(one.rule.id, Path(one.place.file).name, one.place.line, one.place.column) for one in report]
@@ -71,7 +72,7 @@ def test_columns_count_characters(write: Write) -> None:
     """Not bytes, and without the byte order mark."""
     report = Report()
     for encoding in ("utf-8", "utf-8-sig", "utf-16"):
-        root = read_xml(write("<a>äöü€<b/></a>".encode(encoding)), report)
+        root = read_xml(write("<a>äöü€<b/></a>".encode(encoding)), DISK, report)
         assert root is not None
         assert located(root) == [("a", 1, 1), ("b", 1, 8)]
     assert list(report) == []
@@ -80,7 +81,7 @@ def test_columns_count_characters(write: Write) -> None:
 def test_declared_encodings_are_read(write: Write) -> None:
     """Latin-1 occurs in the field."""
     report = Report()
-    root = read_xml(write('<?xml version="1.0" encoding="ISO-8859-1"?><a>ä</a>'.encode("latin-1")), report)
+    root = read_xml(write('<?xml version="1.0" encoding="ISO-8859-1"?><a>ä</a>'.encode("latin-1")), DISK, report)
     assert root is not None
     assert root.text == "ä"
 
@@ -192,4 +193,4 @@ def test_no_bytes_raise(data: bytes) -> None:
         file.write(data)
         file.flush()
         report = Report()
-        assert (read_xml(file.name, report) is None) == bool(list(report))
+        assert (read_xml(file.name, DISK, report) is None) == bool(list(report))

@@ -12,6 +12,7 @@ from pymavlink.generator import mavparse
 from codegen.diff.change import Change
 from codegen.diff.dialect.dialect import dialect_changes
 from codegen.diff.sides import Around, Side, opened
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.project.systems import read_systems
 
@@ -71,7 +72,7 @@ def folder(older_pymavlink: Path, tmp_path_factory: pytest.TempPathFactory) -> P
 def compared(request: pytest.FixtureRequest, older_pymavlink: Path, folder: Path) -> Iterator[Compared]:
     name = request.param
     around = Around(None, name, read_systems)
-    new_path = shipped_dialect_path(name)
+    new_path = shipped_dialect_path(name, DISK)
     assert new_path is not None
     with opened(str(older_pymavlink), around) as old, opened(name, around) as new:
         assert isinstance(old, Side)

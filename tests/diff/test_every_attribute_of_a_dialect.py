@@ -10,6 +10,7 @@ import pytest
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.diff.dialect.dialect import dialect_changes
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import (
     CommandParameter,
@@ -166,9 +167,9 @@ MUTATIONS = (
 @pytest.fixture(scope="module")
 def dialect() -> Dialect:
     """Some forty messages of the real dialect with their enums, so that each comparison takes a moment only."""
-    path = shipped_dialect_path("common")
+    path = shipped_dialect_path("common", DISK)
     assert path is not None
-    whole = resolve_dialect("common", decode_dialect_files(path, Report()), (), Report())
+    whole = resolve_dialect("common", decode_dialect_files(path, DISK, Report()), (), Report())
     messages = dict(list(whole.messages.items())[::5])
     used = {field.definition.enum for message in messages.values() for field in message.fields}
     enums = {name: enum for name, enum in whole.enums.items() if name in used or name == "MAV_CMD"}

@@ -72,6 +72,7 @@ def test_its_firmware_passes_the_linter(boat: Path) -> None:
     assert done.returncode == 0, done.stdout
 
 
+@pytest.mark.long
 def test_its_suite_shows_every_criterion(boat: Path) -> None:
     """The generated suite passes under CPython and MicroPython, and each criterion of the documents is shown by it.
 
@@ -86,6 +87,7 @@ def test_its_suite_shows_every_criterion(boat: Path) -> None:
     assert re.search(r"^  passed +21$", traced.stdout, re.MULTILINE), traced.stdout
 
 
+@pytest.mark.long
 def test_it_behaves_alike_with_words_of_32_bits(tmp_path: Path) -> None:
     """An ESP32 has words of 32 bits: whole numbers of more than 30 bits are objects on its heap."""
     folder = copied(tmp_path / "boat")

@@ -159,6 +159,26 @@ def hook_is_told_how_long_nothing_happens():
     assert len(told) == number
 
 
+def hook_may_leave_out_what_it_is_not_due_for():
+    """Calls with 0 right behind a wait, before its time, and no others."""
+    mock_time.set_ticks_us(0)
+    told = []
+
+    async def main():
+        for _ in range(4):
+            await asyncio.sleep_ms(10)
+
+    mock_asyncio.on_wait(lambda duration_us: told.append((mock_time.elapsed_us(), duration_us)))
+    mock_asyncio.leave_out_until(30000)
+    try:
+        asyncio.run(main())
+    finally:
+        mock_asyncio.on_wait(None)
+    assert [each for each in told if each[1]] == [(at, 10000) for at in (0, 10000, 20000, 30000)], told
+    assert {at for at, duration_us in told if not duration_us and at} >= {30000, 40000}, told
+    assert not {10000, 20000} & {at for at, duration_us in told if not duration_us}, told
+
+
 def failures_come_out():
     async def fails():
         await asyncio.sleep_ms(1)
@@ -180,5 +200,6 @@ run(
     events_and_locks_work,
     tasks_are_cancelled_and_time_out,
     hook_is_told_how_long_nothing_happens,
+    hook_may_leave_out_what_it_is_not_due_for,
     failures_come_out,
 )

@@ -16,6 +16,7 @@ import time  # noqa: E402
 
 import machine  # noqa: E402
 import network  # noqa: E402
+import network_port  # noqa: E402
 import readiness  # noqa: E402
 import serial_port  # noqa: E402
 import udp_port  # noqa: E402
@@ -510,6 +511,12 @@ def udp_socket_that_cannot_be_opened_is_tried_again():
     assert not port.is_up or port.problem is None
 
 
+def reset_radio():
+    """Let nobody have joined a network, and no port know of one."""
+    network.radio.reset()
+    network_port._joined.clear()
+
+
 def credentials(**settings):
     """Write a file and return its name."""
     name = FOLDER + "/wifi.json"
@@ -519,7 +526,7 @@ def credentials(**settings):
 
 
 def udp_waits_for_wifi():
-    network.radio.reset()
+    reset_radio()
     mock_time.set_ticks_us(0)
     port, log = udp("203.0.113.9", 9, credentials(ssid="field", password=KEY, host="127.0.0.1", port=ECHO))
     assert network.radio.credentials == ("field", KEY)
@@ -538,7 +545,7 @@ def udp_waits_for_wifi():
 
 
 def udp_joins_again():
-    network.radio.reset()
+    reset_radio()
     mock_time.set_ticks_us((1 << 30) * 1000 - 20 * 1000000)  # before the wrap of ticks_ms
     port, log = udp(credentials=credentials(ssid="open one"))
     assert network.radio.credentials == ("open one", None)
@@ -556,7 +563,7 @@ def udp_joins_again():
 
 
 def udp_network_that_is_out_of_reach_is_tried_again():
-    network.radio.reset()
+    reset_radio()
     network.radio.connect_after_ms = None
     network.radio.failures = 2
     mock_time.set_ticks_us(0)
@@ -567,12 +574,30 @@ def udp_network_that_is_out_of_reach_is_tried_again():
     assert network.radio.connects == 721, network.radio.connects
 
 
+def ports_share_a_network():
+    """Or one would break off what the other one has begun."""
+    reset_radio()
+    mock_time.set_ticks_us(0)
+    network.radio.connect_after_ms = 4000
+    name = credentials(ssid="field", password=KEY, host="127.0.0.1", other={"port": OTHER})
+    log = Log()
+    ports = [UdpPort(each, None, ECHO, 0, name, RETRY_MS, log) for each in ("wifi", "other")]
+    for _ in range(100):  # five seconds
+        mock_time.advance_us(50000)
+        for port in ports:
+            port.poll(time.ticks_ms())
+    assert network.radio.connects == 1, network.radio.connects
+    assert [port.is_up for port in ports] == [True, True]
+    assert log.lines == ["notice: wifi Wi-Fi is up", "notice: other Wi-Fi is up"], log.lines
+    assert [port.home == udp(port=number)[0].home for port, number in zip(ports, (ECHO, OTHER))] == [True, True]  # noqa: B905
+
+
 def udp_broken_wifi_is_down():
     class Broken:
         def isconnected(self):
             raise OSError(5)
 
-    network.radio.reset()
+    reset_radio()
     network.radio.connect_after_ms = 0
     port, log = udp(credentials=credentials(ssid="field"))
     port.poll(time.ticks_ms())
@@ -584,8 +609,9 @@ def udp_broken_wifi_is_down():
 
 
 def udp_without_wifi_is_survived():
-    network.radio.reset()
+    reset_radio()
     for name, absent in ((FOLDER + "/nothing.json", False), (credentials(password=KEY), False), (None, True)):
+        reset_radio()
         network.radio.absent = absent
         port, log = udp(credentials=name or credentials(ssid="field"))
         for _ in range(3):
@@ -605,7 +631,7 @@ def udp_without_wifi_is_survived():
         port, log = udp(credentials=name)
         assert not port.is_up
         assert len(log) == 1, log
-    network.radio.reset()
+    reset_radio()
 
 
 def udp_broken_log_is_survived():
@@ -618,7 +644,7 @@ def udp_broken_log_is_survived():
 
 
 def udp_idle_allocates_nothing():
-    network.radio.reset()
+    reset_radio()
     network.radio.connect_after_ms = 0
     port, _ = udp(credentials=credentials(ssid="field", host="127.0.0.1", port=OTHER))
     port.poll(time.ticks_ms())  # it was connecting
@@ -661,6 +687,7 @@ run(
     udp_waits_for_wifi,
     udp_joins_again,
     udp_network_that_is_out_of_reach_is_tried_again,
+    ports_share_a_network,
     udp_broken_wifi_is_down,
     udp_without_wifi_is_survived,
     udp_broken_log_is_survived,

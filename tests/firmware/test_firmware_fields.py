@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 from firmware_runs import Exercise
 
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 
 INTEGERS = {"b": (-128, 127), "B": (0, 255), "h": (-32768, 32767), "H": (0, 65535), "i": (-(2**31), 2**31 - 1)}
@@ -123,8 +124,8 @@ def test_unknown_names(message: SimpleNamespace) -> None:
 def field_names() -> list[str]:
     """The names of all fields of all messages of all dialects that pymavlink ships, and those that collide anyway."""
     found = {"self", "wire", "ID", "NAME", "update", "live", "source_system", "get", "from", "class", "None"}
-    for dialect in shipped_dialect_names():
-        path = shipped_dialect_path(dialect)
+    for dialect in shipped_dialect_names(DISK):
+        path = shipped_dialect_path(dialect, DISK)
         assert path is not None
         found |= set(re.findall(r'<field\b[^>]* name="(\w+)"', Path(path).read_text(encoding="utf-8")))
     return sorted(found)

@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PROJECT = {"specs/codegen.yaml": b"project: p\ndialect: common\n"}
 
 
+@pytest.mark.long
 def test_no_input_of_a_sample_does_harm(tmp_path: Path) -> None:
     """Any seed holds; another one would draw others."""
     command = [sys.executable, "benchmarks/fuzz.py", "--seed", "5", "--count", "25", "--small", "--out", str(tmp_path)]

@@ -18,14 +18,14 @@ _ACCEPT_ANY: Callable[[Any], bool] = lambda _: True  # noqa: E731
 
 
 class GroundLink:
-    """A UDP port of mavutil, everything that arrived at it, and what a ground station says to the rover."""
+    """A connection of mavutil, everything that arrived at it, and what a ground station says to the rover."""
 
-    def __init__(self) -> None:
+    def __init__(self, device: str = "udpin:127.0.0.1:0", system: int = 255) -> None:
         versions = {name: os.environ.get(name) for name in ("MAVLINK20", "MAVLINK09")}
         os.environ["MAVLINK20"] = "1"
         try:
             self._connection = mavutil.mavlink_connection(
-                "udpin:127.0.0.1:0", source_system=255, source_component=190, dialect="common"
+                device, source_system=system, source_component=190, dialect="common"
             )
         finally:  # it tells the rest of its process by the environment; nobody else is to hear it
             for name, value in versions.items():

@@ -41,9 +41,10 @@ def plain(value: Any) -> Any:
 
 
 def main() -> None:
-    """Wait for a vehicle on the port of the first argument, then for lines; other arguments are what is told, too."""
+    """Wait for a vehicle at the UDP port or address of the first argument, then for lines; others are told, too."""
     mavsdk = Mavsdk(Configuration.create_with_component_type(ComponentType.GROUND_STATION))
-    result = mavsdk.add_any_connection(f"udpin://127.0.0.1:{sys.argv[1]}")
+    where = sys.argv[1]
+    result = mavsdk.add_any_connection(where if "://" in where else f"udpin://127.0.0.1:{where}")
     if result != ConnectionResult.SUCCESS:
         sys.exit(f"no connection: {result!r}")
     write("ready")

@@ -16,11 +16,11 @@ pytestmark = pytest.mark.timeout(150)
 
 
 @contextmanager
-def mavproxy(port: int, folder: Path, *options: str) -> Iterator[Program]:
-    """A MAVProxy that listens at a port; its home is `folder`, so that no settings of the user count."""
+def mavproxy(port: int, folder: Path, *options: str, kind: str = "udpin") -> Iterator[Program]:
+    """A MAVProxy that listens at a port, or connects to it; its home is `folder`: no settings of the user count."""
     script = BIN / "mavproxy.py"
     assert script.exists(), "MAVProxy is not installed: make test does it"
-    command = [str(script), f"--master=udpin:127.0.0.1:{port}", f"--state-basedir={folder}", *options]
+    command = [str(script), f"--master={kind}:127.0.0.1:{port}", f"--state-basedir={folder}", *options]
     with Program("MAVProxy", command, folder, HOME=str(folder)) as program:
         program.wait_for("Waiting for heartbeat")
         yield program

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from generated_suite import ALONE
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -13,6 +14,7 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 HEAD = re.compile(r"(?:# |<!-- )([\w./-]+\.(?:yaml|py|md))(, at the end)?(?: -->)?\n")
 
 
+@pytest.mark.long
 def test_the_page_leads_to_what_it_shows(tmp_path: Path) -> None:
     """Its files go where their first line says; its commands succeed without a finding, and print what it prints."""
     folder, printed, shown = tmp_path, "", []

@@ -161,6 +161,17 @@ def test_documents_are_written_and_never_over_others(write: Write, capsys: pytes
     assert Path("made/SRS-1-power.md").read_bytes() == before
 
 
+def test_a_document_that_cannot_be_read_may_be_the_one_that_is_there(
+    write: Write, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write("a.reqif", xml(CHAPTERS))
+    Path("made").mkdir()
+    Path("made/notes.md").write_bytes(b"# SRS-1 | \xff\n")
+    assert main(["import", path, "--out", "made"]) == 2
+    assert "made/notes.md:1:11: error file-not-utf8" in capsys.readouterr().out
+    assert os.listdir("made") == ["notes.md"]
+
+
 @pytest.mark.parametrize(
     "text",
     [

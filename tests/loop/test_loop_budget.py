@@ -13,11 +13,12 @@ from codegen.diagnostics import Report
 from codegen.diff.system.system import compare_systems
 from codegen.loop.budget import LoopBudget, Slot, loop_budget, why_not_predicted
 from codegen.loop.costs import measured_costs
-from codegen.loop.frames import FRAMES_OF_A_PASS, HEARD_IN_A_PASS, due_work, streamed
+from codegen.loop.frames import busiest_works, due_work, streamed
 from codegen.loop.grid import slot_kinds
 from codegen.loop.jobs import Job, loop_jobs
 from codegen.loop.load import traffic_load
 from codegen.loop.parts import Part, Work
+from codegen.loop.pass_share import jobs_of_a_pass, messages_of_a_pass
 from codegen.loop.shares import GROUPS, shares
 from codegen.model.system import System
 from codegen.project.systems import read_systems
@@ -65,22 +66,34 @@ def test_jobs_are_those_of_the_generated_program(specs: Path) -> None:
         assert [(job.name, job.period_us) for job in loop_jobs(system, program)] == every
 
 
-def test_what_a_pass_sends_and_hears_is_what_the_firmware_has() -> None:
-    """Two numbers of templates/firmware/program/connection.py."""
+def test_what_a_pass_does_is_what_the_firmware_has() -> None:
+    """Numbers of vehicle.py, and one of connection.py: a message for each 2.5 ms of a slot, and one job of four."""
     text = (ROOT / "templates" / "firmware" / "program" / "connection.py").read_text()
-    assert re.findall(r"_FRAMES = const\((\d+)\)", text) == [str(FRAMES_OF_A_PASS)]
-    assert re.findall(r"_MESSAGES = const\((\d+)\)", text) == [str(HEARD_IN_A_PASS)]
+    [most_heard] = re.findall(r"_MESSAGES = const\((\d+)\)", text)
+    for specs, folder, messages, jobs in ((ROVER, "", 1, 1), (ROVER, "smart_battery/", 8, 6)):
+        systems = systems_of(specs)
+        system = systems[1 if folder else 0]
+        assert system.program is not None
+        vehicle = render_systems(systems)[f"{folder}firmware/vehicle.py"]
+        assert re.findall(r"MESSAGES = (\d+)", vehicle) == [str(messages_of_a_pass(system.program))] == [str(messages)]
+        assert (
+            re.findall(r"_JOBS = const\((\d+)\)", vehicle)
+            == [str(jobs_of_a_pass(system, system.program))]
+            == [str(jobs)]
+        )
+        heard = [work[Part.HEARD] for work in busiest_works(system, system.program)]
+        assert heard == list(range(min(messages, int(most_heard)) + 1))
 
 
 def test_slots_are_counted_on_the_grid() -> None:
-    """Of 400 passes in a second 100 serve links, of these 10 read the battery, and so on; together they are all."""
+    """Of 400 passes in a second 100 serve links, 10 others read the battery, and so on; together they are all."""
     budget = budget_of(ROVER)
     assert {slot.words: slot.rate for slot in budget.slots} == {
-        "control alone": 300,
-        "links": 90,
-        "battery + links": 9,
-        "battery + links + reminder": Fraction(9, 10),
-        "battery + links + report + reminder": Fraction(1, 10),
+        "control alone": 400 - 100 - 10 - 1 - Fraction(1, 10),
+        "links": 100,
+        "battery": 10,
+        "reminder": 1,
+        "report": Fraction(1, 10),
     }
     boat = budget_of(BOAT)
     assert sum(slot.rate for slot in boat.slots) == Fraction(1000000, boat.control_us) == 50
@@ -92,11 +105,19 @@ def test_what_is_not_due_with_control_is_done_in_the_next_slot() -> None:
     assert rover.program is not None
     program = replace(rover.program, control_us=2500)
     jobs = tuple(Job(f"{us}", "", us, Work(), Work()) for us in (10000, 7000, 35000))
-    found = {tuple(job.name for job in due): rate for due, rate in slot_kinds(jobs, program)}
+    assert jobs_of_a_pass(rover, program) == 1
+    found = {tuple(job.name for job in due): rate for due, rate in slot_kinds(jobs, rover, program)}
+    assert set(found) == {(), ("10000",), ("7000",), ("35000",)}, "each in a slot of its own"
+    [_, slow] = systems_of(ROVER)
+    assert slow.program is not None
+    assert slow.program.control_us == 50000
+    jobs = tuple(Job(f"{us}", "", 20 * us, Work(), Work()) for us in (10000, 7000, 35000))
+    assert jobs_of_a_pass(slow, slow.program) >= len(jobs)
+    found = {tuple(job.name for job in due): rate for due, rate in slot_kinds(jobs, slow, slow.program)}
     expected: dict[tuple[str, ...], Fraction] = {}
-    for now_us in range(0, 35000, 2500):
-        due = tuple(job.name for job in jobs if now_us // job.period_us != (now_us - 2500) // job.period_us)
-        expected[due] = expected.get(due, Fraction(0)) + Fraction(1000000, 35000)
+    for now_us in range(0, 700000, 50000):
+        due = tuple(job.name for job in jobs if now_us // job.period_us != (now_us - 50000) // job.period_us)
+        expected[due] = expected.get(due, Fraction(0)) + Fraction(1000000, 700000)
     assert found == expected
     assert ("10000", "7000", "35000") in found
 
@@ -109,7 +130,7 @@ def test_times_follow_from_the_costs_and_the_board() -> None:
     assert alone.quiet.instructions == alone.most.instructions == costs[Part.PASS]
     assert alone.quiet.likely_us == Fraction("1.34") * costs[Part.PASS] / 150
     assert alone.quiet.most_us == Fraction("1.9") * costs[Part.PASS] / 150
-    links, battery = slot_of(budget, "links"), slot_of(budget, "battery + links")
+    links, battery = slot_of(budget, "links"), slot_of(budget, "battery")
     assert links.quiet.instructions - alone.quiet.instructions == sum(
         count * costs[part] for part, count in {Part.JOBS: 1, Part.JOB: 4, Part.CALL: 1, Part.LINK: 1}.items()
     )
@@ -130,10 +151,13 @@ def test_what_is_due_at_once_are_the_messages_of_the_streams() -> None:
         "BATTERY_STATUS",
         "SMART_BATTERY_INFO",
     ]
-    due, most = due_work(rover), due_work(rover, most=True)
-    assert (due[Part.MESSAGE], due[Part.FRAME], due[Part.OFF], due[Part.TABLE]) == (4, 4, 5, 9)
-    assert (most[Part.MESSAGE], most[Part.TABLE]) == (FRAMES_OF_A_PASS, 9) == (8, 9)
-    assert most[Part.FRAME] > due[Part.FRAME]
+    assert rover.program is not None
+    slow = replace(rover.program, control_us=50000)
+    for program, one, all_of_them in ((rover.program, 1, 1), (slow, 4, 8)):
+        due, most = due_work(rover, program), due_work(rover, program, most=True)
+        assert (due[Part.MESSAGE], due[Part.FRAME], due[Part.TABLE]) == (one, one, 9)
+        assert (most[Part.MESSAGE], most[Part.TABLE]) == (all_of_them, 9)
+        assert most[Part.FRAME] > due[Part.FRAME]
 
 
 def test_the_load_is_the_sum_over_a_second() -> None:
@@ -156,12 +180,12 @@ def test_the_shares_of_a_slot_are_all_of_it() -> None:
 
 
 def test_each_part_has_a_cost() -> None:
-    """But conversions, which are a time of the board; what was fitted fits to a sixth."""
+    """But conversions, which are a time of the board; what was fitted fits to a quarter."""
     costs = measured_costs()
     assert set(costs.parts) == set(Part) - {Part.CONVERSION}
     assert all(cost >= 0 for cost in costs.parts.values())
     assert costs.instructions(Work({Part.CONVERSION: 3})) == 0
-    assert all(fit.rows and 0 <= fit.error < 1 / 6 for fit in costs.fits)
+    assert all(fit.rows and 0 <= fit.error < 1 / 4 for fit in costs.fits)
 
 
 def test_no_time_is_guessed() -> None:

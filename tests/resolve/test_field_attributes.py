@@ -16,6 +16,7 @@ from codegen.answers.limits import Bounds, dialect_bounds
 from codegen.cli import main
 from codegen.diagnostics import Report
 from codegen.explain.story import explain
+from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, WireField
 from codegen.model.dialect.literals import exact_number
@@ -58,6 +59,12 @@ MULTIPLIERS = [
 ]
 
 
+def shipped_texts() -> list[str]:
+    """The XML of every dialect that pymavlink ships."""
+    paths = (shipped_dialect_path(name, DISK) for name in shipped_dialect_names(DISK))
+    return [Path(path).read_text(encoding="utf-8") for path in paths if path]
+
+
 @pytest.mark.parametrize(("name", "text", "multiplier"), MULTIPLIERS)
 def test_a_multiplier_is_exact(name: str, text: str, multiplier: Fraction, dialect: Dialect) -> None:
     """A value in the units is the number on the wire times the multiplier."""
@@ -74,7 +81,7 @@ def test_a_multiplier_is_exact(name: str, text: str, multiplier: Fraction, diale
 def test_no_other_field_of_pymavlink_has_one() -> None:
     """All that are written are in the list above."""
     found = re.compile(r'<field[^>]*name="(\w+)"[^>]*multiplier="([^"]+)"|<field[^>]*multiplier')
-    texts = [Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8") for name in shipped_dialect_names()]
+    texts = shipped_texts()
     names = [match.groups() for text in texts for match in found.finditer(text)]
     assert sorted(names) == sorted((name.partition(".")[2], text) for name, text, _ in MULTIPLIERS)
 
@@ -201,17 +208,13 @@ def test_a_default_is_what_nobody_sets(dialect: Dialect) -> None:
     """All of pymavlink's are 0, as fields of a message are that nobody set."""
     field = stated(dialect, "LANDING_TARGET.position_valid", 'default="0"')
     assert field.definition.default == "0"
-    defaults = [
-        match[1]
-        for name in shipped_dialect_names()
-        for match in re.finditer(r'<field[^>]* default="([^"]*)"', Path(str(shipped_dialect_path(name))).read_text())
-    ]
+    defaults = [match[1] for text in shipped_texts() for match in re.finditer(r'<field[^>]* default="([^"]*)"', text)]
     assert set(defaults) == {"0"}
 
 
 def test_no_field_has_an_increment() -> None:
     """docs/tables.md says that none has one, and that it means nothing."""
-    texts = [Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8") for name in shipped_dialect_names()]
+    texts = shipped_texts()
     assert not [match for text in texts for match in re.findall(r"<field[^>]* increment=", text)]
 
 

@@ -99,6 +99,7 @@ def test_both_generations_by_default(project):
     suite_is_green(project, "micropython and (return or announcement or generation)")
 
 
+@pytest.mark.long
 @pytest.mark.requirement("FR-00073.1", "FR-00073.4", "FR-00073.10")
 def test_sixteen_packs(project):
     """The converter has no pins for them: code sets what other systems measure, in the suite and in a simulation."""

@@ -191,6 +191,7 @@ def test_one_number(file, old, new, changed, words, rover, told, monkeypatch):
         path.write_text(written)
 
 
+@pytest.mark.long
 def test_all_numbers(tmp_path):
     """All of them at once: the new suite is green, the program's part under MicroPython, which has small integers."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")

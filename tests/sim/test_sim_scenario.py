@@ -8,6 +8,7 @@ from packs import SYSTEM
 
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import (
     Arming,
@@ -29,7 +30,7 @@ PACK = "    courses: {battery.voltage: {value: 12 V}}\n"
 
 
 def resolved(path: Path, report: Report) -> dict[str, Scenario]:
-    written = decode_scenarios(str(path), report)
+    written = decode_scenarios(str(path), DISK, report)
     return {} if written is None else resolve_scenarios(written, SYSTEM, report)
 
 

@@ -15,6 +15,7 @@ from pymavlink.dialects.v20 import common
 from codegen.cli import main
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.model.scenario import Sending, event_data
 from codegen.resolve.scenarios.scenario import resolve_scenarios
 from codegen.sim.process import Runtime, find_interpreter
@@ -54,7 +55,7 @@ def resolved(tmp_path: Path, *events: str) -> tuple[list[Any], list[tuple[str, i
     path = tmp_path / "own.yaml"
     path.write_text(HEAD + "".join(f"      - {{{event}}}\n" for event in events))
     report = Report()
-    written = decode_scenarios(str(path), report)
+    written = decode_scenarios(str(path), DISK, report)
     scenarios = {} if written is None else resolve_scenarios(written, SYSTEM, report)
     found = [(finding.rule.id, finding.place.line, finding.place.column) for finding in report]
     return list(scenarios["a"].events) if "a" in scenarios else [], found

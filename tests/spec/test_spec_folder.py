@@ -11,6 +11,7 @@ from spec_examples import GOOD
 from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Severity
+from codegen.load.files import DISK
 from codegen.model.spec.spec import Spec
 from codegen.source import Place
 
@@ -37,7 +38,7 @@ def folder(tmp_path: Path) -> Path:
 
 def read(folder: Path) -> tuple[Spec | None, list[tuple[str, str, int, int]]]:
     report = Report()
-    spec = decode_spec(str(folder / "codegen.yaml"), report)
+    spec = decode_spec(str(folder / "codegen.yaml"), DISK, report)
     return spec, [(d.rule.id, os.path.relpath(d.place.file, folder), d.place.line, d.place.column) for d in report]
 
 
@@ -61,7 +62,7 @@ def test_the_project_may_be_named_relative_to_the_working_directory(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(folder.parent)
-    spec = decode_spec(f"{folder.name}/codegen.yaml", Report())
+    spec = decode_spec(f"{folder.name}/codegen.yaml", DISK, Report())
     assert spec is not None
     assert spec.folder == str(folder)
     assert spec.project.place.file == str(folder / "codegen.yaml")
@@ -69,7 +70,7 @@ def test_the_project_may_be_named_relative_to_the_working_directory(
 
 def test_without_a_project_file_there_is_one_finding(tmp_path: Path) -> None:
     report = Report()
-    assert decode_spec(str(tmp_path / "codegen.yaml"), report) is None
+    assert decode_spec(str(tmp_path / "codegen.yaml"), DISK, report) is None
     assert [(d.rule.id, d.place) for d in report] == [("file-not-found", Place(str(tmp_path / "codegen.yaml")))]
     assert report.exit_code == 2
 
@@ -83,7 +84,7 @@ def test_a_missing_file_is_reported_at_the_project_file(folder: Path, name: str)
 def test_a_misspelt_file_is_pointed_out(folder: Path) -> None:
     (folder / "parameters.yaml").rename(folder / "paramters.yaml")
     report = Report()
-    assert decode_spec(str(folder / "codegen.yaml"), report) is None
+    assert decode_spec(str(folder / "codegen.yaml"), DISK, report) is None
     missing, stray = report
     assert (missing.rule.id, missing.place) == ("file-not-found", Place(str(folder / "codegen.yaml")))
     assert (stray.rule.id, stray.place) == ("unread-file", Place(str(folder / "paramters.yaml")))
@@ -144,7 +145,7 @@ def test_a_project_that_sends_nothing_is_told_what_is_missing(
 def test_two_tables_for_one_message_cite_each_other(folder: Path) -> None:
     (folder / "messages" / "z.yaml").write_text("\n" + GOOD["message"])
     report = Report()
-    spec = decode_spec(str(folder / "codegen.yaml"), report)
+    spec = decode_spec(str(folder / "codegen.yaml"), DISK, report)
     assert spec is not None
     assert len(spec.populations) == 2
     (finding,) = report
@@ -216,8 +217,9 @@ def test_several_missing_files_are_one_finding(folder: Path) -> None:
     for path in (folder / "messages").iterdir():
         path.unlink()
     report = Report()
-    assert decode_spec(str(folder / "codegen.yaml"), report) is None
+    assert decode_spec(str(folder / "codegen.yaml"), DISK, report) is None
     (finding,) = report
     assert finding.rule.id == "incomplete-project"
+    assert report.exit_code == 2
     assert finding.message == "there is no state.yaml, board.yaml and streams.yaml beside it"
     assert "codegen init" in (finding.hint or "")

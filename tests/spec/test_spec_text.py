@@ -6,14 +6,15 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.load import text as text_module
-from codegen.load.text import decode_text, read_bytes
+from codegen.load import files as files_module
+from codegen.load.files import DISK
+from codegen.load.text import decode_text
 from codegen.source import Place
 
 
 def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
     """The two steps of reading, one after the other, as the decoder takes them."""
-    data = read_bytes(path, report, asked_at)
+    data = DISK.read_bytes(path, report, asked_at)
     return None if data is None else decode_text(data, path, report)
 
 
@@ -91,7 +92,7 @@ def test_a_file_without_permission_is_reported(tmp_path: Path, monkeypatch: pyte
 
 
 def test_a_file_beyond_the_limit_is_not_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(text_module, "MAX_BYTES", 10)
+    monkeypatch.setattr(files_module, "MAX_BYTES", 10)
     for size, rules in ((10, []), (11, [("file-too-large", "a.yaml", 1, 1)])):
         (tmp_path / "a.yaml").write_text("x" * size)
         report = Report()

@@ -6,6 +6,7 @@ import pytest
 
 from codegen.decode.marked_tests import read_marked_tests
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.load.marked_tests import files_of_tests
 
 FORMS = """
@@ -52,7 +53,7 @@ def found(text: str, folder: Path) -> list[tuple[str, str]]:
     path = folder / "test_it.py"
     path.write_text(text)
     report = Report()
-    tests = read_marked_tests(str(path), report)
+    tests = read_marked_tests(str(path), DISK, report)
     assert list(report) == []
     lines = text.splitlines()
     for test in tests:
@@ -86,7 +87,7 @@ def test_a_file_that_is_no_python_is_a_warning(data: bytes, tmp_path: Path) -> N
     path = tmp_path / "test_it.py"
     path.write_bytes(data)
     report = Report()
-    assert read_marked_tests(str(path), report) == []
+    assert read_marked_tests(str(path), DISK, report) == []
     assert [finding.rule.id for finding in report] == ["test-syntax"]
     assert report.exit_code == 0
 
@@ -95,8 +96,21 @@ def test_files_without_a_mark_are_not_parsed(tmp_path: Path) -> None:
     """Broken or not: they say nothing."""
     (tmp_path / "test_it.py").write_bytes(b"def (\xff")
     report = Report()
-    assert read_marked_tests(str(tmp_path / "test_it.py"), report) == []
+    assert read_marked_tests(str(tmp_path / "test_it.py"), DISK, report) == []
     assert list(report) == []
+
+
+def test_a_folder_that_cannot_be_listed_is_none_without_tests(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Simulated, because the superuser may list everything."""
+
+    def refuse(_folder: str) -> list[str]:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("os.listdir", refuse)
+    report = Report()
+    assert files_of_tests([str(tmp_path)], DISK, report) == []
+    ((rule, place),) = [(finding.rule.id, finding.place.file) for finding in report]
+    assert (rule, place) == ("file-not-readable", str(tmp_path))
 
 
 def test_which_files_are_looked_at(tmp_path: Path) -> None:
@@ -106,4 +120,6 @@ def test_which_files_are_looked_at(tmp_path: Path) -> None:
         path.parent.mkdir(exist_ok=True)
         path.touch()
     folders = [str(tmp_path), str(tmp_path / "b"), str(tmp_path / "missing")]
-    assert [Path(path).name for path in files_of_tests(folders)] == ["test_b.py", "test_a.py"]
+    report = Report()
+    assert [Path(path).name for path in files_of_tests(folders, DISK, report)] == ["test_b.py", "test_a.py"]
+    assert list(report) == []

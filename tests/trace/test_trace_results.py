@@ -7,6 +7,7 @@ from trace_project import Project
 
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report
+from codegen.load.files import DISK
 from codegen.trace.coverage import Verdict, coverage_of
 from codegen.trace.generated_tests import inputs_of
 from codegen.trace.results import Counts, results_of, unrelated, with_links_of
@@ -18,7 +19,7 @@ BEATS = "tests.test_beat"
 def verdicts(project: Project, *files: str) -> dict[str, tuple[Verdict, Counts | None]]:
     """What becomes of each criterion with the results of some files."""
     trace, _ = project.trace()
-    found = [result for path in files for result in decode_junit(path, Report()) or ()]
+    found = [result for path in files for result in decode_junit(path, DISK, Report()) or ()]
     results = results_of(found, trace.tests, inputs_of(project.trace()[1]))
     return {
         each.name: (each.verdict, each.counts) for each in coverage_of(with_links_of(trace, results), {}, {}, results)
@@ -143,8 +144,8 @@ def test_results_of_another_project(project: Project, junit: Junit, capsys: pyte
         ("generated.tests.test_frames", "test_frames[cpython-X.nominal-FR-9.1]", "passed", ("FR-9.1",), "0" * 16),
         ("tests.test_x", "test_x", "passed", (), None),
     )
-    assert unrelated(decode_junit(other, Report()) or (), trace)
-    assert not unrelated(decode_junit(junit("own.xml", BY_HAND), Report()) or (), trace)
+    assert unrelated(decode_junit(other, DISK, Report()) or (), trace)
+    assert not unrelated(decode_junit(junit("own.xml", BY_HAND), DISK, Report()) or (), trace)
     project.run("--results", other)
     assert "other.xml:1:1: warning results-unrelated: none of its results" in capsys.readouterr().out
 
@@ -164,7 +165,7 @@ def test_files_that_are_no_results(text: str, rule: str, project: Project) -> No
     path = project.folder / "r.xml"
     path.write_text(text)
     report = Report()
-    assert decode_junit(str(path), report) is None
+    assert decode_junit(str(path), DISK, report) is None
     assert [found.rule.id for found in report] == [rule]
     assert report.exit_code == 2
 
@@ -175,7 +176,7 @@ def test_other_tools_write_less(project: Project) -> None:
     path.write_text(
         '<testsuites><testsuite><testsuite><testcase name="a"/></testsuite></testsuite><testcase/></testsuites>'
     )
-    found = decode_junit(str(path), Report())
+    found = decode_junit(str(path), DISK, Report())
     assert found is not None
     assert [(result.module, result.name, result.outcome) for result in found] == [
         ("", "a", "passed"),

@@ -95,7 +95,7 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def absent(self) -> int:
-        """What an element has that has no value: the sentinel; where each has one, that does not happen."""
+        """Return what an element has that has no value: the sentinel; where each has one, that does not happen."""
         return 0 if self.unknown is None else self.unknown
 
     @property
@@ -204,7 +204,7 @@ class EachAnswer(KindOfAnswer):
         ]
 
     def words(self) -> Words:
-        """Which values, how each is scaled, and its limits on the wire."""
+        """Return which values, how each is scaled, and its limits on the wire."""
         source = f"each of {self.source.path}"
         source += f", from {self.first}" if self.first else ""
         source += ", by pages" if self.is_paged else ""
@@ -236,7 +236,7 @@ class EachAnswer(KindOfAnswer):
             yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """Which value is in which element, scaling, limits and sentinel, and what goes out otherwise."""
+        """Yield which value is in which element, scaling, limits and sentinel, and what goes out otherwise."""
         shift = self.first - self.covers.first  # so that the elements of a field say the same
         number = "i" if not shift else f"i {'+' if shift > 0 else '-'} {abs(shift)}"
         paged = " of the page" if self.is_paged else ""
@@ -256,7 +256,9 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def told_quantities(self) -> tuple[Quantity, ...]:
-        """What goes out in place of the values, which is their sum: it can be told whichever of them went out."""
+        """Return what goes out in place of the values, which is their sum: it can be
+        told whichever of them went out.
+        """
         return self.fallback.told_quantities if self.fallback else ()
 
     def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
@@ -295,7 +297,7 @@ class EachAnswer(KindOfAnswer):
 
 
 def _withholds(covers: Elements, quantity: Quantity, scope: Scope) -> bool:
-    """Whether a field without a sentinel withholds its message: each of its elements gets a value of its own."""
+    """Return whether a field without a sentinel withholds its message: each of its elements gets a value of its own."""
     if covers.field.sentinel is not None or scope.population.send is not Send.WHILE_KNOWN:
         return False
     return has_all(covers, quantity, covers.written.first)

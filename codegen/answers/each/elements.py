@@ -17,7 +17,7 @@ BAD_EACH = Rule(
 
 
 def can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope) -> bool:
-    """Whether the field takes values one by one, and the quantity has such; a finding if not."""
+    """Return whether the field takes values one by one, and the quantity has such; a finding if not."""
     written, field, report = covers.written, covers.field, scope.report
     place = written.at("each")
     if quantity.elements is None:
@@ -34,7 +34,7 @@ def can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope)
 
 
 def has_all(covers: Elements, quantity: Quantity, first: int) -> bool:
-    """Whether there is a value for each of the elements, from the value ``first`` on, in every instance."""
+    """Return whether there is a value for each of the elements, from the value ``first`` on, in every instance."""
     return min(quantity.elements or (0,)) >= first + covers.count
 
 
@@ -59,7 +59,7 @@ def unknown_of(covers: Elements, quantity: Quantity, scope: Scope) -> int | None
 
 
 def room_of(covers: Elements, scope: Scope) -> int | None:
-    """How many values the fields of the message take together; None where none of them has a fallback.
+    """Return how many values the fields of the message take together; None where none of them has a fallback.
 
     A finding where this field does not go on where the one before it ends.
     """

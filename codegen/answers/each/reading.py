@@ -45,7 +45,9 @@ def _values(part: "EachAnswer") -> str:
 
 
 def _full(part: "EachAnswer", full: list[int]) -> str:
-    """What an element holds whose rest is in the next one, in the quantity's unit; None where nothing is spread."""
+    """Return what an element holds whose rest is in the next one, in the quantity's
+    unit; None where nothing is spread.
+    """
     return decimal(full[0] * to_unit(part.source, part.scaling)) if full else "None"
 
 

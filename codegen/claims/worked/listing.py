@@ -2,9 +2,10 @@
 
 import re
 from collections.abc import Container, Iterator
+from dataclasses import replace
 
 from codegen.claims import check_claims
-from codegen.claims.reading import Reading, read_document
+from codegen.claims.reading import Reading, read_document, read_parts
 from codegen.claims.worked import check as check_examples
 from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, read_examples
@@ -52,10 +53,23 @@ def numbers(text: str, reading: Reading) -> Iterator[Number]:
         found = []
         for changed in changed_numbers(amount):
             other = [*lines[: place.line - 1], f"{line[:start]}{changed}{line[end:]}", *lines[place.line :]]
-            found.append(_new(read_document("\n".join(other), reading.prose.path, reading.reference), known))
+            found.append(_new(_read("\n".join(other), reading, passage, amount, changed), known))
             if not found[-1]:
                 break
         yield Number(passage, amount, tuple(found))
+
+
+def _read(text: str, reading: Reading, passage: Passage, amount: Amount, changed: str) -> Reading:
+    """The document with another number in a passage.
+
+    One that is as long changes nothing but that passage, so that the Markdown need not be read again.
+    """
+    if len(changed) != len(amount.written) or not any(part is passage for part in reading.prose.parts):
+        return read_document(text, reading.prose.path, reading.reference)
+    written = passage.text
+    other = replace(passage, text=f"{written[: amount.start]}{changed}{written[amount.start + len(changed) :]}")
+    parts = tuple(other if part is passage else part for part in reading.prose.parts)
+    return read_parts(text, replace(reading.prose, parts=parts), reading.reference)
 
 
 def _new(reading: Reading, known: Container[tuple[Place, str]]) -> tuple[Place, ...]:

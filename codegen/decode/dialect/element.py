@@ -45,7 +45,7 @@ class ElementReader:
     report: Report
 
     def place(self, element: XmlElement) -> Place:
-        """Where the element opens."""
+        """Return where the element opens."""
         return place_of(element, self.path)
 
     def required(self, element: XmlElement, attribute: str) -> str | None:
@@ -93,7 +93,9 @@ class ElementReader:
         return ""
 
     def lifecycle(self, element: XmlElement) -> Lifecycle:
-        """What ``<wip>``, ``<deprecated>`` and ``<superseded>`` say; a missing date is an error and reads as ''."""
+        """Return what ``<wip>``, ``<deprecated>`` and ``<superseded>`` say; a missing
+        date is an error and reads as ''.
+        """
         marks = [child for child in element.children if child.tag in LIFECYCLE]
         if not marks:
             return IN_USE

@@ -6,15 +6,16 @@ from functools import lru_cache
 
 from codegen.decode.dialect.dialect import decode_dialect_file
 from codegen.diagnostics import Diagnostic, Report
+from codegen.load.files import Files
 from codegen.load.shipped import is_shipped, shipped_dialect_path
-from codegen.load.text import read_bytes, real_path
+from codegen.load.text import real_path
 from codegen.load.xml_tree import parse_xml_bytes
 from codegen.model.dialect.dialect import DialectFile
 from codegen.source import Place
 
 
 def decode_dialect_files(
-    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+    path: str, files: Files, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
 ) -> tuple[DialectFile, ...]:
     """The file and all files it includes, over all levels, each once; included files before those that include them.
 
@@ -34,7 +35,7 @@ def decode_dialect_files(
         if identity in seen:
             return
         seen.add(identity)
-        data = read_bytes(path, report, asked_at)
+        data = files.read_bytes(path, report, asked_at)
         file, findings = (None, ()) if data is None else _decoded(data, path)
         report.extend(findings)
         if file is not None:
@@ -48,37 +49,39 @@ def decode_dialect_files(
             continue
         open_files.append((file, position + 1))
         include = file.includes[position]
-        open_file(_included(file.path, include.path), include.place)
+        open_file(_included(file.path, include.path, files), include.place)
     return tuple(finished)
 
 
-def _included(path: str, written: str) -> str:
+def _included(path: str, written: str, files: Files) -> str:
     """The absolute path of what a file includes: what lies there, or else the dialect of that name that is shipped.
 
     So a dialect of one's own says ``<include>common.xml</include>`` without a copy of it beside it.
     """
     beside = os.path.abspath(os.path.join(os.path.dirname(path), written))
     name, ending = os.path.splitext(written)
-    shipped = shipped_dialect_path(name) if ending == ".xml" else None
-    if shipped is None or read_bytes(beside, Report()) is not None:  # reading notes for the cache that there is none
+    shipped = shipped_dialect_path(name, files) if ending == ".xml" else None
+    if (
+        shipped is None or files.read_bytes(beside, Report()) is not None
+    ):  # which notes for the cache that there is none
         return beside
     return shipped
 
 
 def decode_overlay(
-    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+    path: str, files: Files, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
 ) -> tuple[DialectFile, ...]:
     """As ``decode_dialect_files``, for a file of the project that adds to the dialect: it is marked as an overlay.
 
     So are the files that it includes, but not pymavlink's.
     """
-    files = decode_dialect_files(path, report, asked_at, known)
-    return tuple(replace(file, is_overlay=not is_shipped(file.path)) for file in files)
+    found = decode_dialect_files(path, files, report, asked_at, known)
+    return tuple(replace(file, is_overlay=not is_shipped(file.path, files)) for file in found)
 
 
 @lru_cache(maxsize=64)
 def _decoded(data: bytes, path: str) -> tuple[DialectFile | None, tuple[Diagnostic, ...]]:
-    """What the content of a file defines, and what is wrong with it.
+    """Return what the content of a file defines, and what is wrong with it.
 
     Kept: whoever reads several specifications mostly finds the same dialect files in them.
     """

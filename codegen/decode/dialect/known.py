@@ -4,8 +4,8 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from codegen.diagnostics import Report, Rule
+from codegen.load.files import Files
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.load.text import read_bytes
 from codegen.load.xml_tree import place_of, read_xml
 from codegen.model.dialect.dialect import MAX_MESSAGE_ID, KnownMessage, MessageDefinition
 from codegen.model.dialect.literals import bounded_number, is_identifier
@@ -20,9 +20,9 @@ KNOWN_MESSAGES = Rule(
 _MESSAGE = re.compile(rb'<message\s+id="(\d{1,8})"\s+name="(\w+)"')
 
 
-def decode_known_file(path: str, report: Report, asked_at: Place) -> tuple[KnownMessage, ...]:
+def decode_known_file(path: str, files: Files, report: Report, asked_at: Place) -> tuple[KnownMessage, ...]:
     """The messages of a file that the project names under ``known``; it needs to state no more than name and id."""
-    root = read_xml(path, report, asked_at)
+    root = read_xml(path, files, report, asked_at)
     if root is None:
         return ()
     messages = []
@@ -44,25 +44,28 @@ def taken_elsewhere(
     messages: Iterable[MessageDefinition],
     read: Collection[str],
     listed: Iterable[KnownMessage],
+    files: Files,
     others: Collection[str] = (),
 ) -> tuple[KnownMessage, ...]:
-    """Which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have the name
-    or the id of one of ``messages``, or one of the names ``others``."""
+    """Return which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have
+    the name or the id of one of ``messages``, or one of the names ``others``.
+    """
     messages = tuple(messages)
     names = {message.name for message in messages} | set(others)
     ids = {message.id for message in messages}
     if not names:
         return ()
-    paths = [path for name in shipped_dialect_names() if (path := shipped_dialect_path(name)) and path not in read]
-    candidates = [*(message for path in paths for message in _scanned(path, names, ids)), *listed]
+    shipped = (shipped_dialect_path(name, files) for name in shipped_dialect_names(files))
+    paths = [path for path in shipped if path and path not in read]
+    candidates = [*(message for path in paths for message in _scanned(path, files, names, ids)), *listed]
     return tuple(message for message in candidates if message.name in names or message.id in ids)
 
 
-def _scanned(path: str, names: set[str], ids: set[int]) -> Iterator[KnownMessage]:
+def _scanned(path: str, files: Files, names: set[str], ids: set[int]) -> Iterator[KnownMessage]:
     """The messages of a shipped file, without parsing it: it is looked through only where a name or an id occurs."""
-    text = read_bytes(path, Report()) or b""
+    text = files.read_bytes(path, Report())
     wanted = [*(f'name="{name}"' for name in names), *(f'id="{number}"' for number in ids)]
-    if not any(word.encode() in text for word in wanted):
+    if text is None or not any(word.encode() in text for word in wanted):
         return
     for found in _MESSAGE.finditer(text):
         start = found.start()

@@ -3,7 +3,8 @@
 import os
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.shipped import is_another_given, shipped_dialect_path
+from codegen.load.files import Files
+from codegen.load.shipped import shipped_dialect_path
 from codegen.model.spec.spec import Project
 
 OTHER_DIALECT_VERSION = Rule(
@@ -16,13 +17,14 @@ OTHER_DIALECT_VERSION = Rule(
 SOURCE = "pymavlink"
 
 
-def is_stated_version(project: Project, report: Report) -> bool:
-    """Whether the dialects are those that a project states, or it states none; else a finding says how to compare them.
+def is_stated_version(project: Project, files: Files, report: Report) -> bool:
+    """Return whether the dialects are those that a project states, or it states none; else a finding says how to
+    compare them.
 
     A release that a command was given in place of the installed one is compared as it is.
     """
     stated = project.dialect_version
-    if stated is None or is_another_given():
+    if stated is None or files.dialects is not None:
         return True
     from importlib import metadata  # noqa: PLC0415  takes longer to import than most builds have to wait
 
@@ -33,7 +35,7 @@ def is_stated_version(project: Project, report: Report) -> bool:
     if " ".join(stated.split()) == installed:
         return True
     wanted = stated.split()[-1]
-    path = shipped_dialect_path(os.path.splitext(os.path.basename(project.dialect))[0])
+    path = shipped_dialect_path(os.path.splitext(os.path.basename(project.dialect))[0], files)
     name = "common" if path is None else os.path.splitext(os.path.basename(path))[0]
     hint = (
         f"what differs: pip download --no-deps {SOURCE}=={wanted}, then codegen diff {SOURCE}-{wanted}-....whl:{name} "

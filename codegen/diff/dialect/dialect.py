@@ -97,7 +97,7 @@ def _removed(message: WireMessage, taken_by: Mapping[int, WireMessage]) -> Chang
 
 
 def _mistaken(notice: Notice) -> str:
-    """What receivers make of a message whose id they know as another one's."""
+    """Return what receivers make of a message whose id they know as another one's."""
     shown = "" if notice is Notice.SILENT else ", until CRC_EXTRA shows that it is not"
     return f"receivers of the other version take it for that{shown}"
 

@@ -20,7 +20,7 @@ Users = Mapping[str, Sequence[str]]
 def enum_changes(
     old: Mapping[str, EnumDefinition], new: Mapping[str, EnumDefinition], users: Users
 ) -> Iterator[Change]:
-    """What changed in the enums of a dialect, in the order of their names."""
+    """Yield what changed in the enums of a dialect, in the order of their names."""
     for name in sorted(old.keys() | new.keys()):
         before, after = old.get(name), new.get(name)
         fields = users.get(name, ())
@@ -51,7 +51,9 @@ def _within(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], enu
 
 
 def _as_bits(old: EnumDefinition) -> Judgement:
-    """What comes of numbers that are read as sets of bits: nothing where each is one bit, or said to be a set."""
+    """Return what comes of numbers that are read as sets of bits: nothing where
+    each is one bit, or said to be a set.
+    """
     bits = {entry.value for entry in old.entries if entry.value and not entry.value & (entry.value - 1)}
     mixed = [entry for entry in old.entries if entry.value not in bits and entry.value]
     names = [entry.name for entry in mixed if not _is_set(entry)]
@@ -61,7 +63,7 @@ def _as_bits(old: EnumDefinition) -> Judgement:
 
 
 def _is_set(entry: EnumEntry) -> bool:
-    """Whether a number of several bits is said to be a set: its name or text speaks of all, or of a mask."""
+    """Return whether a number of several bits is said to be a set: its name or text speaks of all, or of a mask."""
     return any(word in f"{entry.name} {entry.description}".lower() for word in ("mask", "all", "bits", "any"))
 
 
@@ -119,7 +121,7 @@ def _entry_changes(
 
 
 def _other_traits(old: Mapping[str, str], new: Mapping[str, str]) -> Judgement:
-    """What comes of another location or destination: COMMAND_INT scales what is a location."""
+    """Return what comes of another location or destination: COMMAND_INT scales what is a location."""
     differing = [name for name, text in old.items() if name in new and new[name] != text]
     if not differing:
         return HARMLESS

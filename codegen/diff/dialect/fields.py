@@ -17,7 +17,9 @@ _DECEIVED = (rules.FIELD_TYPE, rules.FIELD_ORDER, rules.FIELD_SENTINEL, rules.FI
 
 
 def field_changes(old: WireMessage, new: WireMessage, enums: Vocabulary) -> tuple[Change, ...]:
-    """What changed within a message, the layout first; descriptions last. ``enums`` are those of both versions."""
+    """Return what changed within a message, the layout first; descriptions last.
+    ``enums`` are those of both versions.
+    """
     structure = tuple(_structure(old, new))
     found = [*structure, *_layout(old, new, structure), *_crc_extra(old, new, structure)]
     for pair in paired_fields(old, new):
@@ -100,7 +102,7 @@ def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence
 
 
 def _meaning_of_zero(field: WireField) -> str:
-    """What is wrong with a 0 that nobody sent; empty where 0 is the sentinel."""
+    """Return what is wrong with a 0 that nobody sent; empty where 0 is the sentinel."""
     sentinel = field.sentinel
     if sentinel is None or all(value == 0 for value in sentinel.values if value is not None):
         return ""
@@ -179,7 +181,7 @@ def _offset(pair: Pair) -> int:
 
 
 def _layout(old: WireMessage, new: WireMessage, structure: Sequence[Change]) -> Iterator[Change]:
-    """What lies elsewhere without a field that tells why: of one dialect read correctly there is nothing."""
+    """Yield what lies elsewhere without a field that tells why: of one dialect read correctly there is nothing."""
     if structure:
         return
     before, after = _lengths(old), _lengths(new)

@@ -15,7 +15,9 @@ def by_id(messages: Mapping[str, WireMessage]) -> dict[int, WireMessage]:
 
 
 def taken_for(message: WireMessage, theirs: Mapping[int, WireMessage]) -> Notice:
-    """What comes of a frame of ``message`` at a receiver that knows the messages ``theirs``, whatever their names."""
+    """Return what comes of a frame of ``message`` at a receiver that knows the
+    messages ``theirs``, whatever their names.
+    """
     known = theirs.get(message.id)
     if known is None:
         return Notice.UNKNOWN_ID
@@ -30,7 +32,9 @@ def gravest(notices: Iterable[Notice]) -> Notice:
 def between(
     old: WireMessage, new: WireMessage, before: Mapping[int, WireMessage], after: Mapping[int, WireMessage]
 ) -> Notice:
-    """What comes of frames of two versions of a message, ``before`` and ``after`` being the messages of both by id."""
+    """Return what comes of frames of two versions of a message, ``before`` and
+    ``after`` being the messages of both by id.
+    """
     return gravest((taken_for(old, after), taken_for(new, before)))
 
 

@@ -29,7 +29,9 @@ class Vocabulary(NamedTuple):
 
 
 def meaning_changes(pair: Pair, message: str, enums: Vocabulary) -> Iterator[Change]:
-    """What changed in the meaning of a field of ``message``, the gravest first; ``enums`` are of both versions."""
+    """Yield what changed in the meaning of a field of ``message``, the gravest
+    first; ``enums`` are of both versions.
+    """
     if _is_unchanged(pair):
         return
     told = _Teller(pair, message)
@@ -39,7 +41,7 @@ def meaning_changes(pair: Pair, message: str, enums: Vocabulary) -> Iterator[Cha
 
 
 def _is_unchanged(pair: Pair) -> bool:
-    """Whether both versions say the same, wherever they stand: so it is of nearly all fields."""
+    """Return whether both versions say the same, wherever they stand: so it is of nearly all fields."""
     old, new = (side.definition for side in pair)
     is_same = old is new or old == new._replace(place=old.place)
     return is_same and is_same_sentinel(pair.old.sentinel, pair.new.sentinel)
@@ -84,7 +86,7 @@ class _Teller(NamedTuple):
 
 
 def _amounts(told: _Teller, pair: Pair) -> Iterator[Change]:
-    """What the number amounts to: units, the value for unknown, the multiplier."""
+    """Yield what the number amounts to: units, the value for unknown, the multiplier."""
     old, new = told.sides
     is_same_number = _scale(old, new) == 1
     units = _units(old, new)
@@ -104,7 +106,7 @@ def _amounts(told: _Teller, pair: Pair) -> Iterator[Change]:
 
 
 def _readings(told: _Teller, enums: Vocabulary) -> Iterator[Change]:
-    """How the number is read: as bits, as an instance, within a range, by an enum, by its default."""
+    """Yield how the number is read: as bits, as an instance, within a range, by an enum, by its default."""
     old, new = told.sides
     if old.is_bitmask != new.is_bitmask:
         words = ["bits" if side.is_bitmask else "a number" for side in (old, new)]
@@ -153,7 +155,7 @@ def _units(old: FieldDefinition, new: FieldDefinition) -> tuple[str | None, str 
 
 
 def _other_units(old: str | None, new: str | None, text: str) -> Judgement:
-    """What comes of another unit, or of one that came or went; ``text`` is the new description."""
+    """Return what comes of another unit, or of one that came or went; ``text`` is the new description."""
     if old is None:
         return Judgement(effect="stated for the first time")
     if new is None:
@@ -182,7 +184,7 @@ def _factor(old: str, new: str) -> Fraction | None:
 
 
 def _other_factor(old: FieldDefinition, new: FieldDefinition) -> Judgement:
-    """What comes of another multiplier: one that a text had before is none."""
+    """Return what comes of another multiplier: one that a text had before is none."""
     for text, said, words in (
         (new.multiplier if old.multiplier is None else None, old.description, "the description said so before"),
         (old.multiplier if new.multiplier is None else None, new.description, "the description still says so"),
@@ -201,7 +203,7 @@ def _other_factor(old: FieldDefinition, new: FieldDefinition) -> Judgement:
 
 
 def _is_in_text(factor: Fraction, text: str) -> bool:
-    """Whether a text tells of a factor: ``* 100`` of 1E-2, ``0: 0 deg, 255: 360 deg`` of 360/255."""
+    """Return whether a text tells of a factor: ``* 100`` of 1E-2, ``0: 0 deg, 255: 360 deg`` of 360/255."""
     compact = text.replace(" ", "").lower()
     inverse = decimal(1 / factor)
     if any(f"{sign}{inverse}" in compact for sign in ("*", "x")) or decimal(factor) in compact.split():
@@ -222,7 +224,7 @@ def _other_instance(new: FieldDefinition) -> Judgement:
 
 
 def other_default(old: str | None, new: str | None) -> Judgement:
-    """What comes of another value for what nobody sets: zeros are what an old sender leaves there."""
+    """Return what comes of another value for what nobody sets: zeros are what an old sender leaves there."""
     before, after = _number(old or None), _number(new or None)
     if before == after or (before in (None, 0) and after in (None, 0)):
         return Judgement(effect="who does not set it sends 0 already")
@@ -246,7 +248,7 @@ def _enum_judgement(old: FieldDefinition, new: FieldDefinition, enums: Vocabular
 
 
 def _other_text(old: FieldDefinition, new: FieldDefinition) -> Judgement:
-    """What comes of another text: nothing, unless it says another thing of a number, or the opposite."""
+    """Return what comes of another text: nothing, unless it says another thing of a number, or the opposite."""
     values = stated_conflict(stated_values(old.description), stated_values(new.description))
     if values.gravity:
         return values

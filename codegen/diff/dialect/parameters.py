@@ -18,7 +18,7 @@ def other_parameter(
     entries: tuple[EnumEntry, EnumEntry],
     enums: Vocabulary,
 ) -> Judgement:
-    """What comes of a parameter that is written otherwise; ``entries`` are its command in both versions."""
+    """Return what comes of a parameter that is written otherwise; ``entries`` are its command in both versions."""
     if old is None or is_spare(old):
         return Judgement(effect="it was not used before")
     if new is None or is_spare(new):
@@ -34,7 +34,7 @@ def other_parameter(
 
 
 def is_spare(parameter: CommandParameter) -> bool:
-    """Whether a parameter carries nothing: it is reserved, or nothing is said of it."""
+    """Return whether a parameter carries nothing: it is reserved, or nothing is said of it."""
     attributes = dict(parameter.attributes)
     if attributes.get("reserved", "").strip().lower() in ("true", "1"):
         return True
@@ -116,7 +116,9 @@ def _other_enum(
 
 
 def _other_default(before: Mapping[str, str], after: Mapping[str, str]) -> Judgement:
-    """What comes of another default: a command carries each number, but who fills them in may take the default."""
+    """Return what comes of another default: a command carries each number, but who
+    fills them in may take the default.
+    """
     if "default" not in before or "default" not in after:
         return HARMLESS
     found = other_default(before["default"], after["default"])

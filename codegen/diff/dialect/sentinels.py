@@ -26,14 +26,14 @@ class OtherSentinel:
 
 
 def is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
-    """Whether the same values mean unknown, however they are written."""
+    """Return whether the same values mean unknown, however they are written."""
     if old is None or new is None:
         return old is new
     return old.form is new.form and [_text(value) for value in old.values] == [_text(value) for value in new.values]
 
 
 def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:
-    """What comes of it: nothing where the text says the same in the other version."""
+    """Return what comes of it: nothing where the text says the same in the other version."""
     before, after = (side.sentinel for side in (old, new))
     texts = old.definition.description, new.definition.description
     if before is not None and after is not None:
@@ -53,7 +53,9 @@ def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:
 
 
 def is_described(sentinel: Sentinel, description: str) -> bool:
-    """Whether a text names each value: a bare number only where it says when that is sent, so not ``0 to 100``."""
+    """Return whether a text names each value: a bare number only where it says when
+    that is sent, so not ``0 to 100``.
+    """
     values = {_text(value) for value in sentinel.values if value is not None}
     names = {part.strip() for part in re.split(r"[\[\],:]", sentinel.written) if part.strip()}
     sentences = _SENTENCE.split(description)
@@ -63,7 +65,7 @@ def is_described(sentinel: Sentinel, description: str) -> bool:
 
 
 def _has(sentence: str, names: set[str]) -> bool:
-    """Whether a sentence has a name of the attribute, such as an entry of an enum."""
+    """Return whether a sentence has a name of the attribute, such as an entry of an enum."""
     return any(name in _WORD.findall(sentence) for name in names if not _NUMBER.fullmatch(name))
 
 

@@ -16,7 +16,9 @@ class Used:
     entries: frozenset[str]
 
     def is_concerned(self, change: Change) -> bool:
-        """Whether a change of the dialect touches the project: an entry of an enum only where it is used itself."""
+        """Return whether a change of the dialect touches the project: an entry of an
+        enum only where it is used itself.
+        """
         if change.enum is None:
             return not change.messages or bool(self.messages.intersection(change.messages))
         if change.entry is None:
@@ -25,7 +27,7 @@ class Used:
 
 
 def used_of(systems: Iterable[System]) -> Used:
-    """What several versions and programs use together."""
+    """Return what several versions and programs use together."""
     messages: set[str] = set()
     enums: set[str] = set()
     entries: set[str] = set()

@@ -12,7 +12,7 @@ def _wire(name: str, explanation: str, notice: Notice, *breaks: Victim) -> Chang
 
 
 def _meaning(name: str, explanation: str, *breaks: Victim) -> ChangeRule:
-    """What the bytes mean: nothing on the wire tells."""
+    """Return what the bytes mean: nothing on the wire tells."""
     severity = Severity.ERROR if breaks else WARNING
     return ChangeRule(name, explanation, severity, area=Area.BEHAVIOUR, notice=Notice.SILENT, breaks=breaks)
 

@@ -44,7 +44,7 @@ def gravest(*judgements: Judgement) -> Judgement:
 
 
 def other_entry(old: EnumEntry, new: EnumEntry, enum: EnumDefinition) -> Judgement:
-    """What comes of a number of ``enum``, as it was, that another entry has now."""
+    """Return what comes of a number of ``enum``, as it was, that another entry has now."""
     if says_reserved(old.name) or (is_unsaid(old.description) and old.description):
         return Judgement(effect="it was reserved")
     names = name_likeness(old.name, new.name, enum.name)
@@ -66,12 +66,12 @@ def other_entry(old: EnumEntry, new: EnumEntry, enum: EnumDefinition) -> Judgeme
 
 
 def _is_common(entry: EnumEntry, enum: EnumDefinition) -> bool:
-    """Whether other entries have the same text, which then does not tell them apart."""
+    """Return whether other entries have the same text, which then does not tell them apart."""
     return any(other.description == entry.description and other.name != entry.name for other in enum.entries)
 
 
 def by_words(names: Likeness, texts: Likeness, old: str, new: str) -> Judgement:
-    """What comes of another name, by the likeness of both names and of both texts."""
+    """Return what comes of another name, by the likeness of both names and of both texts."""
     another = Judgement(breaks=True, effect=f"what was {old} is read as {new}, and the reverse")
     if texts is Likeness.OPPOSITE or (names is Likeness.OPPOSITE and texts is not Likeness.SAME):
         return another
@@ -93,7 +93,7 @@ def by_words(names: Likeness, texts: Likeness, old: str, new: str) -> Judgement:
 
 
 def same_entry(old: str, new: str) -> Judgement:
-    """What comes of another text for an entry that keeps its name and its number."""
+    """Return what comes of another text for an entry that keeps its name and its number."""
     values = stated_conflict(stated_values(old), stated_values(new))
     if values.gravity:
         return values
@@ -112,7 +112,7 @@ def same_entry(old: str, new: str) -> Judgement:
 
 
 def gone_entry(entry: EnumEntry, *, is_bitmask: bool) -> Judgement:
-    """What comes of an entry that is gone with its number, of an enum of bits or of numbers."""
+    """Return what comes of an entry that is gone with its number, of an enum of bits or of numbers."""
     if says_reserved(entry.name):
         return Judgement(effect="it was reserved")
     if is_bitmask and entry.value == 0:
@@ -123,7 +123,7 @@ def gone_entry(entry: EnumEntry, *, is_bitmask: bool) -> Judgement:
 
 
 def other_enum(old: EnumDefinition | None, new: EnumDefinition | None, text: str) -> Judgement:
-    """What comes of other names for the numbers of a field or a parameter, whose description is ``text`` now."""
+    """Return what comes of other names for the numbers of a field or a parameter, whose description is ``text`` now."""
     if old is None:
         return Judgement(effect="stated for the first time")
     if new is None:
@@ -156,7 +156,7 @@ def other_enum(old: EnumDefinition | None, new: EnumDefinition | None, text: str
 
 
 def enum_for_words(text: str, new: EnumDefinition | None) -> Judgement:
-    """What comes of an enum that is stated for numbers of which ``text`` told: whether both agree."""
+    """Return what comes of an enum that is stated for numbers of which ``text`` told: whether both agree."""
     if new is None:
         return HARMLESS
     entries = {entry.value: entry.name for entry in new.entries}
@@ -170,7 +170,7 @@ def enum_for_words(text: str, new: EnumDefinition | None) -> Judgement:
 
 
 def stated_conflict(old: Mapping[int, str], new: Mapping[int, str]) -> Judgement:
-    """What comes of numbers of which two texts say something else."""
+    """Return what comes of numbers of which two texts say something else."""
     for number, words in old.items():
         if number not in new or text_likeness(words, new[number]) is Likeness.SAME:
             continue

@@ -53,7 +53,7 @@ def _symbol(word: str) -> str:
 
 
 def other_unit(old: str, new: str) -> Judgement:
-    """What comes of another unit; both are written."""
+    """Return what comes of another unit; both are written."""
     before, after = (Unit.parse("".join(text.split())) for text in (old, new))
     if before is None or after is None:
         return Judgement(breaks=True, effect="the number is read in another unit")
@@ -72,7 +72,9 @@ def other_unit(old: str, new: str) -> Judgement:
 
 
 def _is_rate_of(one: Unit, other: Unit) -> bool:
-    """Whether the units differ by a division by seconds, such as mm and mm/s of a speed: what is then corrected."""
+    """Return whether the units differ by a division by seconds, such as mm and mm/s
+    of a speed: what is then corrected.
+    """
     powers = dict(one.dimension)
     powers["s"] = powers.get("s", 0) - 1
     is_rate = tuple(sorted((base, power) for base, power in powers.items() if power)) == other.dimension
@@ -84,7 +86,7 @@ Range = tuple[str | None, str | None]
 
 
 def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
-    """What comes of other limits: more is accepted, less is, or all is on another scale.
+    """Return what comes of other limits: more is accepted, less is, or all is on another scale.
 
     ``is_scaled`` is whether nothing else, such as a unit or a step, says how much one is.
     """
@@ -102,7 +104,9 @@ def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
 
 
 def share_for_unit(old: Range, new: Range, unit: str, step: str | None) -> Judgement:
-    """What comes of a unit that is stated for a number that had a range of its own, such as 0 to 1 of full speed."""
+    """Return what comes of a unit that is stated for a number that had a range of
+    its own, such as 0 to 1 of full speed.
+    """
     smallest, largest = _limits(old)
     known = Unit.parse(unit)
     if largest is None or old == new or step is not None or (known is not None and known.name == "%"):

@@ -94,7 +94,7 @@ def _is_about(spec: SeveritySpec, group: Group, version: Version | None) -> bool
 
 
 def _has(pattern: str, subject: str) -> bool:
-    """Whether a subject is meant by its whole name, or by that of its message, enum or program."""
+    """Return whether a subject is meant by its whole name, or by that of its message, enum or program."""
     plain = subject.rpartition(": ")[2]
     return any(fnmatchcase(name, pattern) for name in (subject, plain, plain.partition(".")[0]))
 

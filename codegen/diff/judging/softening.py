@@ -35,7 +35,7 @@ def _reason(change: Change, old: Dialect) -> str:
 
 
 def _lifecycle(change: Change, old: Dialect) -> Lifecycle:
-    """What the old version says of the entry, or where it says nothing of its enum."""
+    """Return what the old version says of the entry, or where it says nothing of its enum."""
     enum = old.enums.get(change.enum or "")
     if enum is None:
         return Lifecycle()

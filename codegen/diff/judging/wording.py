@@ -56,7 +56,7 @@ class Likeness(StrEnum):
 
 
 def name_likeness(old: str, new: str, whole: str = "") -> Likeness:
-    """How alike two names are, whatever prefix they have; ``whole`` is the name of the enum that they belong to.
+    """Return how alike two names are, whatever prefix they have; ``whole`` is the name of the enum that they belong to.
 
     Letters of another case, prefixes, abbreviations, plurals and the order of words are no difference. NEAR is a name
     that says less or more than the other, or differs by a letter.
@@ -86,7 +86,7 @@ def name_likeness(old: str, new: str, whole: str = "") -> Likeness:
 
 
 def text_likeness(old: str, new: str) -> Likeness:
-    """How alike two texts are, by their words without those that carry nothing."""
+    """Return how alike two texts are, by their words without those that carry nothing."""
     if is_unsaid(old) or is_unsaid(new):
         return Likeness.UNSAID
     before, after = words_of(old), words_of(new)
@@ -108,7 +108,7 @@ def text_likeness(old: str, new: str) -> Likeness:
 
 
 def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
-    """Whether both name and text have one word in place of another, and it is the same one in both."""
+    """Return whether both name and text have one word in place of another, and it is the same one in both."""
     of_names = _unmatched(*(_names(name) for name in names))
     of_texts = _unmatched(*(sorted(words_of(text)) for text in texts))
     return all(not set(one).isdisjoint(other) for one, other in zip(of_names, of_texts, strict=True))
@@ -130,7 +130,7 @@ def other_word(old: str, new: str) -> tuple[str, str] | None:
 
 
 def _are_exchanged(old: str, new: str) -> bool:
-    """Whether both texts tell of the same things and numbers, but put others of them together.
+    """Return whether both texts tell of the same things and numbers, but put others of them together.
 
     ``positive is clockwise, negative is counter-clockwise`` and the reverse have the same words.
     """
@@ -145,7 +145,9 @@ def _are_exchanged(old: str, new: str) -> bool:
 
 
 def _is_reordered(old: str, new: str) -> bool:
-    """Whether texts of the same words list things of one kind in another order: ``w, x, y, z`` and ``x, y, z, w``."""
+    """Return whether texts of the same words list things of one kind in another
+    order: ``w, x, y, z`` and ``x, y, z, w``.
+    """
     sides = [[stem(word) for word in _WORD.findall(text.lower())] for text in (old, new)]
     for group in exclusive_groups():
         before, after = ([word for word in side if word in group] for side in sides)
@@ -161,24 +163,24 @@ def _telling(clause: str) -> tuple[str, ...]:
 
 
 def is_unsaid(text: str) -> bool:
-    """Whether a text says nothing: there is none, or it says that the thing is empty or reserved."""
+    """Return whether a text says nothing: there is none, or it says that the thing is empty or reserved."""
     words = _WORD.findall(text.lower())
     return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | _IDLE | _FILLING for word in words))
 
 
 def says_reserved(name: str) -> bool:
-    """Whether a name says that the number means nothing (yet)."""
+    """Return whether a name says that the number means nothing (yet)."""
     return not {"reserved", "unused", "spare", "empty"}.isdisjoint(_plain(name))
 
 
 def says_private(name: str, text: str) -> bool:
-    """Whether a number is for anybody's own use."""
+    """Return whether a number is for anybody's own use."""
     found = {*_plain(name), *_WORD.findall(text.lower())}
     return not {"user", "private", "custom", "privately"}.isdisjoint(found)
 
 
 def names_of(text: str, names: Iterable[str]) -> bool:
-    """Whether a text has any of some names as they are written."""
+    """Return whether a text has any of some names as they are written."""
     return any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in names)
 
 
@@ -202,7 +204,7 @@ def _without(words: Iterable[str], around: Collection[str]) -> list[str]:
 
 
 def _unmatched(before: Iterable[str], after: Iterable[str]) -> tuple[list[str], list[str]]:
-    """What each side has that the other does not have in any spelling."""
+    """Return what each side has that the other does not have in any spelling."""
     gone, come = [], list(after)
     for word in before:
         match = next((other for other in come if other == word), None) or next(
@@ -231,7 +233,7 @@ _STATED = re.compile(r"(?<![\w.])(-?\d+)\s*(?:[:=]|means\b|is\b)\s*([A-Za-z][^,;
 
 
 def stated_values(text: str) -> dict[int, str]:
-    """What a text says of single numbers: ``0: forward, 1: reverse``."""
+    """Return what a text says of single numbers: ``0: forward, 1: reverse``."""
     found: dict[int, str] = {}
     for one in _STATED.finditer(text):
         number, words = one[1], one[2].strip()

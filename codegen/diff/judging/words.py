@@ -68,7 +68,7 @@ def is_short_for(one: str, other: str) -> bool:
 
 
 def is_slip(one: str, other: str) -> bool:
-    """Whether two words differ by a letter, as a typing error makes it."""
+    """Return whether two words differ by a letter, as a typing error makes it."""
     if min(len(one), len(other)) < 3 or abs(len(one) - len(other)) > 1:
         return False
     short, long = sorted((one, other), key=len)
@@ -81,7 +81,7 @@ def is_slip(one: str, other: str) -> bool:
 
 
 def is_shortened(one: str, other: str) -> bool:
-    """Whether letters are missing within a long word: ``permant``."""
+    """Return whether letters are missing within a long word: ``permant``."""
     short, long = sorted((one, other), key=len)
     rest = iter(long)
     is_near = len(short) > 5 and len(long) - len(short) <= 2 and short[0] == long[0]
@@ -89,7 +89,7 @@ def is_shortened(one: str, other: str) -> bool:
 
 
 def is_negated(word: str, other: str) -> bool:
-    """Whether the other word is the opposite of one: ``unhealthy`` of ``healthy``."""
+    """Return whether the other word is the opposite of one: ``unhealthy`` of ``healthy``."""
     return other in {f"{prefix}{word}" for prefix in ("un", "dis", "in", "non", "ab", "de")}
 
 

@@ -27,7 +27,9 @@ def difference(old: str | None, new: str | None) -> tuple[str | None, str | None
 
 
 def _runs(olds: Sequence[str], news: Sequence[str]) -> list[tuple[int, int, int, int]]:
-    """Where words differ: ``olds[i1:i2]`` became ``news[j1:j2]``. Neighbours that share their surroundings are one."""
+    """Return where words differ: ``olds[i1:i2]`` became ``news[j1:j2]``. Neighbours
+    that share their surroundings are one.
+    """
     start, most = 0, min(len(olds), len(news))
     while start < most and olds[start] == news[start]:
         start += 1

@@ -33,12 +33,12 @@ class Group:
 
     @property
     def is_lowered(self) -> bool:
-        """Whether somebody set that it is no error."""
+        """Return whether somebody set that it is no error."""
         return self.severity is not None and self.severity is not Severity.ERROR
 
     @property
     def is_raised(self) -> bool:
-        """Whether it is an error only because somebody set it."""
+        """Return whether it is an error only because somebody set it."""
         change = self.first
         return self.severity is Severity.ERROR and change.weight is Weight.HARMLESS and not change.is_lost
 
@@ -55,17 +55,17 @@ class Group:
 
     @property
     def reach(self) -> Reach:
-        """What any of them touches, or what follows from them."""
+        """Return what any of them touches, or what follows from them."""
         return joined(change.reach for group in (self, *self.following) for change in group.changes)
 
     @property
     def count(self) -> int:
-        """How many changes they are: parameters of a family stand at one place and are one."""
+        """Return how many changes they are: parameters of a family stand at one place and are one."""
         return len({change.place for change in self.changes})
 
     @property
     def fingerprint(self) -> str:
-        """What a waiver of them names: the same in another run as long as they say the same."""
+        """Return what a waiver of them names: the same in another run as long as they say the same."""
         change = self.first
         said = f"{' '.join(each.subject for each in self.changes)}: {change.old} -> {change.new}"
         return fingerprint(change.rule.id, change.place.file, said)
@@ -149,14 +149,16 @@ def line_text(place: Place) -> str:
 
 
 def notice_text(change: Change) -> str:
-    """Whether the other side notices, as reports say it; empty where nothing of it is on the wire."""
+    """Return whether the other side notices, as reports say it; empty where nothing of it is on the wire."""
     if change.notice is Notice.SILENT and not change.is_breaking:
         return "not in CRC_EXTRA"
     return change.notice.value
 
 
 def consequence(change: Change) -> str:
-    """Who breaks, what a person has to judge, or why it counts as no break; empty where there is none of these."""
+    """Return who breaks, what a person has to judge, or why it counts as no break;
+    empty where there is none of these.
+    """
     if change.breaks:
         return f"breaks {' and '.join(change.breaks)}"
     if change.doubt:

@@ -78,7 +78,7 @@ class _Section(NamedTuple):
 
 
 def _sections(found: Review) -> list[_Section]:
-    """What breaks first, by weight; what is harmless or waived after it, by area."""
+    """Return what breaks first, by weight; what is harmless or waived after it, by area."""
     grave = [
         _Section(title, tuple(group for group in found.counting if is_of(group.first) and not group.is_lowered))
         for title, is_of in _GRAVE.items()

@@ -88,7 +88,7 @@ class ReviewPage:
 
     @property
     def has_reach(self) -> bool:
-        """Whether any change reaches something: those of dialects alone do not."""
+        """Return whether any change reaches something: those of dialects alone do not."""
         return any(row.requirements or row.more for row in self.rows)
 
 
@@ -151,7 +151,7 @@ def _row(group: Group, head: Group) -> ChangeRow:
 
 
 def _more(reach: Reach) -> str:
-    """What the list of symbols and tests is called while it is folded."""
+    """Return what the list of symbols and tests is called while it is folded."""
     told = [
         f"{len(names)} {noun}{'' if len(names) == 1 else 's'}"
         for names, noun in ((reach.symbols, "symbol"), (reach.tests, "test"))

@@ -47,7 +47,7 @@ class Review:
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is nothing to say: nothing changed, and both sides could be read."""
+        """Return whether there is nothing to say: nothing changed, and both sides could be read."""
         return not self.groups and not self.faults
 
     @property
@@ -57,7 +57,7 @@ class Review:
 
     @property
     def head_line(self) -> str:
-        """How much changed, and how bad it is, as far as the sides can be read."""
+        """Return how much changed, and how bad it is, as far as the sides can be read."""
         known = counted(self.groups) if self.groups else "nothing changed"
         return f"{known}; {self.fault_line}" if self.faults else known
 
@@ -102,7 +102,9 @@ def _with_waiver(group: Group, waived: str | None) -> Group:
 
 
 def fails(found: Review, fail_on: Sequence[str]) -> bool:
-    """Whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule."""
+    """Return whether something that counts is of a kind that ``fail_on`` names:
+    FailOn, an area, or the id of a rule.
+    """
     for group in found.counting:
         rules = {each.first.rule for each in (group, *group.following)}
         kinds = {FailOn.ANY.value, *(rule.area.value for rule in rules), *(rule.id for rule in rules)}

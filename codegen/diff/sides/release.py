@@ -2,12 +2,11 @@
 
 import os
 import re
-from contextlib import ExitStack
 
-from codegen.diagnostics import did_you_mean
+from codegen.diagnostics import Report, did_you_mean
 from codegen.diff.sides.side import Side, Unreadable, dialect_side, hang
+from codegen.load.files import Files
 from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dialect_path
-from codegen.load.trees import file_names, is_file
 
 INSTALLED = "pymavlink"
 ARCHIVES = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
@@ -18,27 +17,35 @@ _FOLDERS = ("", "pymavlink/dialects/v20", "dialects/v20", "v20", "message_defini
 _SITE_PACKAGES = re.compile(r"python3[.\d]*")
 
 
-def installed_side(name: str) -> Side | Unreadable:
+def installed_side(name: str, files: Files) -> Side | Unreadable:
     """A dialect of the installed pymavlink."""
-    path = shipped_dialect_path(name)
+    path = shipped_dialect_path(name, files)
     if path is None:
-        return Unreadable(f"the installed pymavlink has no dialect {name}", did_you_mean(name, shipped_dialect_names()))
-    return dialect_side(path, f"{INSTALLED}:{name}", is_release=True)
+        return Unreadable(
+            f"the installed pymavlink has no dialect {name}", did_you_mean(name, shipped_dialect_names(files))
+        )
+    return dialect_side(path, f"{INSTALLED}:{name}", files, is_release=True)
 
 
-def release_side(release: str, name: str, stack: ExitStack) -> Side | Unreadable:
+def release_side(release: str, name: str, files: Files) -> Side | Unreadable:
     """A dialect of another pymavlink."""
-    folder = release_folder(release, stack, name)
-    if isinstance(folder, Unreadable):
-        return folder
-    dialects = dialects_in(folder)
+    found = release_folder(release, files, name)
+    if isinstance(found, Unreadable):
+        return found
+    folder, files = found
+    report = Report()
+    dialects = dialects_in(folder, files, report)
+    if report.has_errors:
+        return Unreadable(f"{release} cannot be read", findings=tuple(report))
     if name not in dialects:
         return Unreadable(f"{release} has no dialect {name}", did_you_mean(name, dialects))
-    return dialect_side(dialects[name], f"{release}:{name}", is_release=True)
+    return dialect_side(dialects[name], f"{release}:{name}", files, is_release=True)
 
 
-def release_folder(path: str, stack: ExitStack, name: str = "common") -> str | Unreadable:
+def release_folder(path: str, files: Files, name: str = "common") -> tuple[str, Files] | Unreadable:
     """The folder with the dialects of a pymavlink: of a wheel, a source archive, a folder that one is installed in.
+
+    With it come the files in which it is one.
 
     A folder of dialects may have ``name`` in place of common.
     """
@@ -51,17 +58,18 @@ def release_folder(path: str, stack: ExitStack, name: str = "common") -> str | U
         archive = read_archive(path, _DIALECTS)
         if isinstance(archive, str):
             return Unreadable(archive)
-        root = hang(os.path.basename(path), archive, stack)
+        root, files = hang(os.path.basename(path), archive, files)
         folders = sorted({os.path.dirname(inner) for inner in archive.paths()}, key=_is_second_choice)
         if folders:
-            return os.path.join(root, folders[0])
+            return os.path.join(root, folders[0]), files
     elif os.path.isdir(path):
-        below = [os.path.join(root, "lib", name, "site-packages") for name in file_names(os.path.join(root, "lib"))]
+        libraries = files.names(os.path.join(root, "lib"), Report())
+        below = [os.path.join(root, "lib", name, "site-packages") for name in libraries]
         for start in (root, *(one for one in below if _SITE_PACKAGES.fullmatch(one.split(os.sep)[-2]))):
             for folder in _FOLDERS:
                 candidate = os.path.join(start, folder).rstrip(os.sep)
-                if any(is_file(os.path.join(candidate, f"{each}.xml")) for each in ("common", name)):
-                    return candidate
+                if any(files.is_file(os.path.join(candidate, f"{each}.xml")) for each in ("common", name)):
+                    return candidate, files
     else:
         return Unreadable(
             f"{path} is neither a file nor a folder" if os.path.exists(path) else f"{path} does not exist"

@@ -36,7 +36,7 @@ class LinkRow:
 
     @property
     def is_overloaded(self) -> bool:
-        """Whether more is sent than it carries, and more of it than before."""
+        """Return whether more is sent than it carries, and more of it than before."""
         return self.share > _ALL and (self.share_before is None or self.share > self.share_before)
 
 
@@ -58,7 +58,7 @@ class Bandwidth:
 
     @property
     def is_changed(self) -> bool:
-        """Whether any message takes another part."""
+        """Return whether any message takes another part."""
         return any(row.old != row.new for row in self.rows)
 
 

@@ -46,7 +46,7 @@ def _identity(system: System) -> Subject:
 
 
 def _speed(system: System) -> str:
-    """What times are predicted with; empty where nobody has measured it."""
+    """Return what times are predicted with; empty where nobody has measured it."""
     timing = system.board.timing if system.board else None
     if timing is None:
         return ""
@@ -123,6 +123,9 @@ def _link(link: BoardLink) -> Subject:
         "baud": spec.baud,
         "buffer": spec.buffer,
         "udp": spec.udp,
+        "tcp_server": spec.tcp_server,
+        "tcp_client": spec.tcp_client,
+        "backlog": spec.tcp_backlog if spec.tcp_server is not None else None,
         "to": spec.to,
         "local_port": spec.local_port,
         "credentials": spec.credentials,
@@ -134,6 +137,7 @@ def _link(link: BoardLink) -> Subject:
             for name, value in written.items()
         ),
         Fact("tried again after", amount(link.retry_ms, "ms"), rules.LINK, spec.at("retry")),
+        Fact("given up after", amount(link.timeout_ms, "ms"), rules.LINK, spec.at("timeout")),
         Fact("answers to", str(link.citation or ""), CITATION, spec.at("requirement")),
     )
     name, kind = f"link.{link.name}", link.kind.value

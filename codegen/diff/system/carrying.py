@@ -50,7 +50,7 @@ def scaling_parameters(system: System) -> Mapping[str, tuple[str, ...]]:
 
 
 def fed_by_facts(system: System) -> Mapping[str, tuple[str, ...]]:
-    """What may be otherwise where a fact of the board is, by what ``fact_name`` calls the fact.
+    """Return what may be otherwise where a fact of the board is, by what ``fact_name`` calls the fact.
 
     These are the fields that the fact goes into, and the quantities and parameters of its component.
     """

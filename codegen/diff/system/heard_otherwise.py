@@ -15,7 +15,7 @@ from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel
 
 _STATION = (Victim.OLD_STATION,)
-_ADDRESSED = ("uart", "baud", "udp", "to", "local_port")
+_ADDRESSED = ("uart", "baud", "udp", "tcp_server", "tcp_client", "to", "local_port")
 _WIRED = ("tx", "rx")
 
 
@@ -114,7 +114,7 @@ def _channel(change: Change, sides: _Sides) -> Change:
 
 
 def _volts(channel: AdcChannel) -> Fraction:
-    """What a count is, in volts."""
+    """Return what a count is, in volts."""
     return channel.reference / channel.full_scale
 
 

@@ -41,7 +41,9 @@ def population_changes(old: System, new: System) -> Iterator[Change]:
 
 
 def _name_now(message: PopulatedMessage, old: System, new: System) -> str:
-    """What a table is called in the new version: of one that has gone, the one of the same message that has come."""
+    """Return what a table is called in the new version: of one that has gone, the
+    one of the same message that has come.
+    """
     gone = _others(message, old, new)
     come = _others(message, new, old)
     return come[0] if gone == [message.name] and len(come) == 1 else message.name
@@ -54,7 +56,7 @@ def _others(message: PopulatedMessage, system: System, other: System) -> list[st
 
 
 def _message(message: PopulatedMessage, name: str) -> Subject:
-    """What there is to say about a table, which is called ``name`` in the new version."""
+    """Return what there is to say about a table, which is called ``name`` in the new version."""
     spec = message.population
     stream = message.stream.name if message.stream else "on request"
     facts = [
@@ -204,7 +206,7 @@ def _is_same(one: Value | None, other: Value | None) -> bool:
 
 
 def _facts(message: PopulatedMessage, name: str) -> dict[tuple[str, int], Subject]:
-    """What is known of each element, by the name of its field and its number from 0."""
+    """Return what is known of each element, by the name of its field and its number from 0."""
     found = {}
     for answer in message.answers:
         covers = answer.covers

@@ -39,7 +39,7 @@ def program_subjects(system: System) -> Iterator[Subject]:
 
 
 def _place(action: ActionSpec, program: Program) -> str:
-    """How many actions are more severe, in words; empty where none is said to be."""
+    """Return how many actions are more severe, in words; empty where none is said to be."""
     return f"behind {program.priority.index(action)} of {len(program.priority)}" if program.priority else ""
 
 
@@ -75,14 +75,16 @@ def _program(program: Program, system: System) -> Subject:
 
 
 def _longest(system: System) -> str:
-    """How long the longest slot of control takes with all messages due, in tenths of ms; empty where nobody knows."""
+    """Return how long the longest slot of control takes with all messages due, in
+    tenths of ms; empty where nobody knows.
+    """
     budget = loop_budget(system)
     took = budget.longest.busy.likely_us if budget else None
     return "" if took is None else f"{float(took) / 1000:.1f} ms"
 
 
 def _watchdog(program: Program) -> tuple[tuple[str, str, Place], ...]:
-    """What the watchdog does, as far as there is one."""
+    """Return what the watchdog does, as far as there is one."""
     watchdog, place = program.watchdog, program.spec.at("watchdog")
     if watchdog is None:
         return (("a loop that stands still is reset after", "", place), ("resets are told as", "", place))

@@ -27,7 +27,7 @@ def as_called_now(text: str, ids: Mapping[str, str]) -> str:
 
 
 def requirement_changes(old: System, new: System) -> Iterator[Change]:
-    """What documents say, in the order of their ids; what they say outside their criteria last."""
+    """Yield what documents say, in the order of their ids; what they say outside their criteria last."""
     ids = renamed_ids(old, new)
     before = {ids.get(each.id, each.id): each for each in old.requirements.values()}
     after = {each.id: each for each in new.requirements.values()}
@@ -76,7 +76,7 @@ def _criteria(old: Requirement, new: Requirement) -> Iterator[Change]:
 
 
 def _prose(old: Requirement, new: Requirement, before: System, after: System) -> Iterator[Change]:
-    """Whether a document differs in what the model does not hold: its rationale, its tables, its examples."""
+    """Yield whether a document differs in what the model does not hold: its rationale, its tables, its examples."""
     hashes = [side.spec.files.get(each.place.file) for side, each in ((before, old), (after, new))]
     if hashes[0] != hashes[1] and old == new and old.criteria == new.criteria:
         yield changed(rules.DOCUMENT, new.id, None, "other text", (old.place, new.place), cited=(new.id,))
@@ -102,7 +102,7 @@ def coverage_changes(
 
 
 def is_answered(criterion: str, cited: Collection[str]) -> bool:
-    """Whether a criterion, or its document as a whole, is among the names that are cited."""
+    """Return whether a criterion, or its document as a whole, is among the names that are cited."""
     return criterion in cited or criterion.rpartition(".")[0] in cited
 
 

@@ -72,12 +72,12 @@ def state_subjects(system: System) -> Iterator[Subject]:
 
 
 def fact_name(component: str, fact: str) -> str:
-    """What a fact of the board is called among changes: ``board.battery.weight``."""
+    """Return what a fact of the board is called among changes: ``board.battery.weight``."""
     return f"board.{component}.{fact}"
 
 
 def _facts(component: Component, system: System) -> Iterator[Subject]:
-    """What the board states of a component, each fact by itself, with that of each instance where they differ."""
+    """Yield what the board states of a component, each fact by itself, with that of each instance where they differ."""
     for name in dict.fromkeys(fact for part in component.parts for fact in part.facts):
         values = [str(part.facts.get(name, "nothing")) for part in component.parts]
         text = values[0] if len(set(values)) == 1 else ", ".join(values)
@@ -165,7 +165,7 @@ def _limit(limit: int | Fraction, stored: str, storage: Storage) -> str:
 
 
 def _width(quantity: Quantity) -> str:
-    """How many bits there are, where it is not one word, or bytes of a text."""
+    """Return how many bits there are, where it is not one word, or bytes of a text."""
     storage = quantity.storage
     if quantity.length:
         return f"up to {quantity.length} bytes"

@@ -39,7 +39,7 @@ class Subject(NamedTuple):
 def subject_changes(
     old: Iterable[Subject], new: Iterable[Subject], absorbing: Mapping[ChangeRule, Collection[ChangeRule]] | None = None
 ) -> Iterator[Change]:
-    """What came and went, and which facts differ, in the order of the new version; what went comes last.
+    """Yield what came and went, and which facts differ, in the order of the new version; what went comes last.
 
     Facts of one rule that differ are one change; a rule of ``absorbing`` takes in those of others that follow from it.
     """
@@ -135,7 +135,7 @@ def cited(*citations: Citation | Mapping[str, Citation] | None) -> tuple[str, ..
 
 
 def citations(whole: Citation | None, aspects: Mapping[str, Citation]) -> str:
-    """What is cited for the whole and for single aspects."""
+    """Return what is cited for the whole and for single aspects."""
     words = [str(whole)] if whole else []
     return ", ".join([*words, *(f"{name} {aspect}" for name, aspect in sorted(aspects.items()))])
 

@@ -94,7 +94,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
 
 
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
-    """Whether a part answers to the same document as before, which has another id."""
+    """Return whether a part answers to the same document as before, which has another id."""
     return change.rule is CITATION and as_called_now(change.old or "", ids) == change.new
 
 

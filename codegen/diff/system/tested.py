@@ -10,7 +10,7 @@ from codegen.trace.graph import Trace
 
 
 def tested_changes(old: Trace, new: Trace, ids: Mapping[str, str]) -> Iterator[Change]:
-    """What is no longer shown, then what shows nothing that is asked for, in the order of the documents.
+    """Yield what is no longer shown, then what shows nothing that is asked for, in the order of the documents.
 
     ``ids`` are those of documents that have another one now, by the old ones.
     """

@@ -75,7 +75,7 @@ class Answer(ABC):
         return ()
 
     def is_withheld(self, known: Known) -> bool:
-        """Whether one of these is unknown while the state is ``known``."""
+        """Return whether one of these is unknown while the state is ``known``."""
         return any(known[quantity.path] is None for quantity in self.withheld_for)
 
     def withholding(self, code: PayloadCode) -> list[str]:
@@ -92,14 +92,15 @@ class Answer(ABC):
 
     @property
     def is_chip_number(self) -> bool:
-        """Whether it is the number of the board's chip: it tells two boards with the same program apart."""
+        """Return whether it is the number of the board's chip: it tells two boards with the same program apart."""
         return False
 
     # What goes out.
 
     @abstractmethod
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """What the elements carry while the state is ``known``, by exact arithmetic: one value for each; a text is one.
+        """Return what the elements carry while the state is ``known``, by exact arithmetic: one value for each; a text
+        is one.
 
         ``instance`` and ``page`` count from 0.
         """
@@ -111,7 +112,7 @@ class Answer(ABC):
 
     @property
     def always(self) -> tuple[Value, ...] | None:
-        """What the elements carry in every message; None where it can differ."""
+        """Return what the elements carry in every message; None where it can differ."""
         return None
 
     @property
@@ -160,24 +161,26 @@ class Answer(ABC):
 
     @property
     def is_instance_number(self) -> bool:
-        """Whether it is the number by which receivers know the instance."""
+        """Return whether it is the number by which receivers know the instance."""
         return False
 
     @property
     def tells_apart(self) -> bool:
-        """Whether it is another one for each instance."""
+        """Return whether it is another one for each instance."""
         return self.is_instance_number
 
     def is_fact(self, component: Component) -> bool:
-        """Whether a receiver for ``component`` takes the field as it stands, for a fact."""
+        """Return whether a receiver for ``component`` takes the field as it stands, for a fact."""
         return False
 
     def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
-        """What the field says to a receiver for ``component``: quantities of it, and flags."""
+        """Yield what the field says to a receiver for ``component``: quantities of it, and flags."""
         yield from ()
 
     def joint_readings(self, answers: Sequence["Answer"]) -> Iterator[Reading]:
-        """What several fields of a message say together; ``answers`` are all of it. The first of them tells it."""
+        """Yield what several fields of a message say together; ``answers`` are all
+        of it. The first of them tells it.
+        """
         yield from ()
 
     def read_back(self) -> Iterator[ReadBack]:
@@ -190,7 +193,7 @@ class Answer(ABC):
         return (self.arriving.quantity,) if self.arriving else ()
 
     def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
-        """What its elements, as numbers on the wire, tell of quantities, in their units; None for unknown."""
+        """Yield what its elements, as numbers on the wire, tell of quantities, in their units; None for unknown."""
         arriving = self.arriving
         if arriving is not None:
             is_unknown = wire[0] == arriving.unknown or not math.isfinite(wire[0])
@@ -206,7 +209,7 @@ class Answer(ABC):
 
     @property
     def varies(self) -> bool:
-        """Whether the state decides what goes out: such a field has cases of its own."""
+        """Return whether the state decides what goes out: such a field has cases of its own."""
         return False
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

@@ -27,7 +27,9 @@ def single(known: Known, name: str) -> int | None:
 
 
 def stored_value(source: Quantity | Parameter, known: Known) -> int | None:
-    """What a builder reads of a source: a parameter has its default until it is set, a quantity what stands in."""
+    """Return what a builder reads of a source: a parameter has its default until it
+    is set, a quantity what stands in.
+    """
     if isinstance(source, Parameter):
         return single(known, source.name) if source.name in known else source.default
     value = single(known, source.path)
@@ -35,7 +37,7 @@ def stored_value(source: Quantity | Parameter, known: Known) -> int | None:
 
 
 def kept_number(source: Quantity, known: Known) -> int | Fraction | None:
-    """What is kept of a quantity of any storage: set beyond its limits, it is at the limit."""
+    """Return what is kept of a quantity of any storage: set beyond its limits, it is at the limit."""
     value = known[source.path]
     value = source.initial if value is None else value
     assert not isinstance(value, tuple | str)
@@ -43,7 +45,7 @@ def kept_number(source: Quantity, known: Known) -> int | Fraction | None:
 
 
 def kept_text(source: Quantity, known: Known) -> str | None:
-    """What is kept of a text; None while it is unknown."""
+    """Return what is kept of a text; None while it is unknown."""
     value = known[source.path]
     value = source.initial if value is None else value
     assert value is None or isinstance(value, str)
@@ -51,7 +53,7 @@ def kept_text(source: Quantity, known: Known) -> str | None:
 
 
 def is_known(source: Quantity, known: Known) -> bool:
-    """Whether a quantity is known; of a list every value."""
+    """Return whether a quantity is known; of a list every value."""
     value = known[source.path]
     return value is not None and not (isinstance(value, tuple) and None in value)
 

@@ -18,7 +18,7 @@ def cut(text: str, size: int) -> str:
 
 
 def words_of(size: int) -> int:
-    """How many words keep so many bytes."""
+    """Return how many words keep so many bytes."""
     return -(-size // 2)
 
 

@@ -43,11 +43,11 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def read(self, quantity: Quantity, element: str = "") -> str:
-        """What is stored of a quantity, of one with elements that of the place ``element``: an expression."""
+        """Return what is stored of a quantity, of one with elements that of the place ``element``: an expression."""
 
     @abstractmethod
     def is_unknown(self, quantity: Quantity, element: str = "") -> str:
-        """Whether a quantity that is stored, or its value at the place ``element``, is unknown: a condition."""
+        """Return whether a quantity that is stored, or its value at the place ``element``, is unknown: a condition."""
 
     @abstractmethod
     def half(self, quantity: Quantity, at: int, element: str = "") -> str:
@@ -62,7 +62,7 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def is_set(self, quantity: Quantity) -> str:
-        """Whether a boolean that is stored is true: an expression that is 0 where it is not."""
+        """Return whether a boolean that is stored is true: an expression that is 0 where it is not."""
 
     @abstractmethod
     def limit(self, quantity: Quantity) -> str:
@@ -70,7 +70,7 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def count(self, quantity: Quantity) -> str:
-        """How many elements a quantity has: a number, or where instances have their own, a word."""
+        """Return how many elements a quantity has: a number, or where instances have their own, a word."""
 
     @abstractmethod
     def number(self, component: str) -> str:
@@ -78,7 +78,7 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def parameter(self, parameter: Parameter) -> str:
-        """What a parameter is in steps."""
+        """Return what a parameter is in steps."""
 
     @abstractmethod
     def text(self, covers: "Elements", value: str | tuple[str, ...]) -> list[str]:
@@ -98,7 +98,7 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def condition(self, quantity: Quantity) -> tuple[str, str]:
-        """What is to be read into ``value``, if anything, and the condition that a boolean is true."""
+        """Return what is to be read into ``value``, if anything, and the condition that a boolean is true."""
 
     @abstractmethod
     def store(
@@ -129,7 +129,7 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def is_written(self, covers: "Elements", value: int) -> str:
-        """Whether an element was written that has this number: a condition."""
+        """Return whether an element was written that has this number: a condition."""
 
     @abstractmethod
     def store_at(self, covers: "Elements", place: str, value: str) -> list[str]:

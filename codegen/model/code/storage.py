@@ -30,22 +30,22 @@ class Storage(Enum):
 
     @property
     def halves(self) -> int:
-        """How many halves there are; 0 for a small integer in one word."""
+        """Return how many halves there are; 0 for a small integer in one word."""
         return struct.calcsize(f"<{self.value}") // 2
 
     @property
     def words(self) -> int:
-        """How many words of the state it takes."""
+        """Return how many words of the state it takes."""
         return self.halves or 1
 
     @property
     def is_float(self) -> bool:
-        """Whether the halves are those of an IEEE 754 number."""
+        """Return whether the halves are those of an IEEE 754 number."""
         return self in (Storage.BINARY32, Storage.BINARY64)
 
     @property
     def is_signed(self) -> bool:
-        """Whether the highest bit of an integer is its sign."""
+        """Return whether the highest bit of an integer is its sign."""
         return self in (Storage.SMALL, Storage.INT32, Storage.INT64)
 
     @property
@@ -93,7 +93,7 @@ def storage_of(low: int, high: int) -> Storage | None:
 
 
 def float_storage(wire_types: set[WireType]) -> Storage | None:
-    """How to keep what goes out in fields of these types, all of them floats and of one size; else None."""
+    """Return how to keep what goes out in fields of these types, all of them floats and of one size; else None."""
     sizes = {wire_type.size for wire_type in wire_types if wire_type.kind is Kind.FLOAT}
     if len(sizes) != 1 or any(wire_type.kind is not Kind.FLOAT for wire_type in wire_types):
         return None

@@ -182,7 +182,7 @@ class FieldCorrection(NamedTuple):
 
     @property
     def is_shipped(self) -> bool:
-        """Whether it comes with codegen."""
+        """Return whether it comes with codegen."""
         return not self.source
 
 
@@ -211,7 +211,7 @@ class WireType:
 
     @property
     def is_integer(self) -> bool:
-        """Whether values are whole numbers with the given bounds."""
+        """Return whether values are whole numbers with the given bounds."""
         return self.kind in (Kind.UNSIGNED, Kind.SIGNED)
 
 
@@ -257,7 +257,9 @@ class WireField:
 
     @property
     def unit_text(self) -> str:
-        """What its numbers count, in words: ``mV``, ``steps of 1E-2``, ``steps of 360/255 deg``; empty for numbers."""
+        """Return what its numbers count, in words: ``mV``, ``steps of 1E-2``, ``steps
+        of 360/255 deg``; empty for numbers.
+        """
         units = self.definition.units or ""
         return units if self.multiplier == 1 else f"steps of {self.definition.multiplier} {units}".rstrip()
 
@@ -268,7 +270,7 @@ class WireField:
 
     @property
     def is_array(self) -> bool:
-        """Whether the dialect declares an array (of one element, too)."""
+        """Return whether the dialect declares an array (of one element, too)."""
         return self.definition.length is not None
 
     @property
@@ -309,7 +311,7 @@ class WireMessage:
 
     @property
     def targets(self) -> tuple[int, ...]:
-        """Where the payload has its target system and component, as far as it has them."""
+        """Return where the payload has its target system and component, as far as it has them."""
         system = self.field("target_system") or self.field("target")
         fields = (system, self.field("target_component")) if system else ()
         return tuple(field.offset for field in fields if field)

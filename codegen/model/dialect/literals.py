@@ -31,7 +31,7 @@ def boolean(text: str) -> bool | None:
 
 
 def is_identifier(text: str) -> bool:
-    """Whether ``text`` can be a name in C and Python alike."""
+    """Return whether ``text`` can be a name in C and Python alike."""
     return text.isascii() and text.isidentifier()
 
 
@@ -70,7 +70,7 @@ def named_number(text: str) -> int | float | None:
 
 
 def same_number(first: int | float | None, second: int | float | None) -> bool:
-    """Whether two numbers on the wire are the same; NaN is itself, and None is no number."""
+    """Return whether two numbers on the wire are the same; NaN is itself, and None is no number."""
     if first is None or second is None:
         return first is second
     return first == second or (math.isnan(first) and math.isnan(second))

@@ -7,7 +7,7 @@ from codegen.model.units.unit import NUMBER, Unit
 
 
 def wire_unit(field: WireField) -> Unit | None:
-    """What 1 on the wire is: 0.01 for GPS_RAW_INT.eph, 360/255 deg for GPS_STATUS.satellite_azimuth.
+    """Return what 1 on the wire is: 0.01 for GPS_RAW_INT.eph, 360/255 deg for GPS_STATUS.satellite_azimuth.
 
     None for units that are not known. Source: the comments beside ``factor`` in MAVLink's schema, ``actual value =
     stated value * 360/255``.

@@ -19,7 +19,7 @@ class Constant:
 
     @property
     def name(self) -> str:
-        """How documents write it: ``17 A/V``."""
+        """Return how documents write it: ``17 A/V``."""
         return f"{decimal(self.value)} {self.unit.name}".rstrip()
 
     @property
@@ -78,11 +78,11 @@ class Conversion:
 
     @property
     def is_plain(self) -> bool:
-        """Whether it is a product with a parameter, which can be calibrated against a meter."""
+        """Return whether it is a product with a parameter, which can be calibrated against a meter."""
         return isinstance(self.multiplier, Parameter) and self.offset is None
 
     def exact(self, count: int, multiplier: int, offset: int = 0) -> Fraction:
-        """What a count stands for with so many steps of the factors, in stored steps."""
+        """Return what a count stands for with so many steps of the factors, in stored steps."""
         return Fraction((count * self.numerator - offset * self.offset_numerator) * multiplier, self.denominator)
 
     def stored(self, count: int, multiplier: int, offset: int = 0) -> int:

@@ -55,22 +55,22 @@ class Derivation(ABC):
 
     @property
     def is_set_by_code(self) -> bool:
-        """Whether code of the vehicle sets it, and nothing else does."""
+        """Return whether code of the vehicle sets it, and nothing else does."""
         return False
 
     @property
     def ages_alone(self) -> bool:
-        """Whether its age counts from when it was set itself, and not from the last reading of its component."""
+        """Return whether its age counts from when it was set itself, and not from the last reading of its component."""
         return self.is_set_by_code or self.is_received
 
     @property
     def is_received(self) -> bool:
-        """Whether a message that arrives sets it, and nothing else does."""
+        """Return whether a message that arrives sets it, and nothing else does."""
         return False
 
     @property
     def conversion(self) -> "Conversion | None":
-        """How it comes from the counts of an ADC; None where it does not."""
+        """Return how it comes from the counts of an ADC; None where it does not."""
         return None
 
     @property
@@ -85,7 +85,7 @@ class Derivation(ABC):
 
     @property
     def is_of_lowest(self) -> bool:
-        """Whether it is the lowest."""
+        """Return whether it is the lowest."""
         return False
 
     @property
@@ -95,7 +95,7 @@ class Derivation(ABC):
 
     @property
     def represented(self) -> "Represented | None":
-        """Where code sets what is measured elsewhere."""
+        """Return where code sets what is measured elsewhere."""
         return None
 
     @property
@@ -105,7 +105,7 @@ class Derivation(ABC):
 
     @property
     def counts_time(self) -> bool:
-        """Whether the firmware counts it by the ticks of the board."""
+        """Return whether the firmware counts it by the ticks of the board."""
         return False
 
     @property
@@ -127,12 +127,14 @@ class Derivation(ABC):
 
     @property
     def own_floors(self) -> tuple[int, ...]:
-        """What a value has to reach beside, by instance, in stored units; none where nothing."""
+        """Return what a value has to reach beside, by instance, in stored units; none where nothing."""
         return ()
 
     @property
     def back_from(self) -> tuple[int, ...]:
-        """What a reading has to reach to be a return, by instance, in stored units; none where the end is one."""
+        """Return what a reading has to reach to be a return, by instance, in stored
+        units; none where the end is one.
+        """
         return ()
 
     @property
@@ -142,7 +144,7 @@ class Derivation(ABC):
 
     @property
     def kept_readings(self) -> int:
-        """How many readings are kept for it."""
+        """Return how many readings are kept for it."""
         return 0
 
     @property
@@ -152,17 +154,17 @@ class Derivation(ABC):
 
     @property
     def sums(self) -> "Sum | None":
-        """What it is the sum of over time; None where it is none."""
+        """Return what it is the sum of over time; None where it is none."""
         return None
 
     @property
     def remains(self) -> "Rest | None":
-        """What a sum leaves of what; None where it is no such thing."""
+        """Return what a sum leaves of what; None where it is no such thing."""
         return None
 
     @property
     def lasts(self) -> "Lasting | None":
-        """What lasts so long, at what; None where it is no time of that kind."""
+        """Return what lasts so long, at what; None where it is no time of that kind."""
         return None
 
     @property
@@ -172,12 +174,12 @@ class Derivation(ABC):
 
     @property
     def ages_with(self) -> str | None:
-        """What a sensor gives to the component and with which it is forgotten; None where there is nothing."""
+        """Return what a sensor gives to the component and with which it is forgotten; None where there is nothing."""
         return None
 
     @property
     def comes_of_readings(self) -> bool:
-        """Whether a reading gives it, so that it is unknown once that is not believed any longer."""
+        """Return whether a reading gives it, so that it is unknown once that is not believed any longer."""
         return self.conversion is not None
 
     def holds(self, limit: str, floor: str) -> str:
@@ -199,7 +201,7 @@ class Derivation(ABC):
     # expected values
 
     def value(self, quantity: "Quantity", known: "Known", instance: int) -> "Stored":
-        """What the quantity is in a state: what is stored, or what it follows from."""
+        """Return what the quantity is in a state: what is stored, or what it follows from."""
         return known[quantity.path]
 
     def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
@@ -211,7 +213,7 @@ class Derivation(ABC):
 
     @property
     def differs_by_instance(self) -> bool:
-        """Whether what decides over it is not the same in all instances."""
+        """Return whether what decides over it is not the same in all instances."""
         return False
 
     # the simulation
@@ -219,7 +221,8 @@ class Derivation(ABC):
     def simulated(
         self, quantity: "Quantity", instance: int, system: "System", parameters: Mapping[str, float]
     ) -> SimulatedInput | None:
-        """How what is true of an instance of it, from 0, reaches the firmware; None where the firmware makes it itself.
+        """Return how what is true of an instance of it, from 0, reaches the firmware; None where the firmware makes it
+        itself.
 
         ``parameters`` are those that differ from their defaults.
         """
@@ -229,11 +232,11 @@ class Derivation(ABC):
 
     @abstractmethod
     def facts(self, quantity: "Quantity") -> Iterator[DerivationFact]:
-        """What two versions of it are compared by: every attribute of it."""
+        """Return what two versions of it are compared by: every attribute of it."""
 
     @abstractmethod
     def words(self, quantity: "Quantity") -> str:
-        """What gives the quantity its value, in a line for documents and pages."""
+        """Return what gives the quantity its value, in a line for documents and pages."""
 
     @abstractmethod
     def story(self, quantity: "Quantity", system: "System") -> Iterator[tuple[str, str]]:

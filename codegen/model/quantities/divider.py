@@ -24,7 +24,7 @@ class Divider:
 
     @property
     def ratio(self) -> Fraction:
-        """What is measured, by what is left of it at the input."""
+        """Return what is measured, by what is left of it at the input."""
         return Fraction(self.upper + self.lower, self.lower)
 
 

@@ -8,13 +8,13 @@ from codegen.model.vehicle import Instance, Quantity
 
 
 def largest(conversion: Conversion, multiplier: Factor, quantity: Quantity) -> Fraction:
-    """What the ADC shows at full scale with the default of a multiplier, in the unit of the quantity."""
+    """Return what the ADC shows at full scale with the default of a multiplier, in the unit of the quantity."""
     product = conversion.channel.full_scale * multiplier.default * conversion.numerator
     return Fraction(product // conversion.denominator) / quantity.steps
 
 
 def most_in_use(quantity: Quantity, part: Instance) -> Fraction | None:
-    """What a quantity of an instance reaches, in its unit; None where nothing tells it."""
+    """Return what a quantity of an instance reaches, in its unit; None where nothing tells it."""
     reaches = quantity.spec.reaches
     if reaches is None:
         return None

@@ -47,7 +47,7 @@ def _quantities(system: System) -> Iterator[Quantity]:
 
 
 def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
-    """What goes out as it is kept."""
+    """Return what goes out as it is kept."""
     return (scaling.low, scaling.high) if quantity.storage.is_float else smallest_and_largest(answer, scaling)
 
 

@@ -26,7 +26,8 @@ class SetTogether:
 
 
 def set_together(component: Component) -> SetTogether | None:
-    """What code sets of a component and is forgotten together, as its count of returns says; None where nothing is.
+    """Return what code sets of a component and is forgotten together, as its count of returns says; None where nothing
+    is.
 
     It is what begins anew with that count, but for lists, which are forgotten by themselves, and for what has an
     initial value.

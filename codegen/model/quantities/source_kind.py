@@ -36,7 +36,7 @@ class Output:
 
     @property
     def storage(self) -> Storage:
-        """How the driver hands it over: a small integer, or its halves of 16 bits, the low one first."""
+        """Return how the driver hands it over: a small integer, or its halves of 16 bits, the low one first."""
         storage = storage_of(self.low, self.high)
         assert storage is not None
         return storage
@@ -84,21 +84,23 @@ class Source(ABC):
     @property
     @abstractmethod
     def polling(self) -> Polling:
-        """What it has in common with all others."""
+        """Return what it has in common with all others."""
 
     @property
     @abstractmethod
     def outputs(self) -> tuple[Output, ...]:
-        """What it gives."""
+        """Return what it gives."""
 
     @property
     def name(self) -> str:
-        """What board.yaml calls it."""
+        """Return what board.yaml calls it."""
         return self.polling.name
 
     @property
     def is_polled(self) -> bool:
-        """Whether the firmware asks it by itself, in a slot of its own; else what it gives is read with a component."""
+        """Return whether the firmware asks it by itself, in a slot of its own; else
+        what it gives is read with a component.
+        """
         return True
 
     # the firmware
@@ -135,17 +137,17 @@ class Source(ABC):
 
     @property
     def cause(self) -> str:
-        """What is wrong where nothing answers, in the operator's words."""
+        """Return what is wrong where nothing answers, in the operator's words."""
         return "no answer"
 
     @property
     def sets_clock(self) -> bool:
-        """Whether it knows the time since 1970: its microseconds stand behind the outputs, in four halves."""
+        """Return whether it knows the time since 1970: its microseconds stand behind the outputs, in four halves."""
         return False
 
     @property
     def tells_new(self) -> bool:
-        """Whether a turn may bring some of its numbers and not others.
+        """Return whether a turn may bring some of its numbers and not others.
 
         The last of the driver's values has a bit for each output that is new then, and one for the time.
         """
@@ -169,18 +171,19 @@ class Source(ABC):
 
     @property
     def port(self) -> str:
-        """What it takes as a whole, such as ``UART 1``; else empty."""
+        """Return what it takes as a whole, such as ``UART 1``; else empty."""
         return ""
 
     @property
     def place(self) -> str:
-        """Where it alone is on something that is shared, such as an address of a bus; else empty."""
+        """Return where it alone is on something that is shared, such as an address of a bus; else empty."""
         return ""
 
     # the simulation
 
     def simulated(self, output: Output, steps: Fraction) -> SimulatedInput | None:
-        """How a true value of an output reaches the firmware on a host; ``steps`` of the output make one of its unit.
+        """Return how a true value of an output reaches the firmware on a host; ``steps`` of the output make one of its
+        unit.
 
         It is given in place of the driver, unless a kind has a mock of its device: then that is driven. None: it
         follows from other outputs.
@@ -194,11 +197,11 @@ class Source(ABC):
 
     @abstractmethod
     def facts(self) -> Iterator[SourceFact]:
-        """What two versions of it are compared by, beside what all sensors have."""
+        """Return what two versions of it are compared by, beside what all sensors have."""
 
     @abstractmethod
     def words(self) -> str:
-        """What it is, in a line for documents and pages."""
+        """Return what it is, in a line for documents and pages."""
 
 
 def hertz(period_us: int) -> Fraction:

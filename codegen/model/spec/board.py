@@ -42,13 +42,15 @@ class AdcSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinkSpec(Written):
-    """One link to ground stations: a serial port, the USB port, or UDP over Wi-Fi."""
+    """One link to ground stations: a serial port, the USB port, or over Wi-Fi UDP, a TCP server or a TCP client."""
 
     uart: int | None = described("Number of the UART.", default=None)
     usb: Literal[True] | None = described(
         "The USB port. MAVLink takes the place of the MicroPython prompt there.", default=None
     )
     udp: int | None = described("UDP port of the ground station.", default=None)
+    tcp_server: int | None = described("TCP port of the vehicle, to which ground stations connect.", default=None)
+    tcp_client: int | None = described("TCP port of the ground station, to which the vehicle connects.", default=None)
     tx: int | None = described("GPIO number of a UART's output.", default=None)
     rx: int | None = described("GPIO number of a UART's input.", default=None)
     baud: int | None = described("Bits per second of a UART.", default=None)
@@ -56,19 +58,46 @@ class LinkSpec(Written):
         "Bytes that wait for a slow UART or USB port; frames that do not fit are dropped.", default=1024
     )
     to: str | None = described(
-        "Address that UDP datagrams go to until a ground station answers, such as 255.255.255.255 for everybody.",
+        "Address that UDP datagrams go to until a ground station answers, such as 255.255.255.255 for everybody, or "
+        "that a TCP client connects to.",
         default=None,
     )
     local_port: int = described("UDP port of the vehicle, 0 for any.", default=0)
-    credentials: str | None = described(
-        "JSON file on the board with the Wi-Fi's ssid and password; host, port and local_port in it win over the "
-        "values given here.",
+    backlog: int | None = described("Connections that wait until a TCP server takes them. Default: 4.", default=None)
+    timeout: Amount | None = described(
+        "Time after which a TCP connection is closed over which no frame of a station came, or that took none, such as "
+        "30 s.",
         default=None,
     )
-    retry: Amount | None = described("Time between two attempts to join the Wi-Fi, such as 5 s.", default=None)
+    credentials: str | None = described(
+        "JSON file on the board with the Wi-Fi's ssid and password; host, port and local_port in it win over the "
+        "values given here. Under the name of a link they stand for that link alone; those of a TCP link do, but for "
+        "the host of a client.",
+        default=None,
+    )
+    retry: Amount | None = described(
+        "Time between two attempts to join the Wi-Fi, such as 5 s, and from a TCP client's first attempt to connect to "
+        "the second; each further pause is twice as long, up to 16 times.",
+        default=None,
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
-    ONE_OF: ClassVar[tuple[str, ...]] = ("uart", "usb", "udp")
+    ONE_OF: ClassVar[tuple[str, ...]] = ("uart", "usb", "udp", "tcp_server", "tcp_client")
+
+    @property
+    def is_tcp(self) -> bool:
+        """Whether it goes over TCP, at either end."""
+        return self.tcp_server is not None or self.tcp_client is not None
+
+    @property
+    def tcp_backlog(self) -> int:
+        """How many connections wait until a TCP server takes them."""
+        return 4 if self.backlog is None else self.backlog
+
+    @property
+    def is_wireless(self) -> bool:
+        """Whether it goes over Wi-Fi, where others may listen."""
+        return self.uart is None and not self.usb
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,7 +162,7 @@ class BoardSpec(Written):
     )
 
     def fact_place(self, component: str, number: int, fact: str) -> Place:
-        """Where a fact of an instance is written: with the instance, or with the component."""
+        """Return where a fact of an instance is written: with the instance, or with the component."""
         written = self.instances.get(component, ())
         if number < len(written) and fact in written[number].facts:
             return written[number].at(f"facts.{fact}")

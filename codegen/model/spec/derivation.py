@@ -26,17 +26,17 @@ class DerivationSpec(Written):
 
     @property
     def is_named(self) -> bool:
-        """Whether that key is written; without it the others say nothing."""
+        """Return whether that key is written; without it the others say nothing."""
         return getattr(self, self.KEY) is not None
 
     @property
     def has_readings(self) -> bool:
-        """Whether readings are taken, which can fail and grow old."""
+        """Return whether readings are taken, which can fail and grow old."""
         return False
 
     @property
     def has_limit(self) -> bool:
-        """Whether it compares something with a limit, which can be for one of several, such as cells."""
+        """Return whether it compares something with a limit, which can be for one of several, such as cells."""
         return False
 
 
@@ -87,7 +87,7 @@ class FollowsSpec(DerivationSpec):
 
     @property
     def has_limit(self) -> bool:
-        """Whether the limit is one of a quantity."""
+        """Return whether the limit is one of a quantity."""
         return self.follows is not None
 
 
@@ -193,12 +193,12 @@ class MeasuredSpec(DerivationSpec):
 
     @property
     def has_readings(self) -> bool:
-        """Whether something is said of the ADC."""
+        """Return whether something is said of the ADC."""
         return self.adc is not None or self.multiplier is not None or self.offset is not None
 
     @property
     def has_limit(self) -> bool:
-        """Whether a warning has one."""
+        """Return whether a warning has one."""
         return self.warn_above is not None
 
 

@@ -72,5 +72,5 @@ class ReceiveSpec(Written):
 
     @property
     def name(self) -> str:
-        """What the table is called: as it says, or else like its message."""
+        """Return what the table is called: as it says, or else like its message."""
         return self.named or self.receive

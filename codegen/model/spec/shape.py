@@ -159,7 +159,7 @@ def beside(model: type[Written]) -> Mapping[str, str]:
 
 
 def instead(model: type[Written]) -> str | None:
-    """What is to be written in place of a key that the class does not have."""
+    """Return what is to be written in place of a key that the class does not have."""
     hint: str | None = getattr(model, "INSTEAD", None)
     return hint
 

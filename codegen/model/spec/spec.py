@@ -330,5 +330,5 @@ class Spec:
         return own if own in self.files else os.path.join(self.folder, name)
 
     def is_own(self, path: str) -> bool:
-        """Whether a file lies in the folder of this program, and not in that of its base."""
+        """Return whether a file lies in the folder of this program, and not in that of its base."""
         return os.path.commonpath([self.own_folder, path]) == self.own_folder

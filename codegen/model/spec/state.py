@@ -89,7 +89,7 @@ class QuantitySpec(Written):
     )
 
     def written(self, kind: type[_Kind]) -> _Kind | None:
-        """What is written of one kind of derivation; None where nothing is."""
+        """Return what is written of one kind of derivation; None where nothing is."""
         return next((each for each in self.derivations if isinstance(each, kind)), None)
 
 

@@ -24,7 +24,7 @@ class AffineMap:
         return None if self.pi or self.offset else self.factor
 
     def exact(self, value: Fraction) -> Fraction | None:
-        """What ``value`` becomes; None where that is irrational."""
+        """Return what ``value`` becomes; None where that is irrational."""
         if self.pi and value:
             return None
         return value * self.factor + self.offset

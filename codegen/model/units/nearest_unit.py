@@ -52,7 +52,7 @@ def _candidates(text: str) -> Iterator[str]:
 
 
 def _same(text: str, names: Iterable[str]) -> Iterator[str]:
-    """What a word means, and what differs from the text in capitals only."""
+    """Yield what a word means, and what differs from the text in capitals only."""
     folded = text.casefold()
     yield from _worded(folded)
     for word, prefix in PREFIX_WORDS.items():
@@ -67,7 +67,7 @@ def _worded(folded: str) -> Iterator[str]:
 
 
 def _near(text: str, names: Iterable[str]) -> Iterator[str]:
-    """What is spelled almost so, or is a word that is."""
+    """Yield what is spelled almost so, or is a word that is."""
     yield from (WORDS.get(name, name) for name in get_close_matches(text, [*names, *WORDS], n=3, cutoff=0.6))
 
 

@@ -39,7 +39,7 @@ class Unit:
 
     @property
     def kind(self) -> str:
-        """What it measures, in a word: voltage, speed; else its dimension in base units."""
+        """Return what it measures, in a word: voltage, speed; else its dimension in base units."""
         return _kinds().get(self.dimension) or _spelled(self.dimension)
 
 
@@ -48,7 +48,7 @@ NUMBER = Unit("", (), Fraction(1))
 
 
 def conversion(unit: Unit, other: Unit) -> AffineMap | None:
-    """What turns a value in ``unit`` into one in ``other``; None across dimensions."""
+    """Return what turns a value in ``unit`` into one in ``other``; None across dimensions."""
     if unit.dimension != other.dimension:
         return None
     return AffineMap(unit.scale / other.scale, unit.pi - other.pi, (unit.zero - other.zero) / other.scale)

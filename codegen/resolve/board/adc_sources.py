@@ -115,7 +115,7 @@ def _check_names(sourced: SourcedSpec, inputs: Mapping[str, AdcSourceSpec], repo
 def _measured(
     name: str, given: AdcSourceSpec, sourced: SourcedSpec, measured: MeasuredSpec | None, report: Report
 ) -> MeasuredSpec:
-    """What a quantity says of its readings, with what the input says of them."""
+    """Return what a quantity says of its readings, with what the input says of them."""
     own: MeasuredSpec = measured or MeasuredSpec(place=sourced.place, places=sourced.places)
     places: dict[str, Place] = {**own.places, "adc": sourced.at("source")}
     for key in ("multiplier", "offset"):

@@ -17,14 +17,24 @@ from codegen.source import Place
 BAD_LINK = Rule(
     "bad-link",
     "A link cannot be built: its name is a lower-case identifier, a UART is one of the board's with tx, rx and baud, "
-    "UDP has a port, an address to start with, credentials and a retry time, keys of one kind do not stand with "
+    "UDP has a port, an address to start with, credentials and a retry time, a TCP client these and a timeout, a TCP "
+    "server a port that is its own, credentials, a retry time and a timeout, keys of one kind do not stand with "
     "another, and the board has what it needs.",
 )
 _OF_KIND = {
     LinkKind.UART: ("tx", "rx", "baud"),
     LinkKind.USB: (),
     LinkKind.UDP: ("to", "credentials", "retry"),
+    LinkKind.TCP_SERVER: ("credentials", "retry", "timeout"),
+    LinkKind.TCP_CLIENT: ("to", "credentials", "retry", "timeout"),
 }
+_ONLY_OF = {"backlog": LinkKind.TCP_SERVER}
+_EXAMPLES = {"to": "192.168.4.2", "credentials": "wifi.json", "retry": "5 s", "timeout": "30 s"}
+_SHORTEST_TIMEOUT_MS = 2000
+_LONGEST_RETRY_MS = 3_600_000
+
+_Problem = tuple[str, str, str | None]
+"""The key that is wrong, what is wrong with it, and a hint."""
 
 
 def resolve_links(
@@ -36,25 +46,42 @@ def resolve_links(
     for name, spec in board.links.items():
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
         _check_shared(name, spec, taken, report)
-        kind = LinkKind.UART if spec.uart is not None else LinkKind.USB if spec.usb else LinkKind.UDP
+        kind = _kind(spec)
         problems = list(_link_problems(name, kind, spec))
         if model is not None:
             problems += _board_problems(kind, spec, model)
         elif kind is LinkKind.UART and board.board is None:
-            problems.append(("uart", f"the UART of {name} is on no known board: say which, such as board: pico_2_w"))
-        for key, message in problems:
-            report.add(BAD_LINK, spec.at(key), message)
-        retry = 0
-        if spec.retry is not None:
-            retry = read_time(spec.retry, unit_named("ms"), spec.at("retry"), report) or 0
+            message = f"the UART of {name} is on no known board: say which, such as board: pico_2_w"
+            problems.append(("uart", message, None))
+        retry, timeout = (_milliseconds(spec, key, report) for key in ("retry", "timeout"))
+        problems += _time_problems(name, kind, retry, timeout)
+        for key, message, hint in problems:
+            report.add(BAD_LINK, spec.at(key), message, hint)
         if not problems:
-            links.append(BoardLink(name, kind, retry, spec, citation))
+            links.append(BoardLink(name, kind, retry or 0, spec, citation, timeout or 0))
     return tuple(links)
+
+
+def _kind(spec: LinkSpec) -> LinkKind:
+    return next((kind for kind in LinkKind if getattr(spec, kind.value) is not None), LinkKind.UDP)
+
+
+def _milliseconds(spec: LinkSpec, key: str, report: Report) -> int | None:
+    written = getattr(spec, key)
+    return None if written is None else read_time(written, unit_named("ms"), spec.at(key), report)
+
+
+def _time_problems(name: str, kind: LinkKind, retry: int | None, timeout: int | None) -> Iterator[_Problem]:
+    if timeout is not None and timeout < _SHORTEST_TIMEOUT_MS:
+        message = f"timeout of {name} is {timeout} ms, not 2 s or more: ground stations send a HEARTBEAT once a second"
+        yield "timeout", message, "timeout: 30 s"
+    if kind is LinkKind.TCP_CLIENT and retry is not None and retry > _LONGEST_RETRY_MS:
+        yield "retry", f"retry of {name} is more than an hour, and pauses get 16 times as long", "retry: 5 s"
 
 
 def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
     """Whether a link takes a port that an earlier one takes already."""
-    for key, what in (("uart", "UART {}"), ("usb", "the USB port")):
+    for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tcp_server", "TCP port {}")):
         value = getattr(spec, key)
         if value is None:
             continue
@@ -65,40 +92,52 @@ def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]]
             report.add(BAD_LINK, place, message, related=[(first, f"{owner} takes it here")])
 
 
-def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[str, str]]:
+def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Problem]:
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
-        yield "", f"{name} cannot be the name of a link"
-    for other, keys in _OF_KIND.items():
-        for key in keys:
-            given = getattr(spec, key) is not None
-            if other is kind and not given:
-                yield "", f"{name} is a link over {kind.value} and needs {key}"
-            if other is not kind and given:
-                yield key, f"{key} says nothing about a link over {kind.value}"
+        yield "", f"{name} cannot be the name of a link", None
+    needed = _OF_KIND[kind]
+    for key in needed:
+        if getattr(spec, key) is None:
+            example = f"{key}: {_EXAMPLES[key]}" if key in _EXAMPLES else None
+            yield "", f"{name} is a link over {kind.words} and needs {key}", example
+    for key in dict.fromkeys((*(key for keys in _OF_KIND.values() for key in keys), *_ONLY_OF)):
+        if getattr(spec, key) is not None and key not in needed and _ONLY_OF.get(key) is not kind:
+            yield key, f"{key} says nothing about a link over {kind.words}", None
     if spec.to is not None and not re.fullmatch(r"\d{1,3}(\.\d{1,3}){3}", spec.to):
-        yield "to", f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
-    limits = {"udp": (1, 65535), "local_port": (0, 65535), "baud": (300, 3000000), "buffer": (280, 65536)}
+        message = f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
+        yield "to", message, None
+    elif kind is LinkKind.TCP_CLIENT and spec.to is not None and spec.to.endswith(".255"):
+        yield "to", f"{spec.to} is a broadcast, and a TCP connection goes to one station", "to: 192.168.4.2"
+    limits = {
+        **dict.fromkeys(("udp", "tcp_server", "tcp_client"), (1, 65535)),
+        "local_port": (0, 65535),
+        "backlog": (1, 16),
+        "baud": (300, 3000000),
+        "buffer": (280, 65536),
+    }
     for key, (low, high) in limits.items():
         value = getattr(spec, key)
         if value is not None and not low <= value <= high:
-            yield key, f"{key} of {name} is {value}, not {low} to {high}"
+            yield key, f"{key} of {name} is {value}, not {low} to {high}", None
 
 
-def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[tuple[str, str]]:
+def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[_Problem]:
     """What a link needs that the board lacks."""
     if kind is LinkKind.USB and not model.spec.usb:
-        yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART"
-    if kind is LinkKind.UDP and not model.spec.wifi:
-        yield "udp", f"the {model.name} has no Wi-Fi"
+        yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART", None
+    if kind.is_wireless and not model.spec.wifi:
+        hint = "a board with Wi-Fi, such as board: pico_2_w, or a link with uart or usb"
+        yield kind.value, f"the {model.name} has no Wi-Fi", hint
     if spec.uart is None:
         return
     uart = model.uarts.get(spec.uart)
     if uart is None:
-        yield "uart", f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}"
+        yield "uart", f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}", None
         return
     for key, pin, pins in (("tx", spec.tx, uart.tx & model.free), ("rx", spec.rx, uart.rx & model.free)):
         if pin is not None and pin not in pins:
-            yield key, f"{key} of UART {spec.uart} is GPIO {shown_pins(pins)} on the {model.name}, not {pin}"
+            message = f"{key} of UART {spec.uart} is GPIO {shown_pins(pins)} on the {model.name}, not {pin}"
+            yield key, message, None
 
 
 def _numbers(model: BoardModel) -> str:

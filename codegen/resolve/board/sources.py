@@ -9,11 +9,8 @@ from codegen.model.quantities.source_kind import Polling, Source
 from codegen.model.spec.source import OwnSourceSpec, SourceSpec
 from codegen.model.spec.spec import Requirement, Spec
 from codegen.model.units.unit import unit_named
-from codegen.model.vehicle import Parameter
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.quantities.quantity import is_name
-from codegen.resolve.vehicle import find_parameter
-from codegen.source import Place
 from codegen.sources import KINDS
 from codegen.sources.kind import BAD_SOURCE, Around
 from codegen.sources.own.kind import resolve_own
@@ -31,16 +28,11 @@ _RESERVED = {"every", "watch"}
 def resolve_sources(
     spec: Spec,
     board: BoardModel | None,
-    parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
     report: Report,
 ) -> dict[str, Source]:
     """The sensors by name, in the order of board.yaml."""
     sources = {}
-
-    def find(name: str, place: Place) -> Parameter | None:
-        return find_parameter(name, place, spec.parameters, parameters, report)
-
     for name, written in spec.board.sources.items():
         if not is_name(name) or name in _RESERVED:
             report.add(BAD_SOURCE, written.place, f"{name} cannot be the name of a sensor", "choose another name")
@@ -51,7 +43,7 @@ def resolve_sources(
                 hint = did_you_mean(written.driver, (*KINDS, *spec.drivers))
                 report.add(UNKNOWN_DRIVER, written.at("driver"), f"there is no driver {written.driver}", hint)
             continue
-        around = Around(written, board, spec, find, report)
+        around = Around(written, board, spec, report)
         usual = kind.rate if kind else (own.spec.rate if own else None) or "10 Hz"
         polling = _polling(name, written, usual, index, report)
         if polling is None:
@@ -69,7 +61,7 @@ def resolve_sources(
 def _polling(
     name: str, spec: SourceSpec, usual: str, index: Mapping[str, Requirement], report: Report
 ) -> Polling | None:
-    """What all sensors have in common; None after a finding."""
+    """Return what all sensors have in common; None after a finding."""
     rate = read_rate(spec.rate or usual, spec.at("rate"), report)
     limit = None if spec.limit is None else read_time(spec.limit, unit_named("us"), spec.at("limit"), report)
     retry = _RETRY_MS if spec.retry is None else read_time(spec.retry, unit_named("ms"), spec.at("retry"), report)

@@ -45,10 +45,14 @@ def resolve_commands(
 ) -> tuple[Command, ...]:
     """The commands in the order of the file; what has a finding is left out."""
     written = spec.commands if spec else {}
+    by_method: dict[str, list[CommandSpec]] = {}
+    for command in written.values():
+        by_method.setdefault(command.method, []).append(command)
+    made = {f"{each.method}_{end}" for each in written.values() if each.long for end in ("progress", "cancel")}
     found = []
     for name, command in written.items():
         entry = _entry(name, command, vehicle, dialect, report)
-        _check_method(name, command, written, vehicle, report)
+        _check_method(name, command, by_method[command.method], made, vehicle, report)
         if vehicle.arming is None and command.allowed is not Allowed.ALWAYS:
             message = f"{name} is allowed {command.allowed.value}, and nothing can be armed without arming"
             report.add(BAD_COMMAND, command.at("allowed"), message, "vehicle.yaml says with arming that it can")
@@ -78,15 +82,14 @@ def _entry(name: str, command: CommandSpec, vehicle: VehicleSpec, dialect: Diale
 
 
 def _check_method(
-    name: str, command: CommandSpec, written: Mapping[str, CommandSpec], vehicle: VehicleSpec, report: Report
+    name: str, command: CommandSpec, alike: list[CommandSpec], made: set[str], vehicle: VehicleSpec, report: Report
 ) -> None:
+    """Report what is wrong with a command's method; ``alike`` have it, too, and ``made`` are made for long ones."""
     method = command.method
-    made = {f"{each.method}_{end}" for each in written.values() if each.long for end in ("progress", "cancel")}
     if not is_name(method) or method in VEHICLE_NAMES or method in made:
         report.add(BAD_COMMAND, command.at("method"), f"{method} cannot be the name of a method of its own")
         return
-    others = [each for each in written.values() if each.method == method]
-    if any(each.long is not command.long for each in others) and others[0] is not command:
+    if command.long is not alike[0].long:
         message = f"{method} takes long for one command, and not for another"
         report.add(BAD_COMMAND, command.at("method"), message)
     calls = {action.call for action in vehicle.actions}

@@ -133,7 +133,7 @@ def _param(
 
 
 def _has_value(param: CommandParam) -> bool:
-    """Whether a parameter has any value at all: a whole one, or an entry of its enum, within its limits."""
+    """Return whether a parameter has any value at all: a whole one, or an entry of its enum, within its limits."""
     low, high = (
         None if end is None else param.scale.settled(end, Fraction) if param.scale.ratio else end
         for end in (param.minimum, param.maximum)
@@ -197,7 +197,7 @@ def _check_default(spec: CommandParamSpec, enum: EnumDefinition | None, is_whole
 
 
 def has_entry(enum: EnumDefinition, value: int) -> bool:
-    """Whether a value is an entry of an enum, or a sum of its flags."""
+    """Return whether a value is an entry of an enum, or a sum of its flags."""
     values = [entry.value for entry in enum.entries]
     return value in values if not enum.is_bitmask else value >= 0 and not value & ~flags_of(enum)
 

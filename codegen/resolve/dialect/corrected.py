@@ -165,7 +165,7 @@ def _message(correction: "Correction", result: Corrected, report: Report) -> Mes
 def _message_change(
     correction: "Correction", message: MessageDefinition, attribute: str, text: str, added: Set[str], report: Report
 ) -> dict[str, Any] | None:
-    """What changes in the definition, by attribute; None where nothing does, after a diagnostic."""
+    """Return what changes in the definition, by attribute; None where nothing does, after a diagnostic."""
     number = bounded_number(text, MAX_MESSAGE_ID)
     change: dict[str, Any]
     match attribute:
@@ -218,7 +218,7 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
 
 
 def attribute_text(field: FieldDefinition, attribute: str) -> str | None:
-    """What a definition states under an XML attribute, as text; None where it states nothing."""
+    """Return what a definition states under an XML attribute, as text; None where it states nothing."""
     if attribute == "type":
         return field.type if field.length is None else f"{field.type}[{field.length}]"
     value = getattr(field, _READ[attribute][0]) if attribute in _READ else None
@@ -228,14 +228,14 @@ def attribute_text(field: FieldDefinition, attribute: str) -> str | None:
 
 
 def is_stated(field: FieldDefinition, attribute: str, text: str) -> bool:
-    """Whether a definition states the text under the attribute already; the empty text is that there is none."""
+    """Return whether a definition states the text under the attribute already; the empty text is that there is none."""
     return attribute in _READ and (attribute_text(field, attribute) or "") == " ".join(text.split())
 
 
 def _field_change(
     correction: "Correction", field: FieldDefinition, attribute: str, text: str, result: Corrected, report: Report
 ) -> dict[str, Any] | None:
-    """What changes in the definition, by attribute; None where nothing does, after a diagnostic."""
+    """Return what changes in the definition, by attribute; None where nothing does, after a diagnostic."""
     target = f"{correction.message}.{field.name}"
     if attribute not in _READ or (attribute == "type" and correction.message not in result.added):
         _cannot(correction, target, attribute, _READ, report)
@@ -272,7 +272,7 @@ def _cannot(correction: "Correction", target: str, attribute: str, possible: Ite
 def _is_accepted(
     correction: "Correction", target: str, attribute: str, text: str, is_possible: bool, is_new: bool, report: Report
 ) -> bool:
-    """Whether the attribute can have the value and does not have it yet; otherwise that is reported."""
+    """Return whether the attribute can have the value and does not have it yet; otherwise that is reported."""
     place = correction.at("set")
     if not is_possible:
         report.add(CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}")

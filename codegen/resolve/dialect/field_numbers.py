@@ -15,7 +15,7 @@ FIELD_NUMBER = Rule(
 
 
 def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
-    """What a number on the wire is multiplied with to be in the units of the field; 1 where nothing is stated.
+    """Return what a number on the wire is multiplied with to be in the units of the field; 1 where nothing is stated.
 
     What the other attributes state is only looked at: they stay as they are written.
     """

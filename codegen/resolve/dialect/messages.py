@@ -51,7 +51,7 @@ def numbered_messages(messages: Mapping[str, MessageDefinition], report: Report)
 
 
 def _stated(message: MessageDefinition) -> tuple[object, ...]:
-    """What has to agree where a message is stated twice: everything but places, descriptions and lifecycle."""
+    """Return what has to agree where a message is stated twice: everything but places, descriptions and lifecycle."""
     anywhere = Place("")
     alike = (field._replace(place=anywhere, description="", print_format=None) for field in message.fields)
     return message.id, message.name, tuple(alike)

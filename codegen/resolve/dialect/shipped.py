@@ -26,7 +26,7 @@ def shipped_corrections(
     refusals: "tuple[Refusal, ...]",
     report: Report,
 ) -> tuple[FieldCorrection, ...]:
-    """What the shipped corrections state about single attributes of fields, and whether each holds.
+    """Return what the shipped corrections state about single attributes of fields, and whether each holds.
 
     It is left to the dialect where that states the attribute by now, and to the project where that corrects the
     attribute of that message and field itself (``own``). It is outdated where its words stand neither in the
@@ -58,7 +58,7 @@ def shipped_corrections(
 
 
 def _is_of(message: MessageDefinition, path: str) -> bool:
-    """Whether a message stands in the dialect that the file of corrections is for."""
+    """Return whether a message stands in the dialect that the file of corrections is for."""
     return splitext(basename(message.place.file))[0] == splitext(basename(path))[0]
 
 

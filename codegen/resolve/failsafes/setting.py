@@ -37,7 +37,7 @@ class SettingReader:
         return found
 
     def threshold(self, text: str, place: Place, quantity: Quantity, component: Component) -> Setting | None:
-        """What a quantity is compared with, in its stored units."""
+        """Return what a quantity is compared with, in its stored units."""
         if not _is_parameter(text):
             count = self.amount(text, place, quantity)
             return None if count is None else Setting(None, count, quantity.stored)

@@ -73,7 +73,7 @@ _Problem = tuple[Place, str, str | None, list[tuple[Place, str]]]
 
 
 def _list_problems(spec: GenerationsSpec, tables: set[str], taken: dict[str, Place]) -> Iterator[_Problem]:
-    """What is wrong with the names; ``taken`` has the places of those that were listed before, and gets these."""
+    """Yield what is wrong with the names; ``taken`` has the places of those that were listed before, and gets these."""
     for key in ("old", "new"):
         names: tuple[str, ...] = getattr(spec, key)
         if not names:
@@ -118,7 +118,7 @@ def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, Pop
 
 
 def _chooses(parameter: Parameter, place: Place, report: Report) -> bool:
-    """Whether a parameter can choose; a finding if not."""
+    """Return whether a parameter can choose; a finding if not."""
     if not is_single(parameter, place, report):
         return False
     meanings = ", ".join(f"{value} {choice.value}" for value, choice in enumerate(CHOICES))

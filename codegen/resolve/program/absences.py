@@ -33,6 +33,6 @@ def _has_results(dialect: Dialect) -> bool:
 
 
 def _has(dialect: Dialect, name: str) -> bool:
-    """Whether a dialect has a message, with the fields that are written or read."""
+    """Return whether a dialect has a message, with the fields that are written or read."""
     wire = dialect.messages.get(name)
     return wire is not None and all(wire.field(field) for field in ABSENCE_FIELDS.get(name, "").split())

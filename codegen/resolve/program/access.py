@@ -77,7 +77,7 @@ def _key_problems(access: AccessSpec, vehicle: VehicleSpec, spec: Spec, dialect:
         link = spec.board.links.get(name)
         if link is None:
             yield "setup", f"the board has no link {name}", did_you_mean(name, spec.board.links)
-        elif link.udp is not None:
+        elif link.is_wireless:
             yield "setup", f"a key that comes over {name} is known to all that hear its network", None
         elif access.links.get(name) is not Admission.OPEN:
             yield "setup", f"{name} is not open: whoever has no key yet could not bring one", f"links: {{{name}: open}}"

@@ -128,6 +128,6 @@ def _entries(dialect: Dialect, uses: Uses) -> Iterator[tuple[str, str]]:
 
 
 def _entry_of(dialect: Dialect, name: str) -> bool:
-    """Whether the dialect has an entry of MAV_RESULT."""
+    """Return whether the dialect has an entry of MAV_RESULT."""
     enum = dialect.enums.get("MAV_RESULT")
     return enum is not None and enum.entry(name) is not None

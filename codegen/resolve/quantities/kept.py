@@ -32,7 +32,7 @@ Limits = tuple[int | Fraction, int | Fraction]
 
 
 def resolve_kept(around: Surroundings) -> tuple[Kept, EnumDefinition | None] | None:
-    """How the quantity is kept, and the enum of which its values are; None without units."""
+    """Return how the quantity is kept, and the enum of which its values are; None without units."""
     spec = around.spec
     enum = _enum(around)
     kind = _kind(around)
@@ -91,7 +91,7 @@ def _enum(around: Surroundings) -> EnumDefinition | None:
 
 
 def _is_plain(around: Surroundings) -> bool:
-    """Whether code sets it, and nothing but the fields of messages looks at it."""
+    """Return whether code sets it, and nothing but the fields of messages looks at it."""
     spec = around.spec
     is_counted = isinstance(spec.elements, str)
     is_computed = spec.derivations and not around.is_sourced
@@ -131,7 +131,7 @@ def _stored(around: Surroundings, kind: QuantityKind, unit: Unit) -> Unit | None
 
 
 def _is_in(field: WireField, stored: Unit) -> bool:
-    """Whether a field takes a number as it is kept in a unit."""
+    """Return whether a field takes a number as it is kept in a unit."""
     unit = wire_unit(field)
     return unit is not None and ratio(stored, unit) == 1
 
@@ -139,7 +139,7 @@ def _is_in(field: WireField, stored: Unit) -> bool:
 def _storage(
     around: Surroundings, kind: QuantityKind, stored: Unit, steps: Fraction, enum: EnumDefinition | None
 ) -> tuple[Storage, Limits]:
-    """How a value is kept, and between which limits, in stored units."""
+    """Return how a value is kept, and between which limits, in stored units."""
     spec = around.spec
     as_float = _float(around, kind)
     if as_float is not None:
@@ -202,7 +202,7 @@ def _within(around: Surroundings, steps: Fraction, low: int, high: int) -> tuple
 
 
 def _given(output: Output, stored: Unit) -> tuple[int, int]:
-    """What a sensor can give, in stored steps; where its unit does not convert, that is reported elsewhere."""
+    """Return what a sensor can give, in stored steps; where its unit does not convert, that is reported elsewhere."""
     factor = ratio(output.unit, stored)
     if factor is None:
         return -SMALL_INT_MAX, SMALL_INT_MAX
@@ -210,7 +210,7 @@ def _given(output: Output, stored: Unit) -> tuple[int, int]:
 
 
 def _range(field: WireField) -> tuple[int, int]:
-    """What a field carries, but for a sentinel at an end."""
+    """Return what a field carries, but for a sentinel at an end."""
     low, high = field.type.minimum, field.type.maximum
     sentinels = set(field.sentinel.values) if field.sentinel else set()
     return low + (low in sentinels and low != 0), high - (high in sentinels)

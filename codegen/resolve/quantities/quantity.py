@@ -45,7 +45,9 @@ _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
 
 def is_name(name: str) -> bool:
-    """Whether the generated code can use a name as it is: MicroPython's have 255 characters at most, with all parts."""
+    """Return whether the generated code can use a name as it is: MicroPython's have
+    255 characters at most, with all parts.
+    """
     return len(name) <= LONGEST_NAME and bool(_IDENTIFIER.fullmatch(name)) and not keyword.iskeyword(name)
 
 

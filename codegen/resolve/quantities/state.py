@@ -138,7 +138,7 @@ def find_quantity(
 
 
 def _returns(quantities: Mapping[str, Quantity]) -> Returns | None:
-    """What counts returns in a component; None where nothing does."""
+    """Return what counts returns in a component; None where nothing does."""
     for count in quantities.values():
         gone = quantities.get(count.derivation.counts or "")
         if gone is not None:

@@ -98,7 +98,7 @@ def _target(field: WireField, written: ReceivedFieldSpec, parts: Parts, report: 
 
 
 def _part_problem(field: WireField, quantity: Quantity, parts: Parts) -> str | None:
-    """Why a quantity of which there are several values cannot take what the field carries."""
+    """Return why a quantity of which there are several values cannot take what the field carries."""
     owner, path = parts.components[quantity.component], quantity.path
     if owner.instances != 1:
         return f"there are {owner.instances} of {owner.name}, and {path} does not say which"
@@ -108,7 +108,7 @@ def _part_problem(field: WireField, quantity: Quantity, parts: Parts) -> str | N
 
 
 def _kind_problem(field: WireField, quantity: Quantity) -> str | None:
-    """Why a quantity of its kind cannot take what the field carries."""
+    """Return why a quantity of its kind cannot take what the field carries."""
     path = quantity.path
     is_text = field.type.kind is Kind.CHAR
     if is_text != (quantity.kind is QuantityKind.TEXT):
@@ -125,7 +125,7 @@ def _kind_problem(field: WireField, quantity: Quantity) -> str | None:
 
 
 def _factor(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report) -> Fraction | None:
-    """How many stored steps 1 on the wire is; None after a finding."""
+    """Return how many stored steps 1 on the wire is; None after a finding."""
     if quantity.kind is not QuantityKind.NUMBER:
         return Fraction(1)
     unit = field_unit(field, report)
@@ -151,7 +151,7 @@ def _factor(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, re
 def _is_kept(
     field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
 ) -> bool:
-    """Whether the words of the quantity take the number of the field; False after a finding."""
+    """Return whether the words of the quantity take the number of the field; False after a finding."""
     storage = quantity.storage
     if field.type.is_integer:
         fits = storage is Storage.SMALL or (not storage.is_float and factor == 1)
@@ -174,7 +174,7 @@ def _is_kept(
 def _is_rounded(
     field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
 ) -> bool:
-    """Whether whole numbers are made of a float; False after a finding."""
+    """Return whether whole numbers are made of a float; False after a finding."""
     problem, key, hint = "", "state", "keep it in a coarser unit"
     if max(factor.numerator, factor.denominator) >= _PART_LIMIT:
         problem = f"{field.name} comes in too different a unit to be kept in {quantity.stored.name or 'numbers'}"

@@ -31,7 +31,7 @@ def stored_parameters(
 
 
 def _problem(parameters: Mapping[str, Parameter], name: str, value: Fraction) -> tuple[str, str | None] | None:
-    """Why a parameter does not take a value, with a hint."""
+    """Return why a parameter does not take a value, with a hint."""
     parameter = parameters.get(name)
     if parameter is None:
         return f"there is no parameter {name}", did_you_mean(name, parameters)

@@ -161,7 +161,7 @@ def quantity_label(quantity: Quantity, instance: int) -> str:
 
 
 def _own(quantity: Quantity, system: System) -> str:
-    """Why the program itself sets a quantity; nothing where it does not."""
+    """Return why the program itself sets a quantity; nothing where it does not."""
     program = system.program
     if program is None:
         return ""

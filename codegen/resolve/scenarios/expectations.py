@@ -76,7 +76,7 @@ class Expectations:
         return at_ms
 
     def _can_be(self, quantity: Quantity, place: Place, *, told: bool) -> bool:
-        """Whether the quantity can be looked at, with a finding where not."""
+        """Return whether the quantity can be looked at, with a finding where not."""
         if quantity.elements is not None:
             self._values.say(SCENARIO_EXPECT, place, f"{quantity.path} is a list")
             return False

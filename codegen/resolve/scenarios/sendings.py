@@ -24,7 +24,7 @@ _NAME = re.compile(r"(\w+)(?:\[(\d{1,3})\])?")
 
 
 def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues) -> Sending | None:
-    """What an event sends; None after an error."""
+    """Return what an event sends; None after an error."""
     name = event.send or ""
     wire = system.dialect.messages.get(name)
     if wire is None:
@@ -71,7 +71,7 @@ def _put(payload: bytearray, wire: WireMessage, written: str, text: str, place: 
 
 
 def _number(text: str, field: WireField, wire: WireMessage, place: Place, values: ScenarioValues) -> float | int | None:
-    """What a field carries for a text; None after a finding."""
+    """Return what a field carries for a text; None after a finding."""
     value: Fraction | float | None
     try:
         value = Fraction(text) / field.multiplier

@@ -146,7 +146,7 @@ class _Keys:
 
 
 def _wires(kind: BusKind | None, spec: OwnSourceSpec, around: Around) -> Bus | Serial | None:
-    """What the device is connected to; None without, and after a finding."""
+    """Return what the device is connected to; None without, and after a finding."""
     given = {}
     for name in _OF_BUS[kind]:
         written: Verbatim | str | None = spec.keys.get(name, _USUAL_BAUD if name == "baud" else None)

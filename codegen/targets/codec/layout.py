@@ -73,7 +73,7 @@ def type_text(field: WireField) -> str:
 
 
 def unknown_text(field: WireField) -> str:
-    """What means unknown in a field, in words; empty without a sentinel."""
+    """Return what means unknown in a field, in words; empty without a sentinel."""
     sentinel = field.sentinel
     if sentinel is None:
         return ""

@@ -77,7 +77,7 @@ def _class_stub(message: WireMessage, name: str) -> Iterator[str]:
 
 
 def _held(field: WireField) -> str:
-    """What a field takes, and is read as: None is unknown."""
+    """Return what a field takes, and is read as: None is unknown."""
     if field.type.kind is Kind.CHAR:
         return "str | bytes | None"
     number = "float" if field.type.kind is Kind.FLOAT else "int"

@@ -33,7 +33,7 @@ def runtime_files(folder: str, messages: Iterable[WireMessage], *more: str) -> d
 
 
 def has_doubles(messages: Iterable[WireMessage]) -> bool:
-    """Whether any of the messages has a field of type double."""
+    """Return whether any of the messages has a field of type double."""
     return any(field.type.code == "d" for message in messages for field in message.fields)
 
 

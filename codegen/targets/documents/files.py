@@ -193,7 +193,7 @@ def _in_table(row: ParameterRow) -> ParameterRow:
 
 
 def parameter_row(parameter: Parameter, system: System) -> ParameterRow:
-    """What documents and pages say of a parameter, as plain text."""
+    """Return what documents and pages say of a parameter, as plain text."""
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     smallest, largest = (decimal(steps * parameter.step) for steps in (parameter.minimum, parameter.maximum))
     return ParameterRow(

@@ -103,7 +103,7 @@ def _stream(stream: Stream, system: System) -> StreamRow:
 def link_rows(system: System) -> tuple[LinkRow, ...]:
     """The links in the order of board.yaml."""
     return tuple(
-        LinkRow(link.name, link.kind.value.upper(), _details(link) + _obeys(link, system), str(link.citation or ""))
+        LinkRow(link.name, link.kind.words, _details(link) + _obeys(link, system), str(link.citation or ""))
         for link in system.links
     )
 
@@ -122,8 +122,15 @@ def _details(link: BoardLink) -> str:
         return f"UART {spec.uart}, GPIO {spec.tx} out and {spec.rx} in, {spec.baud} baud, {spec.buffer} bytes wait"
     if link.kind is LinkKind.USB:
         return f"{spec.buffer} bytes wait"
+    wifi = f"; {spec.credentials} wins; Wi-Fi is tried every {link.retry_ms} ms"
+    given_up = f"; closed after {link.timeout_ms} ms of silence"
+    if link.kind is LinkKind.TCP_SERVER:
+        return f"at port {spec.tcp_server}, {spec.tcp_backlog} wait{given_up}{wifi}"
+    if link.kind is LinkKind.TCP_CLIENT:
+        again = f"; again after {link.retry_ms} ms and longer pauses"
+        return f"to {spec.to} port {spec.tcp_client}{again}{given_up}{wifi}"
     local = f", from port {spec.local_port}" if spec.local_port else ""
-    return f"to {spec.to} port {spec.udp}{local}; {spec.credentials} wins; Wi-Fi is tried every {link.retry_ms} ms"
+    return f"to {spec.to} port {spec.udp}{local}{wifi}"
 
 
 def program_section(system: System) -> ProgramSection | None:

@@ -1,7 +1,7 @@
 """The MicroPython firmware: what the specification decides is rendered, the rest is copied as it is."""
 
 from codegen.model.dialect.dialect import WireMessage
-from codegen.model.program import Program
+from codegen.model.program import LinkKind, Program
 from codegen.model.system import System
 from codegen.render.rendered import rendered
 from codegen.targets.codec.layout import message_files
@@ -120,7 +120,12 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
     if program is None:
         return {}
     takes_long = any(command.spec.long for command in program.commands)
+    kinds = {link.kind for link in system.links}
+    has_server, has_client = LinkKind.TCP_SERVER in kinds, LinkKind.TCP_CLIENT in kinds
     optional = {
+        "tcp_server": has_server,
+        "tcp_client": has_client,
+        **dict.fromkeys(("tcp_port", "tcp_peer", "tcp_stations"), has_server or has_client),
         "clock_service": program.takes_time,
         "heard": program.takes_time or bool(system.receptions) or bool(program.commands),
         "reception": bool(system.receptions),
@@ -165,7 +170,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
 
 
 def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
-    """What puts messages that arrive into the state."""
+    """Return what puts messages that arrive into the state."""
     view = receiving_view(system, layout)
     forms = ["plain", *(["viper"] if system.spec.project.machine_code else [])]
     names = ["receiving.py", *(f"receiving_{form}.py" for form in forms)]
@@ -190,7 +195,7 @@ def _program_file(system: System, program: Program, name: str) -> str:
 
 
 def _numbers(program: Program) -> dict[str, int]:
-    """What the program's modules take from the dialect."""
+    """Return what the program's modules take from the dialect."""
     return {**program.constants, **places((*program.services, *_absent(program)))}
 
 

@@ -30,5 +30,5 @@ def with_numbers(text: str, numbers: Mapping[str, int]) -> str:
 
 
 def places(wires: Iterable[WireMessage]) -> dict[str, int]:
-    """Where the payloads of messages have their fields, as offsets by names such as PING_SEQ_AT."""
+    """Return where the payloads of messages have their fields, as offsets by names such as PING_SEQ_AT."""
     return {f"{wire.name}_{field.name}_AT".upper(): field.offset for wire in wires for field in wire.fields}

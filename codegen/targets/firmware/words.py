@@ -59,7 +59,7 @@ class Layout:
     size: int
 
     def places(self, component: str, word: str) -> tuple[int, ...]:
-        """Where a word of each instance stands in the array."""
+        """Return where a word of each instance stands in the array."""
         block = self.blocks[component]
         return tuple(block.base + block.size * at + block.offsets[word] for at in range(block.component.instances))
 
@@ -174,5 +174,5 @@ TREND_WORDS = ("count", "newer", "older")
 
 
 def differ(numbers: tuple[int, ...]) -> bool:
-    """Whether instances have numbers of their own."""
+    """Return whether instances have numbers of their own."""
     return len(set(numbers)) > 1

@@ -111,12 +111,12 @@ def bandwidth_page(system: System, origin: Origin) -> BandwidthPage:
 def _carries(link: BoardLink) -> str:
     carried = capacity(link)
     if carried is None:
-        return f"{link.kind.value.upper()}, no limit known"
-    return f"{link.kind.value.upper()}, {decimal(carried)} bytes/s"
+        return f"{link.kind.words}, no limit known"
+    return f"{link.kind.words}, {decimal(carried)} bytes/s"
 
 
 def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) -> Chart:
-    """How much of a link the telemetry takes."""
+    """Return how much of a link the telemetry takes."""
     words = (("at the default rates", default), ("at the fastest rates", fastest))
     amounts = []
     for label, amount in words:
@@ -135,7 +135,7 @@ def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) ->
 
 
 def _streams(sent: Sequence[Cost]) -> list[Amount]:
-    """What each stream takes, with its messages."""
+    """Return what each stream takes, with its messages."""
     by_stream: dict[str, list[Cost]] = {}
     for cost in sent:
         if cost.message.stream is not None:

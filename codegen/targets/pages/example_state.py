@@ -48,7 +48,7 @@ def _different(states: list[ExampleState]) -> tuple[ExampleState, ...]:
 
 
 def _at_start(quantity: Quantity) -> Stored:
-    """What a quantity is when the vehicle starts: that of the first instance, with the parameters' defaults."""
+    """Return what a quantity is when the vehicle starts: that of the first instance, with the parameters' defaults."""
     switch = quantity.derivation.switch
     if switch is not None:
         return int(switch.default != 0)

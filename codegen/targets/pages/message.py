@@ -142,7 +142,7 @@ def _facts(message: PopulatedMessage, system: System) -> tuple[tuple[str, str], 
 
 
 def rate_text(message: PopulatedMessage) -> str:
-    """How often a message is sent by default: ``2 Hz, set by SR0_EXTRA1``."""
+    """Return how often a message is sent by default: ``2 Hz, set by SR0_EXTRA1``."""
     stream = message.stream
     if stream is None:
         return "on request"

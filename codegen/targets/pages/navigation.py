@@ -38,17 +38,17 @@ class Navigation:
 
 
 def message_path(name: str) -> str:
-    """Where the page of a message lies below ``docs/``."""
+    """Return where the page of a message lies below ``docs/``."""
     return f"messages/{name.lower()}.html"
 
 
 def takes_anything(system: System) -> bool:
-    """Whether anything comes in: messages, commands, or what sensors give."""
+    """Return whether anything comes in: messages, commands, or what sensors give."""
     return bool(system.program or system.receptions or system.polled)
 
 
 def is_wired(system: System) -> bool:
-    """Whether anything is connected to pins that the board is known to have."""
+    """Return whether anything is connected to pins that the board is known to have."""
     return system.board is not None and next(connections(system), None) is not None
 
 

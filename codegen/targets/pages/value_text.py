@@ -19,7 +19,7 @@ def elements_of(value: Wire) -> list[int | float | str]:
 
 
 def is_unknown(field: WireField, index: int, value: Wire) -> bool:
-    """Whether the element ``index`` of a field says that it is unknown, by the dialect's sentinel."""
+    """Return whether the element ``index`` of a field says that it is unknown, by the dialect's sentinel."""
     sentinel = field.sentinel
     if sentinel is None:
         return False
@@ -64,13 +64,13 @@ def _entry(enum: EnumDefinition, value: int, *, is_bitmask: bool) -> str:
 
 
 def is_flags(field: WireField, enums: Mapping[str, EnumDefinition]) -> bool:
-    """Whether a field holds flags rather than one entry of its enum."""
+    """Return whether a field holds flags rather than one entry of its enum."""
     enum = enums.get(field.definition.enum or "")
     return field.definition.is_bitmask or (enum is not None and enum.is_bitmask)
 
 
 def kind_of(field: WireField, enums: Mapping[str, EnumDefinition]) -> str:
-    """What the bytes of a field are, as pages colour and name them: a class of the style sheet."""
+    """Return what the bytes of a field are, as pages colour and name them: a class of the style sheet."""
     if field.definition.enum in enums:
         return "flags" if is_flags(field, enums) else "enum"
     kind = field.type.kind

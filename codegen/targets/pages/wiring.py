@@ -43,7 +43,7 @@ class WireView:
 
     @property
     def end(self) -> int:
-        """Where the next one begins."""
+        """Return where the next one begins."""
         return self.y + (_DIVIDER_HEIGHT if self.upper else _PLAIN_HEIGHT)
 
     @property
@@ -141,7 +141,9 @@ def _title(each: Connection) -> str:
 
 
 def _limits(each: Connection, system: System) -> str:
-    """What it reaches in use, and what the converter shows of it by the default of its multiplier; who shares a bus."""
+    """Return what it reaches in use, and what the converter shows of it by the
+    default of its multiplier; who shares a bus.
+    """
     reading = each.reading
     if reading is None:
         return ", ".join(_sharing(each.bus, system)) if each.bus else ""
@@ -160,7 +162,7 @@ def _sharing(bus: str, system: System) -> list[str]:
 
 
 def _shown(each: Connection, system: System) -> Fraction:
-    """What the converter shows at full scale, in the unit of the quantity."""
+    """Return what the converter shows at full scale, in the unit of the quantity."""
     assert each.reading is not None
     conversion, component = each.reading.conversion, each.reading.component
     multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)

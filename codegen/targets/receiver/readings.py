@@ -59,7 +59,7 @@ def _is_bitmask(field: WireField, enum: EnumDefinition) -> bool:
 def _fact(
     covers: Elements, message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
 ) -> Iterator[Reading]:
-    """What the table states, or takes from elsewhere, under the name of the board's fact or of the field.
+    """Yield what the table states, or takes from elsewhere, under the name of the board's fact or of the field.
 
     Facts of the board, and all that a message says about what an instance is, stay as they are as long as it is the
     same one. What else the table states may be different in a message of another vehicle, and age.

@@ -17,7 +17,7 @@ def role_of(field: str, roles: RolesSpec) -> str | None:
 
 
 def describes(fields: Iterable[str], roles: RolesSpec) -> bool:
-    """Whether a message with these fields is about what something is, not about what it does."""
+    """Return whether a message with these fields is about what something is, not about what it does."""
     return any(role_of(field, roles) in LASTING for field in fields)
 
 

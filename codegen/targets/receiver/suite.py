@@ -45,7 +45,7 @@ def render_receiver_suite(system: System, receiver: Receiver, view: ReceiverView
 
 
 def _attributes(message: PopulatedMessage, receiver: Receiver) -> Iterator[tuple[str, dict[str, object]]]:
-    """What a message says about each quantity: where the state keeps it, and how exactly it must come back."""
+    """Yield what a message says about each quantity: where the state keeps it, and how exactly it must come back."""
     seen: set[str] = set()
     for answer in message.answers:
         for read in answer.read_back():

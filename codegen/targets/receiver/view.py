@@ -260,7 +260,7 @@ def _attributes(
 
 
 def _doc(by_message: Mapping[str, Reading]) -> str:
-    """What the attribute is, in one sentence, and its unit."""
+    """Return what the attribute is, in one sentence, and its unit."""
     reading = next(iter(by_message.values()))
     if reading.doc:
         doc = prose(reading.doc).partition(". ")[0].rstrip(".")  # the rest is about the sender

@@ -49,7 +49,7 @@ def _file(name: str, schema: _Schema) -> Iterator[str]:
 
 
 def _record(schema: _Schema) -> Iterator[str]:
-    """What a record is, and its keys; a short form stands for it in one word."""
+    """Yield what a record is, and its keys; a short form stands for it in one word."""
     forms = [each for each in schema.get("anyOf", ()) if "enum" in each]
     full = next((each for each in schema.get("anyOf", ()) if "properties" in each), schema)
     yield from (_text(schema.get("description", "")), "")

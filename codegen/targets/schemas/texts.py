@@ -90,7 +90,7 @@ def _file_schema(model: type[Written]) -> _Schema:
 
 
 def _record(model: type[Written], definitions: dict[str, _Schema]) -> _Schema:
-    """What the decoder takes for a record: a mapping with known keys, or one of the short forms."""
+    """Return what the decoder takes for a record: a mapping with known keys, or one of the short forms."""
     keys = [key for key in keys_of(model) if key.attribute != rest(model)]
     schema: _Schema = {
         "type": "object",

@@ -21,7 +21,7 @@ class BehaviourCheck(NamedTuple):
 
     @property
     def identifier(self) -> str:
-        """What the suite calls it: ``battery_mean-FR-00066.2``."""
+        """Return what the suite calls it: ``battery_mean-FR-00066.2``."""
         return f"{self.name}-{self.criterion}" if self.criterion else self.name
 
 

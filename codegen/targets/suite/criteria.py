@@ -65,7 +65,7 @@ def _of_failsafe(failsafe: Failsafe) -> Iterator[_Cited]:
 
 
 def _of_pair(failsafe: Failsafe) -> Iterator[_Cited]:
-    """What the checks of two levels show, which are left out for other failsafes."""
+    """Yield what the checks of two levels show, which are left out for other failsafes."""
     yield from _named("pair", failsafe.aspects)
     for aspect, level in zip(("first", "second"), failsafe.levels, strict=True):
         if level.citation is not None:

@@ -37,7 +37,7 @@ def converted(
 
 
 def is_withheld(message: PopulatedMessage, known: Known) -> bool:
-    """Whether nothing is sent while the state is ``known``."""
+    """Return whether nothing is sent while the state is ``known``."""
     return any(answer.is_withheld(known) for answer in message.answers)
 
 
@@ -78,7 +78,7 @@ def _number(value: Value) -> int | float:
 
 
 def chosen_instance(choice: Representation, instances: Sequence[Known]) -> int:
-    """Which instance is represented; ``instances`` has what is known of each of them, and of the parameter."""
+    """Return which instance is represented; ``instances`` has what is known of each of them, and of the parameter."""
     component = choice.component
     enabled = component.enabled
     on = [number for number, known in enumerate(instances) if enabled is None or known[enabled.path]]

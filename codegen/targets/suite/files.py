@@ -34,6 +34,7 @@ class SuiteView:
     readings: tuple[ReadingFacts, ...]
     builders: tuple[str, ...]
     streams: tuple[StreamView, ...]
+    looks_per_s: int
     shared: tuple[SharedMessage, ...]
     withheld: tuple[WithheldMessage, ...]
     known: tuple[KnownWord, ...]
@@ -65,6 +66,7 @@ def render_suite(system: System) -> dict[str, str]:
         readings=readings,
         builders=tuple(message.name.lower() for message in system.messages),
         streams=streams,
+        looks_per_s=100 if all(stream.fastest_hz <= 50 for stream in streams) else 400,
         shared=shared,
         withheld=withheld,
         known=known_words(system),
@@ -86,7 +88,7 @@ def render_suite(system: System) -> dict[str, str]:
 
 
 def suite_origin(system: System) -> Origin:
-    """What the suite is made of: everything but the documents, and the messages that are sent."""
+    """Return what the suite is made of: everything but the documents, and the messages that are sent."""
     wires = [message.wire for message in system.messages]
     return origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
 

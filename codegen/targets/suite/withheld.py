@@ -71,7 +71,7 @@ def known_words(system: System) -> tuple[KnownWord, ...]:
 
 
 def _calm(system: System) -> Iterator[KnownWord]:
-    """What failsafes watch and nothing measures, with values that are beyond no threshold."""
+    """Yield what failsafes watch and nothing measures, with values that are beyond no threshold."""
     measured = {component for component, _, _ in system.measured()}
     layout = word_layout(system)
     for failsafe in system.program.failsafes if system.program else ():

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/readiness.py: do not edit.
-# Inputs: 9801352dc1f1c0a8
+# Inputs: c2373da5c4f80f16
 """Looking whether streams have something to read, or room to write, without waiting for it."""
 
 import select
@@ -14,11 +14,16 @@ class Readiness:
     def __init__(self, events):
         self._events = events
         self._poller = select.poll()
-        self.look = self._poller.ipoll if hasattr(self._poller, "ipoll") else self._poller.poll
+        self._has_objects = hasattr(self._poller, "ipoll")  # else look() tells of numbers
+        self.look = self._poller.ipoll if self._has_objects else self._poller.poll
 
     def watch(self, stream):
         """Look at a stream from now on. OSError: it cannot be asked."""
         self._poller.register(stream, self._events)
+
+    def key(self, stream):
+        """Return what look() tells of a stream by, with what it is ready for."""
+        return stream if self._has_objects else stream.fileno()
 
     def forget(self, stream):
         """Look at a stream no more; before it is closed."""

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 26ee8ad60dc233a0
+# Inputs: 3b56e76ffe5be9ca
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -124,7 +124,6 @@ class Scheduler:
         period_us = control.period_us
         ticks, diff = ticks_us, ticks_diff
         jobs = self._jobs
-        most = self._most
         again = AGAIN
         is_failing = False
         busy_us = 0
@@ -153,7 +152,7 @@ class Scheduler:
                     is_failing = True
                     self._report(control, error)
                 if diff(self._next_us, now_us) <= 0:
-                    left = most + spare
+                    left = self._most + spare
                     while True:
                         least_us = LONGEST_PERIOD_US
                         last = None

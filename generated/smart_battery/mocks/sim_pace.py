@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_pace.py: do not edit.
-# Inputs: 307131caeb12eceb
+# Inputs: f9528cdf74a2b270
 """How fast the time of a simulation passes: with the host's clock, and not ahead of other programs."""
 
 import time as host_time  # the host's clock: this is imported before mock_time takes its place for the firmware
@@ -34,24 +34,24 @@ class Turns:
     """Lets time pass only as far as all programs of a scenario have come, to the end of a turn.
 
     `path` is a file whose lines are the times in ms, of the scenario, that may be reached; each is asked for by a
-    record `turn`. None for a program that is alone.
+    record `turn`. None for a program that is alone. `until_ms` is the end of the turn, None for no end.
     """
 
     def __init__(self, path, until_ms, records):
         self._file = None if path is None else open(path)  # noqa: SIM115 - it stays open
-        self._until_ms = until_ms
+        self.until_ms = until_ms
         self._records = records
 
     def wait_until(self, at_ms):
         """Return True when time may reach `at_ms`, False when there will be no more turns."""
         if self._file is None:
             return True
-        while at_ms > self._until_ms:
+        while at_ms > self.until_ms:
             self._records.put("turn")
             line = self._file.readline()
             if not line:
                 return False
-            self._until_ms = int(line)
+            self.until_ms = int(line)
         return True
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_wire.py: do not edit.
-# Inputs: fed86fbac60d5e7f
+# Inputs: 0866149484edb9e7
 """What goes over the wire in a simulation: the frames that a port took."""
 
 import binascii
@@ -18,7 +18,7 @@ class Wire:
         self._told = told
         self._before = before
         self._next_sequence = {}
-        self._port_class = None
+        self._port_classes = ()
         self.counts = {}
         self.frames = 0
         self.size = 0
@@ -26,7 +26,7 @@ class Wire:
 
     def listen(self, port_class):
         """Take note of every frame that ports of this class accept."""
-        self._port_class = port_class
+        self._port_classes += (port_class,)
         write = port_class.write
 
         def heard(port, frame):
@@ -61,7 +61,7 @@ class Wire:
     def status_of_links(self, vehicle):
         """Return the sums of the counters that the heard ports and their links keep."""
         connections = getattr(vehicle, "connections", None) or ()
-        heard = [connection for connection in connections if isinstance(connection.port, self._port_class)]
+        heard = [connection for connection in connections if isinstance(connection.port, self._port_classes)]
         return {
             "dropped": sum(connection.port.dropped for connection in heard),
             "received": sum(connection.port.received for connection in heard),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: cc539409747a25c6
+# Inputs: f59fe5e6482a4ef8
 """The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
 
 import ast
@@ -29,9 +29,10 @@ def _cases():
         for interpreter in ("cpython", "micropython"):
             if interpreter == "micropython" or script not in ONLY_MICROPYTHON:
                 for name, criteria in _checks(script):
-                    shows = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks = [pytest.mark.requirement(*criteria)] if criteria else []
+                    marks += [pytest.mark.days] if script in LONG else []
                     case = "-".join((interpreter, script, name, *criteria))
-                    yield pytest.param(interpreter, script, name, id=case, marks=shows)
+                    yield pytest.param(interpreter, script, name, id=case, marks=marks)
 
 
 def _free_port():
@@ -42,9 +43,9 @@ def _free_port():
 
 
 @pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
-def test_program(interpreter, script, name, printed):
+def test_program(interpreter, script, name, printed, request):
     """The vehicle does what the criterion says."""
-    found = printed(interpreter, f"{script}_checks.py", _free_port)
+    found = printed(interpreter, f"{script}_checks.py", _free_port, request.node)
     assert "" not in found, found[""]
     outcome = found[name]
     if outcome is not None and outcome.startswith("left out: "):

@@ -122,7 +122,6 @@ class Scheduler:
         period_us = control.period_us
         ticks, diff = ticks_us, ticks_diff
         jobs = self._jobs
-        most = self._most
         again = AGAIN
         is_failing = False
         busy_us = 0
@@ -151,7 +150,7 @@ class Scheduler:
                     is_failing = True
                     self._report(control, error)
                 if diff(self._next_us, now_us) <= 0:
-                    left = most + spare
+                    left = self._most + spare
                     while True:
                         least_us = LONGEST_PERIOD_US
                         last = None

@@ -7,12 +7,12 @@ from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
 
-STEP_US = 800000  # between two passes
+STEP_US = 3200000  # between two passes, each of which has something to send
 DAY_US = 86400 * SECOND_US
 
 
 class Busy(Sink):
-    """A port on which a frame of a ground station arrives with every few passes."""
+    """A port on which a frame of a ground station arrives with every second pass."""
 
     def __init__(self, frames):
         Sink.__init__(self)
@@ -20,11 +20,11 @@ class Busy(Sink):
         self._turn = 0
 
     def readinto(self, buffer):
-        """Give one frame in eight passes."""
+        """Give one frame in two passes."""
         self._turn += 1
-        if self._turn % 8:
+        if self._turn % 2:
             return 0
-        frame = self._frames[self._turn // 8 % len(self._frames)]
+        frame = self._frames[self._turn // 2 % len(self._frames)]
         buffer[: len(frame)] = frame
         return len(frame)
 

@@ -17,6 +17,7 @@ from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.diff.change import Change, Weight
 from codegen.diff.system.system import compare_dialects
+from codegen.load.files import DISK
 from codegen.model.dialect.dialect import Dialect
 from codegen.resolve.dialect.dialect import resolve_dialect
 
@@ -89,7 +90,7 @@ def _dialect(folder: Path, pair: Pair, fragment: str) -> Dialect:
     file = folder / "d.xml"
     file.write_text(_whole(pair, fragment))
     report = Report()
-    dialect = resolve_dialect("d", decode_dialect_files(str(file), report), (), report)
+    dialect = resolve_dialect("d", decode_dialect_files(str(file), DISK, report), (), report)
     broken = [
         f"{pair.name}: {found.message}"
         for found in report

@@ -33,7 +33,7 @@ class Settled:
 
     @staticmethod
     def of(given: Sequence[tuple[Argument, ...]]) -> "Settled":
-        """What all failsafes together need."""
+        """Return what all failsafes together need."""
         by_name = {
             argument.name: [each for one in given for each in one if each.name == argument.name]
             for argument in given[0]
@@ -47,15 +47,15 @@ class Settled:
         return Settled(tuple(used), same, {name: found[0].default for name, found in used.items()})
 
     def has(self, name: str) -> bool:
-        """Whether any failsafe needs it."""
+        """Return whether any failsafe needs it."""
         return name in self.names
 
     def is_same(self, name: str) -> bool:
-        """Whether all have it, with one value."""
+        """Return whether all have it, with one value."""
         return name in self.same
 
     def only_some(self, name: str) -> bool:
-        """Whether some do without it, as far as one can tell."""
+        """Return whether some do without it, as far as one can tell."""
         return name in self.names and name not in self.same
 
     def __call__(self, name: str) -> str:
@@ -81,7 +81,7 @@ class Settled:
         return [f"{name}={self.defaults[name]}" for name in self.kept]
 
     def arguments(self, given: Sequence[Argument]) -> list[str]:
-        """What one failsafe gives for them."""
+        """Return what one failsafe gives for them."""
         kept = set(self.kept)
         return [
             f"{each.name}={each.value}"
@@ -91,7 +91,7 @@ class Settled:
 
 
 def arguments_of(failsafe: Failsafe, layout: Layout) -> tuple[Argument, ...]:
-    """What a failsafe gives."""
+    """Return what a failsafe gives."""
     component, quantity = failsafe.component, failsafe.quantity
     offsets = layout.blocks[component.name].offsets if component else {}
     switch = component.enabled if component and quantity else None

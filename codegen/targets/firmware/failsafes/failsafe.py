@@ -108,7 +108,7 @@ class FailsafesView:
 
 
 def failsafe_views(system: System, program: Program, layout: Layout) -> FailsafesView | None:
-    """What the module needs; None where there is no failsafe."""
+    """Return what the module needs; None where there is no failsafe."""
     failsafes = program.failsafes
     if not failsafes:
         return None

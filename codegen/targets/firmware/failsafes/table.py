@@ -117,7 +117,7 @@ def attribute_of(parameter: Parameter, instance: int) -> str:
 
 
 def problem(condition: Condition, level: FailsafeLevel | None) -> str:
-    """Why the vehicle is not armed while a condition holds, behind the title."""
+    """Return why the vehicle is not armed while a condition holds, behind the title."""
     if condition.quantity is None:
         return f"{level.name} failsafe" if level else ""
     if level is not None:
@@ -137,7 +137,8 @@ def _does(level: FailsafeLevel, instance: int) -> str:
 
 
 def inverted_rows(failsafe: Failsafe) -> list[tuple[int, int, str]]:
-    """What there is for each two levels whose thresholds are parameters: the places of both conditions, and the words.
+    """Return what there is for each two levels whose thresholds are parameters: the places of both conditions, and the
+    words.
 
     The firmware looks before arming whether the second is worse than the first.
     """

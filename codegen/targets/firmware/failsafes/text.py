@@ -23,7 +23,7 @@ def text_lines(failsafe: Failsafe, variable: str) -> Iterator[str]:
 
 
 def shows(failsafe: Failsafe) -> bool:
-    """Whether a text of it has a quantity that can be unknown then."""
+    """Return whether a text of it has a quantity that can be unknown then."""
     texts: list[tuple[FailsafeText | None, FailsafeLevel | None]] = [(level.text, level) for level in failsafe.levels]
     same = len({level.text.written for level in failsafe.levels}) == 1
     if same:
@@ -43,7 +43,7 @@ def _can_be_unknown(level: FailsafeLevel) -> bool:
 
 
 def _is_known(part: Shown, level: FailsafeLevel | None, failsafe: Failsafe) -> bool:
-    """Whether a quantity cannot be unknown where it is shown: it is what was compared."""
+    """Return whether a quantity cannot be unknown where it is shown: it is what was compared."""
     if part.quantity.initial is not None:
         return True
     return part.quantity is failsafe.quantity and level is not None and not _can_be_unknown(level)

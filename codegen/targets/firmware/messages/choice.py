@@ -28,7 +28,7 @@ def choosing(choice: Representation, code: SpelledCode) -> list[str]:
 
 
 def _enabled(choice: Representation, code: SpelledCode) -> list[str]:
-    """Where it is not enabled the first one that is, or the first of all."""
+    """Return what chooses the first instance that is enabled, or the first of all, in place of one that is not."""
     component = choice.component
     if component.enabled is None:
         return []

@@ -108,7 +108,7 @@ class SpelledCode(PayloadCode):
         return name
 
     def condition(self, quantity: Quantity) -> tuple[str, str]:
-        """What is to be read into ``value``, if anything, and the condition."""
+        """Return what is to be read into ``value``, if anything, and the condition."""
         if quantity.derivation.follows is None:
             return "", self.is_set(quantity)
         followed = self.layout.blocks[quantity.component].component.quantities[quantity.derivation.follows]
@@ -272,7 +272,7 @@ class SpelledCode(PayloadCode):
         raise NotImplementedError
 
     def call(self, about: tuple[str, ...]) -> tuple[str, str]:
-        """How the builder of the message calls the function, as ``head`` has it."""
+        """Return how the builder of the message calls the function, as ``head`` has it."""
         raise NotImplementedError
 
     def reach(self, component: str, instance: str) -> str:
@@ -288,11 +288,11 @@ class SpelledCode(PayloadCode):
         return []
 
     def ending(self) -> list[str]:
-        """What is left to do once all fields are written."""
+        """Return what is left to do once all fields are written."""
         return []
 
     def finished(self) -> list[str]:
-        """What says at the end that a message was not withheld, if the template does not."""
+        """Return what says at the end that a message was not withheld, if the template does not."""
         return []
 
     def cleared(self, length: int) -> list[str]:  # noqa: ARG002  in plain Python nobody else writes the payload
@@ -316,13 +316,14 @@ def _halves(covers: Elements, value: float | str) -> tuple[int, ...]:
 
 
 def _first(quantity: Quantity, element: str) -> str:
-    """How many words the place of an element lies behind that of the first one; an expression."""
+    """Return how many words the place of an element lies behind that of the first one; an expression."""
     words = quantity.storage.words
     return f"{words} * {element}" if element and words > 1 else element
 
 
 def real_about(covers: Elements, factor: FloatParts) -> tuple[int, int, int, int, int]:
-    """What ``put_real`` of the firmware wants to know: numerator, divisor, exponent, and two counts of bits and bytes.
+    """Return what ``put_real`` of the firmware wants to know: numerator, divisor, exponent, and two counts of bits and
+    bytes.
 
     The exponent is that of the wire for a quotient whose highest bit counts 2 ** 59; so many bits of it are found at
     once as keep what is divided below 2 ** 30.

@@ -87,7 +87,7 @@ class PlainCode(SpelledCode):
         return [f"put_real(wire, {place}, value, {real_about(covers, factor)})"]
 
     def now(self) -> str:
-        """What ``value`` is at first."""
+        """Return what ``value`` is at first."""
         return "value"
 
     def head(self, about: tuple[str, ...]) -> tuple[str, str]:

@@ -99,7 +99,7 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
 
 
 def makes_whole(taken: ReceivedField) -> bool:
-    """Whether a whole number is made of a float."""
+    """Return whether a whole number is made of a float."""
     return not taken.is_text and not taken.field.type.is_integer and taken.quantity.storage is Storage.SMALL
 
 
@@ -112,7 +112,7 @@ def received_beside(system: System) -> tuple[str, ...]:
 
 
 def call_name(table: Reception) -> str:
-    """What is called of the user's vehicle: ``received_rc_channels_override``."""
+    """Return what is called of the user's vehicle: ``received_rc_channels_override``."""
     return f"received_{table.name.lower()}"
 
 
@@ -194,7 +194,7 @@ class _Statements:
 
     @property
     def _is_long(self) -> bool:
-        """Whether the number has several halves."""
+        """Return whether the number has several halves."""
         return self._taken.field.type.size > 2
 
     @property
@@ -204,7 +204,7 @@ class _Statements:
     # tests
 
     def _unknown(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
-        """What makes the quantity unknown; a boolean, which is never so, keeps its value."""
+        """Yield what makes the quantity unknown; a boolean, which is never so, keeps its value."""
         taken = self._taken
         is_boolean = taken.quantity.kind is QuantityKind.BOOLEAN
         forget = ["pass"] if is_boolean else [f"{self._word(taken.quantity.attribute)} = {UNKNOWN}"]
@@ -225,7 +225,7 @@ class _Statements:
             yield f"{'value' if is_own else _number(taken.field, offset)} == {sentinel}", "unknown", forget
 
     def _beyond(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
-        """What is not taken."""
+        """Yield what is not taken."""
         taken, field = self._taken, self._taken.field
         low, high = taken.low, taken.high
         least, most = Fraction(field.type.minimum), Fraction(field.type.maximum)

@@ -79,13 +79,15 @@ def sent_view(message: PopulatedMessage, system: System, *, never: bool) -> Sent
 
 
 def number_at(message: PopulatedMessage) -> int | None:
-    """Where the payload has the number of the instance that it is about, in its lowest byte; None where it has none."""
+    """Return where the payload has the number of the instance that it is about, in
+    its lowest byte; None where it has none.
+    """
     places = (each.covers.offset for each in message.answers if each.is_instance_number)
     return next(places, None)
 
 
 def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:
-    """How a message is sent; what it is called follows from all that it depends on."""
+    """Return how a message is sent; what it is called follows from all that it depends on."""
     component = message.component
     made = f"encode({', '.join(['link', *arguments])})"
     send = [f"link.send_frame({made})"]
@@ -118,7 +120,7 @@ def _place(component: Component, quantity: Quantity) -> str:
 
 
 def word(component: Component, quantity: Quantity) -> str:
-    """What the state keeps of a quantity, of several instances that of ``instance``."""
+    """Return what the state keeps of a quantity, of several instances that of ``instance``."""
     place = _place(component, quantity)
     return f"state.words[{place}[instance]]" if component.instances > 1 else f"state.words[{place}]"
 
@@ -147,7 +149,9 @@ def shortest_us(message: PopulatedMessage, system: System) -> int:
 
 
 def _tells(message: PopulatedMessage) -> str | None:
-    """What is called with the state to know whether anything of a message would go out, None where it always does."""
+    """Return what is called with the state to know whether anything of a message
+    would go out, None where it always does.
+    """
     if not message.withheld_for:
         return None
     return f"_tells_{message.name.lower()}" if message_about(message) else f"telemetry.{builder_name(message)}"

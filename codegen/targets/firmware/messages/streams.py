@@ -168,7 +168,7 @@ def _periods(streams: tuple[StreamView, ...]) -> tuple[PeriodView, ...]:
 
 
 def _period(group: list[StreamView]) -> PeriodView:
-    """What is said of streams that have their rate in common."""
+    """Return what is said of streams that have their rate in common."""
     first, indexes = group[0], ", ".join(str(each.index) for each in group)
     names = ", ".join([*(each.name for each in group[:-1]), group[-1].comment])
     cited = ", ".join(sorted({each.citation for each in group if each.citation}))
@@ -212,7 +212,7 @@ def _chosen(system: System) -> str:
 
 
 def _choosing_lines(system: System) -> tuple[str, ...]:
-    """What stands above the bits that the parameters choose; nothing where none does."""
+    """Return what stands above the bits that the parameters choose; nothing where none does."""
     comments = [
         f"# {generations.parameter.name if generations.parameter else ''} is 0 for the old ones, 1 for the new ones, "
         f"2 for both{f' ({generations.citation})' if generations.citation else ''}"

@@ -62,7 +62,7 @@ def _checks(failsafes: Iterable[FailsafeView]) -> Iterator[str]:
 
 
 def _about_itself(system: System, program: Program) -> tuple[str, ...]:
-    """What the vehicle tells about itself as soon as everything is read and checked."""
+    """Return what the vehicle tells about itself as soon as everything is read and checked."""
     can_arm = program.spec.arming is not None
     ready = (
         "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
@@ -88,7 +88,7 @@ def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> t
 
 
 def _sensors(system: System, program: Program) -> list[CallView]:
-    """What asks the sensors, and what notices that one is silent."""
+    """Return what asks the sensors, and what notices that one is silent."""
     if not system.polled:
         return []
     calls = [CallView(turns_of(system, program.control_us).every_us, "sources.turn", "sensors", "")]
@@ -98,6 +98,6 @@ def _sensors(system: System, program: Program) -> list[CallView]:
 
 
 def _has_load(system: System) -> bool:
-    """Whether the state asks for the load of the main loop, in the form in which the program tells it."""
+    """Return whether the state asks for the load of the main loop, in the form in which the program tells it."""
     load = system.quantity("vehicle.load")
     return load is not None and load.attribute == "load_dpct" and system.components["vehicle"].instances == 1

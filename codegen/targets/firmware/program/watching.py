@@ -32,7 +32,7 @@ def watching(system: System, program: Program) -> Iterator[str]:
 
 
 def _chip_at(message: PopulatedMessage) -> tuple[int, ...]:
-    """Where the payload has the number of the chip, and in how many bytes; nothing where it has none."""
+    """Return where the payload has the number of the chip, and in how many bytes; nothing where it has none."""
     places = ((each.covers.offset, each.covers.count) for each in message.answers if each.is_chip_number)
     return next(places, ())
 

@@ -109,7 +109,9 @@ def _watchdog(system: System) -> str:
 
 
 def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, has_pins: bool) -> tuple[str, ...]:
-    """What the module imports to read and to open its links, with an empty line behind it; nothing without both."""
+    """Return what the module imports to read and to open its links, with an empty
+    line behind it; nothing without both.
+    """
     modules = ["machine"] if readers else []
     names = [(link.module, link.function) for link in links]
     names += [("adc_inputs", "AdcInputs")] if readers else []
@@ -159,7 +161,7 @@ def _readers(system: System) -> tuple[ReaderView, ...]:
 
 
 def adc_input(reading: str, place: int) -> str:
-    """What the mock calls the input of a reading: the first of all has the short name."""
+    """Return what the mock calls the input of a reading: the first of all has the short name."""
     return "adc" if place == 0 else f"{reading}_adc"
 
 
@@ -205,7 +207,7 @@ def _is_on(reading: Reading) -> str:
 
 
 def _pins(reading: Reading) -> tuple[str, ...]:
-    """What finds the GPIO numbers by instance; None for one whose pin may be somebody else's."""
+    """Return what finds the GPIO numbers by instance; None for one whose pin may be somebody else's."""
     component, channel = reading.component, reading.conversion.channel
     gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
     on = _is_on(reading)
@@ -232,13 +234,12 @@ def _link(link: BoardLink, board: BoardModel | None) -> LinkView:
         return LinkView("serial_port", "open_uart" if tells_pins else "open_fixed_uart", arguments, citation)
     if link.kind is LinkKind.USB:
         return LinkView("serial_port", "open_usb", (name, f"size={spec.buffer}"), citation)
-    udp = (
-        name,
-        quoted(spec.to or ""),
-        f"{spec.udp}",
-        f"local_port={spec.local_port}",
-        f"credentials={quoted(spec.credentials or '')}",
-        f"retry_ms={link.retry_ms}",
-        "log=self._log",
-    )
-    return LinkView("udp_port", "UdpPort", udp, citation)
+    wifi = (f"credentials={quoted(spec.credentials or '')}", f"retry_ms={link.retry_ms}")
+    if link.kind is LinkKind.UDP:
+        udp = (name, quoted(spec.to or ""), f"{spec.udp}", f"local_port={spec.local_port}", *wifi, "log=self._log")
+        return LinkView("udp_port", "UdpPort", udp, citation)
+    tcp = (*wifi, f"timeout_ms={link.timeout_ms}", "log=self._log")
+    if link.kind is LinkKind.TCP_SERVER:
+        server = (name, f"{spec.tcp_server}", f"backlog={spec.tcp_backlog}", *tcp)
+        return LinkView("tcp_server", "TcpServer", server, citation)
+    return LinkView("tcp_client", "TcpClient", (name, quoted(spec.to or ""), f"{spec.tcp_client}", *tcp), citation)

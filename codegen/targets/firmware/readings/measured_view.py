@@ -82,7 +82,9 @@ def further_view(reading: Reading, parameters: str) -> FurtherView:
 
 
 def texts_of(reading: Reading, measured: MeasuredView) -> Iterator[TellView]:
-    """What a reading can give cause to tell: that it is the first, that something came back, that it is too high."""
+    """Yield what a reading can give cause to tell: that it is the first, that
+    something came back, that it is too high.
+    """
     component = reading.component
     name, several = component.name, component.instances > 1
     number, mark = (" {instance + 1}", "f") if several else ("", "")

@@ -21,7 +21,7 @@ WAITING = -1000000000
 
 
 def expires(component: Component) -> bool:
-    """Whether a reading of it can become too old."""
+    """Return whether a reading of it can become too old."""
     return any(reading.expires for reading in component.readings)
 
 
@@ -121,7 +121,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
 
 
 def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
-    """What follows from a new ``value``."""
+    """Yield what follows from a new ``value``."""
     threshold = reading.quantity.derivation.threshold
     logged = code.word(reading.component.name, reading.word("is_logged"))
     yield from (f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}")
@@ -134,7 +134,7 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
 
 
 def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Iterator[str]:
-    """Where code sets the value: ``value`` is what it has set, unless that was too long ago."""
+    """Yield where code sets the value: ``value`` is what it has set, unless that was too long ago."""
     measured, name = reading.quantity, reading.component.name
     failures = code.word(name, reading.word("failures"))
     cited = cited_in(measured.cited("set_stale_after"))
@@ -288,7 +288,9 @@ def _gone(component: Component, returns: Returns, code: SpelledCode, *, sums: bo
 
 
 def _is_forgotten(quantity: Quantity) -> bool:
-    """Whether it is unknown while what it belongs to is gone; sums and what has an initial value stay until another."""
+    """Return whether it is unknown while what it belongs to is gone; sums and what
+    has an initial value stay until another.
+    """
     return quantity.initial is None and not quantity.derivation.sums
 
 

@@ -106,12 +106,12 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
 
 
 def clock_is_set(source: Source, system: System) -> bool:
-    """Whether a sensor sets the clock of the state."""
+    """Return whether a sensor sets the clock of the state."""
     return source.sets_clock and CLOCK in system.components
 
 
 def given_by(source: Source, system: System, layout: Layout, constants: dict[str, int]) -> list[GivenView]:
-    """What the quantities of the state take from a sensor; the words of these are added to the constants."""
+    """Return what the quantities of the state take from a sensor; the words of these are added to the constants."""
     places, at = {}, 0
     for output in source.outputs:
         places[output.name] = at

@@ -12,7 +12,7 @@ DIGITS = ("low", "middle", "high")
 
 
 def counted(reading: Basis) -> bool:
-    """Whether something is counted on with each reading."""
+    """Return whether something is counted on with each reading."""
     return bool(reading.sums) or any(each.derivation.lasts or each.derivation.remains for each in reading.given)
 
 

@@ -155,7 +155,7 @@ def _joined(*parts: object) -> str:
 
 
 def _known_words(quantity: Quantity) -> str:
-    """Whether there is a value at all times, in words."""
+    """Return whether there is a value at all times, in words."""
     return "known from the start" if quantity.initial is not None else "or None while it is unknown"
 
 
@@ -286,7 +286,7 @@ def _ticking(view: AttributeView) -> Iterator[AttributeView]:
 
 
 def _is_plain(quantity: Quantity) -> bool:
-    """Whether its attributes are two views of one word, which one call makes and can make forgettable."""
+    """Return whether its attributes are two views of one word, which one call makes and can make forgettable."""
     is_number = quantity.kind is QuantityKind.NUMBER and quantity.attribute != quantity.name
     is_kept = quantity.elements is None and quantity.storage is Storage.SMALL
     return is_number and is_kept and not quantity.derivation.kept_readings and quantity.derivation.follows is None

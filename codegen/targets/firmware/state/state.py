@@ -236,7 +236,7 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
 
 
 def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
-    """What each instance has of its own: limits and counts."""
+    """Yield what each instance has of its own: limits and counts."""
     threshold = quantity.derivation.threshold
     own = {
         f"{quantity.name}_limit": quantity.derivation.own_limits,
@@ -253,7 +253,7 @@ def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
 
 
 def _counters(component: Component, block: Block) -> Iterator[tuple[str, str]]:
-    """What a trend counts, which is nothing at the start."""
+    """Yield what a trend counts, which is nothing at the start."""
     for quantity in component.quantities.values():
         if quantity.derivation.kept_readings:
             for word in TREND_WORDS:

@@ -34,7 +34,7 @@ class MessageCase:
 
 
 def set_to(quantity: Quantity, value: Stored, instance: int) -> Setting:
-    """How a test sets a quantity of an instance."""
+    """Return how a test sets a quantity of an instance."""
     plain = list(map(as_set, value)) if isinstance(value, tuple) else as_set(value)
     if quantity.kind is QuantityKind.BOOLEAN:
         plain = bool(value)

@@ -55,7 +55,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
 
 
 def _instances(components: Mapping[str, Component]) -> dict[str, int]:
-    """How many of each component exist: the runner reaches the n-th of several through a list."""
+    """Return how many of each component exist: the runner reaches the n-th of several through a list."""
     return {"parameters": 1, **{name: component.instances for name, component in components.items()}}
 
 
@@ -66,7 +66,7 @@ def _about(system: System) -> dict[str, int]:
 
 
 def dialect_files(system: System) -> dict[str, object]:
-    """What pymavlink needs to make the same dialect: the one that it ships, and the project's own files.
+    """Return what pymavlink needs to make the same dialect: the one that it ships, and the project's own files.
 
     The paths of these are relative to the folder of the tests.
     """
@@ -81,7 +81,9 @@ def dialect_files(system: System) -> dict[str, object]:
 
 
 def _wire_changes(correction: Correction) -> dict[str, object]:
-    """What a correction changes of the bytes that are sent: an id, a type, the value of an entry; else nothing."""
+    """Return what a correction changes of the bytes that are sent: an id, a type,
+    the value of an entry; else nothing.
+    """
     names = ("message", "field", "enum", "entry")
     changes = {name: text.strip() for name, text in correction.set.items() if name in ("id", "type", "value")}
     named = {name: getattr(correction, name) for name in names if getattr(correction, name) is not None}

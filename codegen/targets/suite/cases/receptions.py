@@ -31,7 +31,7 @@ class ReceptionCase:
 
     @property
     def identifier(self) -> str:
-        """What the suite calls it."""
+        """Return what the suite calls it."""
         return f"{self.table}-{self.name}-{self.requirement}"
 
 

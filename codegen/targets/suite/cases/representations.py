@@ -46,7 +46,7 @@ def representation_cases(message: PopulatedMessage, used: Mapping[str, Quantity]
 
 
 def _quantities(choice: Representation, used: Mapping[str, Quantity]) -> dict[str, Quantity]:
-    """What is set in each instance, by path."""
+    """Return what is set in each instance, by path."""
     known = {path: quantity for path, quantity in used.items() if quantity.component == choice.component.name}
     for extra in (choice.component.enabled, choice.quantity):
         if extra is not None:

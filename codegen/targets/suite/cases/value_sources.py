@@ -31,7 +31,9 @@ def value_sources(system: System) -> Iterator[dict[str, object]]:
 
 
 def _is_told(source: Quantity, answer: Answer, message: PopulatedMessage, system: System) -> bool:
-    """Whether both have a unit that the dialect states itself, and the message is about the instance that is set."""
+    """Return whether both have a unit that the dialect states itself, and the
+    message is about the instance that is set.
+    """
     field = answer.covers.field
     is_own = message.component is not None and message.component.name == source.component
     is_one = system.components[source.component].instances == 1

@@ -122,7 +122,9 @@ def _is_within(param: CommandParam, value: Fraction) -> bool:
 
 
 def _is_usable(param: CommandParam, wire: Fraction) -> bool:
-    """Whether a value stands on the wire as it is, and where the argument has to be whole is a whole one there."""
+    """Return whether a value stands on the wire as it is, and where the argument
+    has to be whole is a whole one there.
+    """
     if not param.is_whole or param.is_rounded:
         return _single(wire) == wire
     argument = param.scale.exact(wire)

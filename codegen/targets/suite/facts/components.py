@@ -299,7 +299,7 @@ def _extremes(component: Component) -> Iterator[ExtremeFacts]:
 
 
 def _anew(quantity: Quantity) -> str:
-    """What a quantity begins anew with, in Python."""
+    """Return what a quantity begins anew with, in Python."""
     if quantity.derivation.sums:
         return "0"
     if quantity.kind is QuantityKind.BOOLEAN:

@@ -161,7 +161,7 @@ def _shown(text: FailsafeText) -> list[Shown]:
 
 
 def _behind(text: FailsafeText, watched: Quantity, used: int | None) -> str:
-    """What stands behind the watched value and its unit, while others are so many steps, or unknown."""
+    """Return what stands behind the watched value and its unit, while others are so many steps, or unknown."""
     said, is_behind = "", False
     for part in text.parts:
         is_clause = isinstance(part, Clause)

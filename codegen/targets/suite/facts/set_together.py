@@ -24,7 +24,7 @@ class SetTogetherFacts:
 
 
 def set_together_facts(component: Component) -> SetTogetherFacts | None:
-    """What code sets together of a component; None where nothing is."""
+    """Return what code sets together of a component; None where nothing is."""
     together = set_together(component)
     if together is None:
         return None

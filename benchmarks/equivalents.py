@@ -1,0 +1,35 @@
+"""The faults that benchmarks/equivalents.yaml lists, with reasons: nobody can notice them, and they do not count."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import yaml
+from mutants import Mutant
+from results import ROOT
+
+LIST = ROOT / "benchmarks" / "equivalents.yaml"
+
+
+class Fault(NamedTuple):
+    """A fault as the list names it: wherever its line stands, it is the same fault."""
+
+    module: str
+    line: str
+    old: str
+    new: str
+
+
+def listed(texts: Mapping[str, str]) -> set[Fault]:
+    """Return those in these modules; an entry about a line that is gone is a fault of the list."""
+    found = set()
+    for entry in yaml.safe_load(LIST.read_text(encoding="utf-8")) or ():
+        module, line = entry["module"], entry["line"]
+        if module in texts and line not in map(str.strip, texts[module].splitlines()):
+            raise SystemExit(f"{LIST}: {module} has no line {line!r} any more")
+        found.add(Fault(module, line, str(entry["old"]), str(entry["new"])))
+    return found
+
+
+def fault_of(mutant: Mutant, text: str) -> Fault:
+    """Return a fault as the list would name it; ``text`` is that of its module."""
+    return Fault(mutant.file, mutant.line_in(text), " ".join(mutant.old.split()), mutant.new)
