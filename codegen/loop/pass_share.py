@@ -9,14 +9,14 @@ from codegen.model.system import System
 
 REMINDER_US = 1000000
 """How often it is looked whether something is to be said again."""
-_MESSAGE_US = 2500
-"""A pass takes in or sends a message for each of these of its slot: with what else there is, it takes 0.5 ms."""
+_SHORT_US = 2500
+"""In a slot so short a pass takes in or sends one message, and two more for each further one of these that it lasts."""
 _MOST_MESSAGES = 8
 
 
 def messages_of_a_pass(program: Program) -> int:
     """Return how many messages a link takes in or sends in a pass."""
-    return min(max(program.control_us // _MESSAGE_US, 1), _MOST_MESSAGES)
+    return min(max(2 * program.control_us // _SHORT_US - 1, 1), _MOST_MESSAGES)
 
 
 def jobs_of_a_pass(system: System, program: Program) -> int:

@@ -13,7 +13,7 @@ HOUR_S = 660
 
 CHANGES = [
     ("services.py", "self._connection.link.send(message)  # a late", "pass  # a late", "message 4 came 0 times"),
-    ("streams.py", "ticks_add(self._due_ms[index], parts", "ticks_add(now_ms, 9 + parts", "message 0 came"),
+    ("scan_viper.py", "slot[0] = due_ms\n", "slot[0] = due_ms + 9\n", "message 0 came"),
     ("sender.py", "self._frame[self._sequence_at] = value & 0xFF", "pass", "a gap in the frames for 1"),
     ("stations.py", "_MOST = const(4)", "_MOST = const(2)", "the guest got 0 of 39 parameters"),
 ]

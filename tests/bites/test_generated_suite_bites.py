@@ -124,9 +124,9 @@ WRONG_BEHAVIOUR = [
     (
         "burst",
         "late_pass_sends_no_burst",
-        "streams.py",
-        "due_ms = ticks_add(now_ms, parts // denominator)",
-        "pass",
+        "scan_plain.py",
+        "times[at] = now_ms + period & _MASK  # a pass",
+        "pass  # a pass",
     ),
     (
         "board-that-raises",

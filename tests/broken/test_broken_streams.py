@@ -60,6 +60,6 @@ def test_a_slot_in_which_more_is_due_than_there_is_time_for(tmp_path, monkeypatc
     monkeypatch.chdir(tmp_path)
     assert main(["check"]) == 0
     out = capsys.readouterr().out
-    wanted = "specs/vehicle.yaml:6:9: warning crowded-slot: battery + links + report + reminder take "
+    wanted = "specs/vehicle.yaml:6:9: warning crowded-slot: battery take "
     assert [line[: len(wanted)] for line in out.splitlines() if " warning " in line] == [wanted], out
     assert "us on the Raspberry Pi Pico 2 W (RP2350), and control is due every 2500 us" in out

@@ -58,7 +58,7 @@ def test_a_board_without_machine_code_gets_none(tmp_path: Path) -> None:
     project.write_text(project.read_text().replace("dialect:", "machine_code: false\ndialect:", 1))
     done = run(folder, "codegen", "build", "--mpy", "bytecode")
     assert (done.returncode, done.stdout) == (0, ""), done.stdout
-    assert [*(folder / "generated").rglob("*_viper.py")] == []
+    assert [*(folder / "generated" / "firmware").rglob("*_viper.py")] == []
     assert (folder / "build" / "bytecode" / "nmea_plain.mpy").exists()
     done = run(folder, "codegen", "sim", "--speed", "max", "--duration", "5", "--quiet", "--out", "udp:127.0.0.1:9")
     assert done.returncode == 0, done.stderr

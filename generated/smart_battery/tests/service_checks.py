@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: a93caeb5eb6867b7
+# Inputs: 8f368720b504ad95
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -113,7 +113,7 @@ def message_follows_the_acknowledgement():
     craft, station = _met()
     for number in SENT + (messages.MessageInterval.ID,):  # noqa: RUF005  MicroPython cannot
         station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
-        run_passes(craft, 1)
+        run_passes(craft, 3)
         found = station.received(*messages.ALL)
         kinds = [message.ID for message in found if message.ID in (messages.CommandAck.ID, number)]
         at = kinds.index(messages.CommandAck.ID)  # its stream may just have sent one before

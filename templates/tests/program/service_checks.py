@@ -111,7 +111,7 @@ def message_follows_the_acknowledgement():
     craft, station = _met()
     for number in SENT + (messages.MessageInterval.ID,):  # noqa: RUF005  MicroPython cannot
         station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
-        run_passes(craft, 1)
+        run_passes(craft, 3)
         found = station.received(*messages.ALL)
         kinds = [message.ID for message in found if message.ID in (messages.CommandAck.ID, number)]
         at = kinds.index(messages.CommandAck.ID)  # its stream may just have sent one before

@@ -65,8 +65,8 @@ def _both_generations(craft):
 
 
 def _within(found, expected, frames=1):
-    """Return whether so many were found, give or take the frames of one turn, which may just fall into the time."""
-    return abs(found - expected) <= (frames if expected else 0)
+    """Return whether so many were found, give or take the frames of two turns, which may just fall into the time."""
+    return abs(found - expected) <= (2 * frames if expected else 0)
 
 
 def rates_by_parameter():
