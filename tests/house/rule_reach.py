@@ -109,7 +109,7 @@ def _loaded(
 
 
 def _declared(module: str, name: str, imports: Mapping[str, Mapping[str, Constant]]) -> Constant:
-    """Where a name of a module is declared: modules may import it from one another."""
-    while name in imports.get(module, {}):
+    """Where a name of a module is declared: modules may import it from one another, a package its own modules."""
+    while imports.get(module, {}).get(name, (module, name)) != (module, name):
         module, name = imports[module][name]
     return module, name
