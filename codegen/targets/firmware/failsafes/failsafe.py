@@ -75,7 +75,6 @@ class FailsafesView:
     level: str
     due: tuple[str, ...]
     is_due: tuple[str, ...]
-    why: str
     is_inverted: str
     milder: str
     worse: str
@@ -160,7 +159,6 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         level=columns("LEVEL"),
         due=tuple(due_lines(columns)),
         is_due=tuple(is_due_lines(columns)),
-        why=columns("WHY"),
         is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
         milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
         worse=of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
