@@ -7,19 +7,35 @@ which messages a part may be about; the other modules each know what is said of 
 from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements import entries, facts, messages, nouns, sizes, tables, types, units, unknown
+from codegen.claims.statements import (
+    amounts,
+    entries,
+    facts,
+    lengths,
+    limits,
+    messages,
+    nouns,
+    sizes,
+    tables,
+    types,
+    units,
+    unknown,
+)
 from codegen.claims.statements.spans import Span, spans
 from codegen.diagnostics import Diagnostic
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
-    (types.check, "FP", "TN"),
+    (types.check, "FP", "T"),
+    (lengths.check, "FP", ""),
     (units.check, "FP", "UN"),
     (unknown.check, "FP", "NS"),
+    (amounts.check, "FP", "Q"),
+    (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
-    (types.sized, "FP", "N"),
+    (lengths.sized, "FP", "N"),
 )
 """What is looked for, and the terms without which nothing is: one of the first, and one of the second."""
 

@@ -54,7 +54,7 @@ _TERM = re.compile(
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
-  | (?P<number>(?<![\w.])[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
+  | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
       |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
   | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
       |:)\s?\d{{1,3}})?)\])?(?![\w(]))
@@ -106,6 +106,8 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
         term = _term(found, codes, words, "".join(marked[-24:]), text, high)
         if term is None:
             end = found.end() if found.lastgroup in ("name", "capitals") else found.start() + 1
+            if found["name"] and "[" in found["name"]:
+                end = found.start() + found["name"].index("[")  # the number of elements of something else
             end = max(end, found.start() + 1)
             if found["name"] is None and found["capitals"] is None:
                 word = _WORD.match(text, found.start(), high)
