@@ -34,11 +34,11 @@ _NOUN = (
 _HELD = (
     re.compile(
         rf"N (?:more |of the )?(?P<noun>{_NOUN}) (?:(?:can be |are |will |may |do )?(?:fit|stored|held|kept|sent|there) )?(?:in|into|of|for|inside)"
-        r" (?:the )?(?:array |field |list )*(?P<name>[FP])(?! ?(?:of (?!M)|[-+*/]))"
+        r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
     re.compile(
         r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into|inside)"
-        r" (?:the )?(?:array |field )*(?P<name>[FP])"
+        r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)"
     ),
     re.compile(
         r"\b(?:length|size|dimension|number of (?:elements|entries|values|items)|count|capacity) (?:of|for|in)"

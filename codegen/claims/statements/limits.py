@@ -10,7 +10,7 @@ from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.fields import Said, number, said_of_fields
 from codegen.claims.statements.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.statements.spans import About, Span, about
-from codegen.claims.statements.units import of_field
+from codegen.claims.statements.units import has_unit, of_field
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField
@@ -91,12 +91,21 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
             continue
         end = replace(end, is_wrapped=re.search(r"wrap|overflow|roll", found[0]) is not None)
         lower = _end(span, found.start("low"), one) if not is_certain else None
+        if end.unit is None and any(
+            _is_of_other(term.value, one) for _, term in span.sentence.within(said.end, said.until, "U")
+        ):
+            continue
         wrong = next(
             (each for each in (end, lower) if each is not None and _is_wrong(one, each, is_top=each is end)), None
         )
         if wrong is not None:
             yield _finding(reading, said, one, wrong, is_top=wrong is end, is_sure=is_certain)
             return
+
+
+def _is_of_other(unit: object, one: About) -> bool:
+    """Whether a unit that is named, too, is another one than that of the field: the number may be in that one."""
+    return isinstance(unit, Unit) and not has_unit(one.field, unit)
 
 
 def _end(span: Span, offset: int, one: About) -> _End | None:

@@ -11,6 +11,7 @@ from codegen.claims.statements.spans import Span, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.model.price import HEAD_V2
 
 _ID = re.compile(
     r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message"
@@ -32,9 +33,17 @@ _HELD = re.compile(
     r"|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
 )
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
+_PLAIN = re.compile(
+    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|has|=) (?:number |no\.? |id |the number )?#?(?P<number>N)"
+    r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
+    r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
+    r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the )?(?P<asked>M))"
+    r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
+)
+_OF_RATE = re.compile(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
 _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
 _CRC = re.compile(
-    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of"
+    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra byte)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
     r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
@@ -66,10 +75,35 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if re.search(r"\b(?:ids?|messages?|numbers?)\b", lead) and not _OTHER.search(lead):
             message = reading.messages[str(span.sentence.term(found.end() - 2).value)]
             yield from _id(reading, span, found.start(), (message,))
+    yield from _plain(reading, span)
     for found in _LISTED.finditer(text):
         yield from _listed(reading, span, *found.span("numbers"))
     for found in _ID.finditer(text):
         yield from _worded(reading, span, found)
+
+
+def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "RADIO_STATUS is 109, RADIO is 166", "Message: ODOMETRY, 331.", "param1 = 33 (GLOBAL_POSITION_INT)"."""
+    text = span.text
+    for found in _PLAIN.finditer(text) if not span.is_code or span.is_comment else ():
+        named = next(group for group in ("lead", "called", "last", "asked") if found[group])
+        told = {"lead": "number", "called": "then", "last": "first", "asked": "set"}[named]
+        low, high = span.bounds(found.start())
+        is_else = (
+            _OF_RATE.search(text, low, high)
+            or _UNSURE.search(text, low, high)
+            or _OTHER.search(text, low, found.start())
+        )
+        message = reading.messages[str(span.sentence.term(found.start(named)).value)]
+        value = number(span.sentence.term(found.start(told)))
+        sizes = {message.base_length, message.length, message.length + HEAD_V2, message.crc_extra}
+        if named == "asked" and not _IS_ASKED.search(span.source_text(0, len(text))):
+            continue
+        if is_else is None and (value not in sizes or named in ("called", "asked")):
+            yield from _id(reading, span, found.start(told), (message,), is_sure=named in ("called", "asked"))
+
+
+_IS_ASKED = re.compile(r"MESSAGE_INTERVAL|REQUEST_MESSAGE|\bparam ?1\b|\brequest", re.IGNORECASE)
 
 
 def _listed(reading: Reading, span: Span, start: int, end: int) -> Iterator[Diagnostic]:

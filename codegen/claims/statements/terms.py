@@ -55,7 +55,7 @@ _TERM = re.compile(
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
   | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
-      |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
+      |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?:(?<=\.\d)f|(?<=\.\d\d)f|\.f)?(?![\w]|\.\d))
   | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
       |:)\s?\d{{1,3}})?)\])?(?![\w(]))
   | (?P<symbol>(?<![\w.])[%\u00b5\u00b0][A-Za-z0-9/]{{0,10}})
@@ -74,7 +74,7 @@ _SHORT_UNITS = frozenset((
 ))  # fmt: skip
 """What is a word or a name as often as a unit: only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
-    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
+    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
     r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
@@ -312,6 +312,7 @@ def _number(written: str) -> Fraction | None:
     text = written.replace(",", "").replace("\u2212", "-").replace("**", "^").replace(" ", "").lstrip("+")
     if text[:2].lower() == "0x":
         return Fraction(int(text, 16))
+    text = text.removesuffix("f").removesuffix(".")  # 100.0f of C
     if "^" in text:
         base, _, power = text.partition("^")
         return Fraction(base) ** int(power)
