@@ -7,7 +7,10 @@ from codegen.model.dialect.literals import named_number
 
 _VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
 _WORDS = (
-    re.compile(r"\b(?P<value>zero|-?\d{1,6}) means (?:unknown|not available|invalid)", re.IGNORECASE),
+    re.compile(
+        r"\b(?P<value>zero|-?\d{1,6}) (?:means|indicates) (?:unknown|not (?:available|supported)|invalid)",
+        re.IGNORECASE,
+    ),
     re.compile(
         rf"{_VALUE}:? (?:if |when |for |means |is |= ?)?(?:it is |value is )?"
         r"(?:unknown|invalid|not (?:known|available))"

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements import (
+    absent,
     amounts,
     entries,
     facts,
@@ -29,6 +30,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (lengths.check, "FP", ""),
     (units.check, "FP", "UN"),
     (unknown.check, "FP", "NS"),
+    (absent.check, "FP", "NS"),
     (amounts.check, "FP", "Q"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),

@@ -34,7 +34,7 @@ _HELD = re.compile(
 )
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
 _PLAIN = re.compile(
-    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|has|=) (?:number |no\.? |id |the number )?#?(?P<number>N)"
+    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has the number) (?:number |no\.? |id )?#?(?P<number>N)"
     r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
     r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
     r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the )?(?P<asked>M))"

@@ -45,7 +45,7 @@ _TERM = re.compile(
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
   | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?
-      (?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
+      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
@@ -74,7 +74,8 @@ _SHORT_UNITS = frozenset((
 ))  # fmt: skip
 """What is a word or a name as often as a unit: only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
-    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
+    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
+    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
     r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
@@ -202,7 +203,9 @@ def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
 def _is_unit_word(word: str, before: str) -> bool:
     """Whether a word stands where a unit does: "the second one" and "a few seconds" are none."""
     if word in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs"):
-        return re.search(r"\b(?:in|of|unit:?) ?$|[(\[,:|#*/=] ?$", before) is not None
+        return (
+            re.search(r"\b(?:in|of|unit:?|get|gives?|yields?|obtain|N for|N to) ?$|[(\[,:|#*/=] ?$", before) is not None
+        )
     return word != "seconds" or not re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before)
 
 

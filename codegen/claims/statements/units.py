@@ -50,6 +50,10 @@ _SIGN = re.compile(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
     r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
+_WANTED = re.compile(
+    r"\b(?:to get|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
+)
+_BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
 _SCALE = re.compile(
     r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is"
     r"|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
@@ -134,7 +138,9 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
     if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
         return True
     is_factor = said.span.is_code and "N" in gap and "[" not in gap and not is_data(said.span)
-    names_other = "M" in gap.replace("of M", "").replace("in M", "").replace("from M", "")
+    names_other = "M" in re.sub(r"(?:#|//|/\*) M[,:]", "", gap).replace("of M", "").replace("in M", "").replace(
+        "from M", ""
+    )
     return is_factor or names_other or ("Q" in gap and not said.is_listed)
 
 
@@ -214,7 +220,8 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     elif re.search(r"\b(?:divid|multipl)\w*\b[^.;]{0,25}$", text[max(said.before, said.start - 40) : said.start]):
         return
     yield from _named_factor(reading, said)
-    for form in (_FACTOR, _SIGN):
+    wanted = _WANTED.search(text, max(said.before, said.start - 40), said.start)
+    for form in (_FACTOR, _SIGN) if wanted is None else (_BY,):
         found = form.search(text, start, said.until)
         if (
             found is None
@@ -223,7 +230,7 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         ):
             continue
         value = number(span.sentence.term(found.start("number")))
-        unit = span.sentence.term(found.start("unit")).value
+        unit = span.sentence.term((wanted or found).start("unit")).value
         if not value or not isinstance(unit, Unit):
             continue
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
