@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
@@ -14,6 +14,7 @@ from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 from codegen.source import Place
 
 NO_FIELD = Rule(
@@ -36,7 +37,9 @@ NO_ENTRY = Rule(
     Severity.WARNING,
 )
 
-_UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\()")
+_UPPER = re.compile(
+    r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\((?!(?:id:? |ID |message |msg )?#?\d))"
+)
 _SENT = re.compile(
     r"\b(?:messages?|send|sends|sent|answers?|streams?|streamed|requests?|requested|repl(?:y|ies)|receives?|publishe?s?"
     r"|uses?|emits?|telemetry|Hz)\b",
@@ -242,7 +245,8 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
         low, high = passage.sentence(found.start(), found.end())
         if _OWN.search(passage.text, low, high):
             continue
-        numbered = numbered_message(passage.text, *found.span(), names.messages)
+        following = _following_id(reading, passage) if passage.text.strip() == name else None
+        numbered = numbered_message(passage.text, *found.span(), names.messages, following)
         if numbered is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, numbered)
             continue
@@ -273,6 +277,26 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
             yield _no_message(reading, passage.place_at(found.start()), name, near)
 
 
+@once
+def _below(reading: Reading) -> Mapping[int, str]:
+    """By the identity of each heading what follows it directly."""
+    parts = reading.prose.parts
+    return {
+        id(part): following.text
+        for part, following in pairwise(parts)
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING and isinstance(following, Passage)
+    }
+
+
+def _following_id(reading: Reading, passage: Passage) -> int | None:
+    """The id with which the passage below a heading begins."""
+    found = _ID_BELOW.match(_below(reading).get(id(passage), ""))
+    return int(found["id"]) if found is not None else None
+
+
+_ID_BELOW = re.compile(r"(?:message |msg )?id:? #?(?P<id>\d{1,5})\b", re.IGNORECASE)
+
+
 def _is_successor(name: str, names: _Names) -> bool:
     """Whether a name goes on where that of a message ends, or is the beginning of several: a new one, or a family."""
     words = name.split("_")
@@ -295,7 +319,10 @@ def _entries(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diag
 def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator[Diagnostic]:
     """A name that begins as the entries of an enum do, and is none of them."""
     start = _entry_start(name, names)
-    if not start or name in names.known or name in names.messages:
+    if name in names.known or name in names.messages:
+        return
+    if not start:
+        yield from _turned(reading, place, name)
         return
     entries = names.entries[start]
     if sum(entry.startswith(f"{name}_") for entry in entries) >= _FAMILY:
@@ -305,6 +332,42 @@ def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator
     near = near or get_close_matches(name, entries, n=1, cutoff=_KIN)
     if near:
         yield reading.found(NO_ENTRY, place, name, f"{start[:-1]} has no entry {name}", f"did you mean {near[0]}?")
+
+
+def _turned(reading: Reading, place: Place, name: str) -> Iterator[Diagnostic]:
+    """A long name with the words of an entry in another order, or without one of its letters."""
+    words = name.split("_")
+    if len(words) < _LONG:
+        return
+    near = _spellings(reading).get("".join(sorted(words)))
+    near = near or _lacking(reading).get(name)
+    entry = next((enum.name for enum in reading.enums.values() if near and enum.entry(near)), None)
+    if entry is not None and near is not None:
+        yield reading.found(NO_ENTRY, place, name, f"{entry} has no entry {name}", f"did you mean {near}?")
+
+
+@once
+def _spellings(reading: Reading) -> Mapping[str, str]:
+    """The entries of long names by their words in order of letters."""
+    names = (entry.name for enum in reading.enums.values() for entry in enum.entries)
+    return {"".join(sorted(name.split("_"))): name for name in names if name.count("_") >= _LONG - 1}
+
+
+@once
+def _lacking(reading: Reading) -> Mapping[str, str]:
+    """The entries of long names by what is left of them without one letter."""
+    names = (entry.name for enum in reading.enums.values() for entry in enum.entries)
+    return {
+        name[:at] + name[at + 1 :]: name
+        for name in names
+        if name.count("_") >= _LONG - 1
+        for at in range(1, len(name) - 1)
+        if name[at].isalpha()
+    }
+
+
+_LONG = 3
+"""Words of a name that is hardly that of anything else."""
 
 
 def _fields(reading: Reading, passage: Passage, around: Surroundings, names: _Names) -> Iterator[Diagnostic]:
@@ -353,7 +416,8 @@ def _members(
     message = around.first
     begun = [(passage, found) for passage in passages if (found := _first(passage)) and not found["name"].isupper()]
     own = [(passage, found) for passage, found in begun if message is not None and message.field(found["name"])]
-    if message is None or len(own) < 2 or message.name in names.followed:
+    is_table = bool(passages) and _OF_FIELDS.match(passages[0].text) is not None
+    if message is None or len(own) + is_table < 2 or not own or message.name in names.followed:
         return
     for passage, found in begun:
         name = found["name"]
@@ -361,6 +425,9 @@ def _members(
         is_like = len(name) > _SHORT and _near_fields(name, message)
         if name not in names.fields and (is_begun or is_like):
             yield _no_field(reading, passage.place_at(found.start("name")), message, name)
+
+
+_OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
 
 
 def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:

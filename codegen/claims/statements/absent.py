@@ -9,7 +9,7 @@ from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.ruled_out import ASKED, DENIED, MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import About, Span, about
+from codegen.claims.statements.spans import About, Span, about, is_data
 from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
@@ -59,6 +59,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 def _sentences(span: Span) -> Iterator[tuple[int, int]]:
     """The sentences of a part; an item, a row and a line are one."""
+    if is_data(span):
+        return
     if span.kind is PassageKind.ROW or span.is_code:
         yield 0, len(span.text)
         return

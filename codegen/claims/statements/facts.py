@@ -10,11 +10,12 @@ from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER, as_sure
 from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
 from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
 
 _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
 _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
-    r"\b(?:extensions?|extension fields?)\b(?! of)|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
+    r"\b(?:extensions?|extension fields?)\b(?! of (?!M))|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
 _VERBS = frozenset((
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
@@ -36,12 +37,22 @@ _OFFSET = re.compile(
 )
 _AT = re.compile(r"@ ?(?P<number>N)")
 _ORDER = re.compile(
-    r"(?P<first>[FP])(?: field)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes"
+    r"(?P<first>[FP])(?: field)?(?: (?:of|in) M)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes"
     r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows"
     r"|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
     r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows"
     r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
+_THEN = re.compile(
+    r"(?P<first>[FP]) (?:is |comes |goes |stands )?first,? (?:and )?(?:then|followed by) (?P<second>[FP])"
+)
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_ORDINAL = "|".join(_ORDINALS)
+_PLACED = re.compile(
+    rf"(?P<names>[FP](?:(?:, ?|,? and )[FP]){{0,6}})(?: (?:of|in) M)?,? (?:comes?|is|are|goes|go|stands?|sent|follows?)"
+    rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte|bit|in the xml))"
+)
+_STARTS = re.compile(r"\b(?:starts|begins|opens) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
 _WIRE = re.compile(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
@@ -71,6 +82,8 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _LIST.finditer(text):
         names = [at for at in range(*found.span("names")) if text[at] in "FP"]
         yield from _kinds(reading, span, names, is_extension=found["kind"].startswith("ext"))
+    for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
+        yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
     for found in _GROUP.finditer(text) if _KIND.search(text) else ():
         kind = _KIND.search(text, found.end(), found.end() + _NEAR)
         gap = text[found.end() : kind.start()] if kind is not None else ""
@@ -89,6 +102,7 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _kinds(reading, span, names if is_of_all else names[-1:], is_extension=is_extension)
 
 
+_MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 60
 """Characters between names and what kind of fields they are."""
 
@@ -115,9 +129,14 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     text = span.text
     yield from _sequence(reading, span)
     yield from _first(reading, span)
-    for found in _ORDER.finditer(text):
+    yield from _placed(reading, span)
+    for found in (*_ORDER.finditer(text), *_THEN.finditer(text)):
         low, high = span.bounds(found.start())
-        how = found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
+        how = (
+            "before"
+            if found.re is _THEN
+            else found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
+        )
         if not how or not _WIRE.search(text[max(low - 200, 0) : high]) or _XML.search(text[low:high]):
             continue
         first, second = about(reading, span, found.start("first")), about(reading, span, found.start("second"))
@@ -132,6 +151,31 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield reading.found(
             ORDER, span.place(found.start()), f"{first.name} {how} {second.field.name}", words, f"on the wire: {order}"
         )
+
+
+def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "`a` comes first, `b` and `c` come second and third", "NAME starts with `a`"."""
+    for found in (*_PLACED.finditer(span.text), *_STARTS.finditer(span.text)):
+        low, high = span.bounds(found.start())
+        if (
+            not _WIRE.search(span.text, low, high)
+            or _XML.search(span.text, low, high)
+            or _NOT.search(span.text[low:high])
+        ):
+            continue
+        names = [at for at in range(*found.span("names" if found.re is _PLACED else "name")) if span.text[at] in "FP"]
+        places = re.findall(_ORDINAL, found["places"]) if found.re is _PLACED else ["first"]
+        for at, place in zip(names, places, strict=False):
+            one = about(reading, span, at)
+            index = _ORDINALS.index(place)
+            if one is None or one.others or index >= len(one.message.fields) or one.message.fields[index] is one.field:
+                continue
+            text = (
+                f"{one.message.name}: {one.message.fields[index].name} comes {place} on the wire, not {one.field.name}"
+            )
+            order = f"on the wire: {', '.join(field.name for field in one.message.fields)}"
+            claim = f"{one.message.name} {place} {one.field.name}"
+            yield reading.found(as_sure(ORDER, is_sure=one.is_sure), span.place(at), claim, text, order)
 
 
 _FIRST = re.compile(
@@ -152,7 +196,7 @@ def _first(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         base = [field for field in of_kind if not field.definition.is_extension] or of_kind
         possible = of_kind[:1] if found["which"] == "first" else [of_kind[-1], base[-1]]
-        if one.field in possible or one.others:
+        if one.field in possible or any(other.offset == 0 for other in one.others):
             continue
         words = f"{one.message.name}: the {found['which']} {found['what']} on the wire is {possible[0].name}"
         order = ", ".join(field.name for field in one.message.fields)

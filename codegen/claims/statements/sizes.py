@@ -193,7 +193,8 @@ def _stated(span: Span) -> Iterator[_Size]:
     for each in _LENGTH.finditer(span.text):
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
         at = each.start("number") if each["number"] else each.start("sizeof")
-        if at not in paired and not is_of_frame:
+        is_argument = span.is_code and not span.is_comment and re.search(r", ?$", each[0][:-1]) is not None
+        if at not in paired and not is_of_frame and not is_argument:
             yield _Size(span, at, each.end(), each[0])
 
 

@@ -241,7 +241,7 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
         return
     if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
         span = _block(code, topic, words)
-        if any(span.named(0, len(span.text))) or _FIELDS.search(code.text):
+        if any(span.named(0, len(span.text))) or "V" in span.text or _FIELDS.search(code.text):
             yield span
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))

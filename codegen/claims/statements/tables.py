@@ -9,7 +9,7 @@ from itertools import groupby
 from codegen.claims.reading import Reading
 from codegen.claims.rate import RULE as BANDWIDTH
 from codegen.claims.rate import exact_sizes
-from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, OFFSET, SENTINEL, SIZE, as_sure
+from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import About, Span, about
@@ -234,6 +234,8 @@ _TOTAL = re.compile(
 
 def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> Iterator[Diagnostic]:
     """A column of offsets, or of values for unknown, one field in each row."""
+    if _EXTENSION.fullmatch(head):
+        yield from _extensions(reading, rows, column)
     is_offset, is_sentinel = _OFFSET.fullmatch(head) is not None, _UNKNOWN.fullmatch(head) is not None
     for row in rows if is_offset or is_sentinel else ():
         one = _field(reading, row)
@@ -252,6 +254,28 @@ def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> I
         if is_sentinel and known is not None and one.is_wrong(partial(is_unknown, value=float(value))):
             text = f"{one.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, place, f"{one.name} {written}", text)
+
+
+_EXTENSION = re.compile(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 only|mavlink 2 only")
+_YES_OR_NO = re.compile(r"\s*(?:(?P<yes>yes|y|x|true|\u2713|\u2714|extension|ext)|(?P<no>no|n|false|base|-))\s*")
+
+
+def _extensions(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+    """A column that says of each field whether it is an extension."""
+    for row in rows:
+        one = _field(reading, row)
+        said = _YES_OR_NO.fullmatch(row.span.text, *row.cells[column]) if column < len(row.cells) else None
+        if one is None or said is None:
+            continue
+        is_extension = said["yes"] is not None
+        if one.is_wrong(partial(_is_of_kind, is_extension=is_extension)):
+            kind = "an extension" if one.field.definition.is_extension else "a base field"
+            place = row.span.place(row.cells[column][0] + 1)
+            yield reading.found(EXTENSION, place, f"{one.name} {is_extension}", f"{one.name} is {kind}")
+
+
+def _is_of_kind(field: WireField, *, is_extension: bool) -> bool:
+    return field.definition.is_extension is is_extension
 
 
 def _begins_at(field: WireField, offset: float | Fraction) -> bool:

@@ -36,7 +36,7 @@ _NOT = re.compile(
     r"|\bunlike\b|\bour"
 )
 _SCALED_AFTER = re.compile(
-    r"[^.;|]{0,3}(?:times\b|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong"
+    r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong"
     r"|was wrong|\?|, which is wrong)"
 )
 _GAP_LONG = 90
