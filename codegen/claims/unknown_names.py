@@ -68,7 +68,8 @@ _IS_SENT = re.compile(
     r"| (?:carries|arrives|comes|contains|reports)\b"
 )
 _OWN = re.compile(
-    r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?)\b",
+    r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?"
+    r"|upstream)\b",
     re.IGNORECASE,
 )
 _ELSE = re.compile(

@@ -10,6 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.statements import (
     absent,
     amounts,
+    commands,
     entries,
     facts,
     lengths,
@@ -51,5 +52,6 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
                 yield from find(reading, span)
     yield from tables.check(reading, parts)
+    yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)

@@ -29,6 +29,7 @@ _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|un
 _FIELDS = re.compile(
     r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)(?:_t)?|float)\b"
 )
+_KEYED = re.compile(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
 _LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
 _FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
 _CELL = re.compile(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
@@ -241,7 +242,7 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
         return
     if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
         span = _block(code, topic, words)
-        if any(span.named(0, len(span.text))) or "V" in span.text or _FIELDS.search(code.text):
+        if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
             yield span
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
