@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.claims.reading import Reading, between
 from codegen.claims.rules import as_sure
 from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
+from codegen.claims.statements.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
@@ -58,7 +59,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             lead = _COSTS.search(passage.text, max(start, found.start() - 40), found.start())
             if not inside and lead is not None and Fraction(lead["rate"]) and found["bytes"]:
                 yield from _unnamed(reading, passage, found, Fraction(lead["rate"]))
-            if len({mention.name for mention in inside}) != 1 or not rates:
+            if len({mention.name for mention in inside}) != 1 or not rates or _CUT.search(passage.text, start, end):
                 continue
             claims = list(size_claims(reading, passage, mentions)) if claims is None else claims
             sizes = between(claims, start, end)
@@ -113,7 +114,7 @@ def _wrong(
         return None
     if any(sent.low * each <= one <= sent.high * each for each in rates for one in stated) and reading.reference.sent:
         return None
-    if sizes or _CUT.search(text, *sentence) or text[max(found.start() - 2, 0) : found.start()] == "= ":
+    if sizes or is_aside(text[slice(*sentence)].lower()) or text[max(found.start() - 2, 0) : found.start()] == "= ":
         return None
     hertz = _shown(rate)
     bits = " bits" if found["bits"] else ""

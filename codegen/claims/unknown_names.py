@@ -9,6 +9,7 @@ from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
 from codegen.claims.misspelled import is_spelled_so, numbered_message
 from codegen.claims.reading import Reading, between
+from codegen.claims.statements.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
@@ -76,6 +77,9 @@ _ELSE = re.compile(
     r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
     r"|signal|script|module|column|table|key)s?\s+$",
     re.IGNORECASE,
+)
+_IS_ELSE = re.compile(
+    r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
 )
 _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
 _FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
@@ -379,6 +383,8 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: _Na
             continue
         message = message_about(reading, passage, around, low, high)
         if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
+            continue
+        if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
             continue
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
         if _near_fields(name, message) or (is_called and reading.named(passage)):

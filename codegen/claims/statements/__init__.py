@@ -23,8 +23,11 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
+from codegen.claims.statements.ruled_out import is_aside, is_own_column
 from codegen.claims.statements.spans import Span, spans
+from codegen.claims.statements.units import head_of
 from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
     (types.check, "FP", "T"),
@@ -43,6 +46,19 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
 """What is looked for, and the terms without which nothing is: one of the first, and one of the second."""
 
 
+def _is_aside(span: Span, found: Diagnostic) -> bool:
+    """Whether the sentence of a finding is about other things than the messages of the dialect."""
+    if span.is_code and not span.is_comment:
+        return False
+    offset = next((at for at in span.sentence.offsets if span.place(at) == found.place), None)
+    if offset is None:
+        return False
+    if span.kind is PassageKind.ROW:
+        return is_own_column(head_of(span, offset))
+    low, high = span.bounds(offset)
+    return is_aside(span.text[low:high])
+
+
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every statement of a document that the dialect contradicts."""
     parts = spans(reading)
@@ -50,7 +66,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         letters = {term.letter for term in span.sentence.terms.values()}
         for find, names, facts_of in _CHECKS:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
-                yield from find(reading, span)
+                yield from (found for found in find(reading, span) if not _is_aside(span, found))
     yield from tables.check(reading, parts)
     yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)

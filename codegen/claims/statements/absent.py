@@ -18,20 +18,23 @@ from codegen.load.prose import PassageKind
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without) (?:[a-z]+ ){{0,2}}(?:sensor|data|fix|gps|estimate|measurement|value|reading"
     r"|module|receiver|battery|input|signal|device)\b|\babsent\b|\bmissing\b|\b(?:lacks?|has no) an? |\bnothing\b"
-    r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno \w+ is (?:fitted|connected|present|known|available)"
+    r"|\b(?:cannot|can't|do not|don't) (?:fill|know|measure|tell|have)\b|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno \w+ is (?:fitted|connected|present|known|available)"
 )
 _VERB = (
-    r"(?:is|are|=|==|:|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be|should be"
+    r"(?:is|are|=|==|:|equals|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be|should be"
     r"|becomes|gets|holds?|carries|contains|will be|goes to|(?:is |are )?(?:set|filled|left|sent|marked)"
     r"(?: to| with| as| at)?|to|with|at|as)"
 )
 _TO_VALUE = re.compile(
     rf"(?P<name>[FP])(?: (?:of|in) M)?(?: field)?,? {_VERB}(?: (?:the )?(?:value|number|fixed))? ?(?P<value>[NS])"
-    r"(?=\s*(?:[,;.)!]|$|#|//|/\*|\*/|(?:if|when|while|until|unless|and|as|because|for|then|on|without)\b))"
+    r"(?=\s*(?:[,;.)!]|$|#|//|/\*|\*/|(?:if|when|as long as|while|until|unless|and|as|because|for|then|on|without)\b))"
 )
 _TO_FIELD = re.compile(
     r"(?<![-+*/<>] )(?P<value>[NS]) (?:(?:in|for|as|into|marks?|means|of|is|says|stands|signals|tells|to|an?|the|missing|unknown"
     r"|invalid|absent|field|fields|value|that) )*(?P<name>[FP])(?! ?(?:[-+*/]|(?:is|are|=) ?[NS]))"
+)
+_TO_SEND = re.compile(
+    r"\b(?:use|send|put|write|set|take) (?P<value>[NS]) (?:if|when|where|while|unless) [^.;|()NS]{0,40}?(?P<name>F)(?! ?[-+*/])"
 )
 _CONDITION = re.compile(
     r"\b(?:if|when|while|without|unless|until|no|unknown|absent|missing|invalid|lacks?|marks?|has no)\b"
@@ -50,7 +53,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if not _ABSENT.search(span.text, low, high) or _RULED_OUT.search(span.text, low, high):
             continue
         told: set[int] = set()
-        for form in (_TO_VALUE, _TO_FIELD):
+        for form in (_TO_VALUE, _TO_FIELD, _TO_SEND):
             for found in form.finditer(span.text, low, high):
                 if found.start("name") not in told:
                     told.add(found.start("name"))

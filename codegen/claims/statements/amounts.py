@@ -22,7 +22,8 @@ _LINKS = frozenset((
     "gives", "give", "corresponds", "then", "field", "number", "raw", "has", "have", "shows", "represented",
     "reported", "received", "transmitted", "be", "must", "will", "it", "which", "and", "comes", "arrives", "appears",
     "there", "i", "e", "ie", "eg", "exactly", "by", "this", "say", "integer", "holds", "hold", "carries", "carry",
-    "x", "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill",
+    "x", "would", "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces", "produce", "carried", "display", "when", "results", "reading",
+    "yields", "turns", "nothing", "than", "from",
 ))  # fmt: skip
 _NOUNS = re.compile(
     r"\b(?:height|altitude|speed|voltage|current|temperature|angle|heading|pressure|distance|humidity)\b"

@@ -38,9 +38,9 @@ _OFFSET = re.compile(
 _AT = re.compile(r"@ ?(?P<number>N)")
 _ORDER = re.compile(
     r"(?P<first>[FP])(?: field)?(?: (?:of|in) M)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes"
-    r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|travels?|directly|right|immediately|follows"
+    r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|sits in front|stands in front|travels?|directly|right|immediately|follows"
     r"|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
-    r" ?(?P<how>before|ahead of|in front of|precedes|after|behind|follows"
+    r" ?(?P<how>before|ahead of|in front of|of|precedes|after|behind|follows"
     r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
 _THEN = re.compile(
@@ -52,7 +52,7 @@ _PLACED = re.compile(
     rf"(?P<names>[FP](?:(?:, ?|,? and )[FP]){{0,6}})(?: (?:of|in) M)?,? (?:comes?|is|are|goes|go|stands?|sent|follows?)"
     rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte|bit|in the xml))"
 )
-_STARTS = re.compile(r"\b(?:starts|begins|opens) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
+_STARTS = re.compile(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
 _WIRE = re.compile(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
@@ -98,7 +98,8 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
-        is_extension = "extension" in kind[0] and not kind[0].startswith("no") and not {"not", "no"} & set(words)
+        is_extension = "extension" in kind[0] and not kind[0].startswith("no")
+        is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
         yield from _kinds(reading, span, names if is_of_all else names[-1:], is_extension=is_extension)
 
 
@@ -142,7 +143,7 @@ def _orders(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         first, second = about(reading, span, found.start("first")), about(reading, span, found.start("second"))
         if first is None or second is None or first.message is not second.message or first.field is second.field:
             continue
-        is_before = how in ("before", "ahead of", "in front of", "precedes", "prior to")
+        is_before = how in ("before", "ahead of", "in front of", "of", "precedes", "prior to")
         if (first.field.offset < second.field.offset) == is_before:
             continue
         early, late = (second, first) if is_before else (first, second)
@@ -209,9 +210,11 @@ def _first(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         )
 
 
-_SEQUENCE = re.compile(r"[FP](?:(?:,? (?:and |then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}")
+_SEQUENCE = re.compile(
+    r"[FP](?:(?:,? (?:and |then |and then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}"
+)
 _IN_ORDER = re.compile(
-    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts)|(?:sent|packed"
+    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts|of M|is|:)|(?:sent|packed"
     r"|transmitted) as|byte order:|memory order|serialized"
 )
 

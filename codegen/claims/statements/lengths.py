@@ -36,6 +36,7 @@ _HELD = (
         rf"N (?:more |of the )?(?P<noun>{_NOUN}) (?:(?:can be |are |will |may |do )?(?:fit|stored|held|kept|sent|there) )?(?:in|into|of|for|inside)"
         r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
+    re.compile(rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b"),
     re.compile(
         r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into|inside)"
         r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)"

@@ -26,8 +26,12 @@ _TOP = re.compile(
     r"|wraps?(?: around)? (?:at|after)|overflows?(?: (?:at|after|above|beyond))?|rolls over (?:at|after)"
     r"|goes? up to|goes only to|counts? (?:up )?to|reaches|at most|no more than|never (?:more|larger|higher|above)(?: than)?"
     r"|(?:largest|greatest|highest|biggest|maximum|max|top|full) (?:possible )?(?:value|number|reading|count)?(?: of M?F)?"
-    r"|maximum|max\.?|upper (?:limit|end|bound)|limit)"
+    r"|maximum|max\.?|upper (?:limit|end|bound)|limit|(?:values|numbers|anything) (?:above|over|beyond)|\u2264|<=)"
     r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
+)
+_OVER = re.compile(
+    r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater than)? ?(?P<value>[NQ])"
+    r" (?:does not|do not|cannot|will not|doesn't|don't|can't|never) (?:fit|go|be|get) (?:into|in|stored in|sent in|held by)? ?(?:the )?(?:field )?$"
 )
 _SPAN = re.compile(
     r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?|\u2026| ?[-\u2013] ?| to | and | through | up to )(?:about )?(?P<value>[NQ])"
@@ -68,6 +72,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     low = max(said.before, said.start - 40)
+    lead = _OVER.search(text, low, said.start)
     for found, is_certain in (
         (_TOP.search(text, low, said.until), True),
         (_SPAN.search(text, said.end, said.until), False),
@@ -75,7 +80,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         if found is None or found.end() <= said.end and found["value"] is None:
             continue
         at = found.start("value")
-        if at < said.end or at - said.end > _FAR:
+        if (at < said.end and found is not lead) or at - said.end > _FAR:
             continue
         gap = text[low:at]
         if (

@@ -37,6 +37,8 @@ _PLAIN = re.compile(
     r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has the number) (?:number |no\.? |id )?#?(?P<number>N)"
     r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
     r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
+    r"|^[\s*-]*(?P<own>M): ?# ?(?P<behind>N)(?=\s*$)|(?P<numbered>M), (?:number|no\.?|msg|message) (?P<nth>N)"
+    r"|\b(?:subscribe[sd]? to|listens? (?:to|for)|filters? (?:on|for)|asks? for|waits? for|requests?) (?:message |id |#)*(?P<heard>N) \((?P<hearing>M)\)"
     r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the )?(?P<asked>M))"
     r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
 )
@@ -86,8 +88,8 @@ def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "RADIO_STATUS is 109, RADIO is 166", "Message: ODOMETRY, 331.", "param1 = 33 (GLOBAL_POSITION_INT)"."""
     text = span.text
     for found in _PLAIN.finditer(text) if not span.is_code or span.is_comment else ():
-        named = next(group for group in ("lead", "called", "last", "asked") if found[group])
-        told = {"lead": "number", "called": "then", "last": "first", "asked": "set"}[named]
+        named = next(group for group in _TOLD if found[group])
+        told = _TOLD[named]
         low, high = span.bounds(found.start())
         is_else = (
             _OF_RATE.search(text, low, high)
@@ -99,10 +101,15 @@ def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         sizes = {message.base_length, message.length, message.length + HEAD_V2, message.crc_extra}
         if named == "asked" and not _IS_ASKED.search(span.source_text(0, len(text))):
             continue
-        if is_else is None and (value not in sizes or named in ("called", "asked")):
-            yield from _id(reading, span, found.start(told), (message,), is_sure=named in ("called", "asked"))
+        if is_else is None and (value not in sizes or named in ("called", "asked", "numbered", "hearing")):
+            yield from _id(reading, span, found.start(told), (message,), is_sure=named not in ("lead", "last"))
 
 
+_TOLD = {
+    "lead": "number", "called": "then", "last": "first", "asked": "set", "own": "behind", "numbered": "nth",
+    "hearing": "heard",
+}  # fmt: skip
+"""The groups of a message, and those of its number."""
 _IS_ASKED = re.compile(r"MESSAGE_INTERVAL|REQUEST_MESSAGE|\bparam ?1\b|\brequest", re.IGNORECASE)
 
 

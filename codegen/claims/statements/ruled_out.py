@@ -28,5 +28,44 @@ def words(*groups: tuple[str, ...] | str) -> "re.Pattern[str]":
     return re.compile("|".join(patterns))
 
 
-NO_CLAIM = words(DENIED, REPLACED, PAST, MISTAKEN, SUPPOSED, PROPOSED, OWN, SHOWN, CONVERTED, ASKED)
-"""What says of any sentence about a value that it states none of the dialect."""
+_OWN_THINGS = (
+    r"(?:logs?|variables?|databases?|topics?|columns?|structs?|tables?|displays?|apps?|screens?|csv|cop(?:y|ies)|forks?"
+    r"|dialects?|firmwares?|sensors?|drivers?|sliders?|radios?|files?|buffers?|node|recording|parser|enums?|page|gui|code)"
+)
+_HANDLED = (
+    r"(?:show|keep|store|log|copy|convert|plot|display|print|cast|allocate|reserve|prefer|round|scale|limit|clip|measured"
+    r"|turn|write|save|use the first|read (?:it|them|that)? ?(?:as|into))"
+)
+_ASIDE = words(
+    r"\b(?:draft|proposals?|proposed?|rfc|suggest\w*|wish|idea)\b",
+    rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
+    rf"\b(?:we|i|they) (?:then |only |first |also |had |would )*{_HANDLED}\b",
+    r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)\b",
+    r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",
+    r"\bon (?:the|a) (?:screen|display|map|page|plot)\b",
+    r"\b(?:old|older|earlier|previous|former|legacy|ancient) (?:[a-z]+ )?(?:firmwares?|versions?|headers?|generations?|releases?"
+    r"|builds?|code|bindings?|drafts?)\b",
+    r"\b(?:before|until|up to) (?:version|v\d|release)",
+    r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",
+    r"\bwrong(?:ly)?\b|\bmistak|\bincorrect|\ba bug\b|\brejected\b|\brefused\b|\bmislead",
+    r"\bwould (?:be better|be nicer|make|prefer|rather|like)\b|\bif [^,;]{1,40} were\b",
+    r"\b(?:must|should|may|can) (?:not|never) be\b(?! (?:more|larger|greater|higher|bigger|above|over|exceed))",
+)
+"""What makes a sentence one about other things than the messages of the dialect."""
+
+
+def is_aside(sentence: str) -> bool:
+    """Return whether a sentence, in small letters but for its terms, states nothing of the messages of the dialect."""
+    return _ASIDE.search(sentence) is not None
+
+
+_OWN_COLUMN = re.compile(
+    r"\bour|\bmy\b|\bcolumn (?:type|unit)|\bcsv\b|\bsql\b|database|\bros\b|\btopic|variable|\blocal\b|\bdraft\b|propos"
+    r"|\bbefore\b|\bold\b|\bwrong\b|shown|display",
+    re.IGNORECASE,
+)
+
+
+def is_own_column(head: str) -> bool:
+    """Return whether a column of a table tells of somebody's own things."""
+    return _OWN_COLUMN.search(head) is not None

@@ -78,7 +78,7 @@ _BESIDE = re.compile(
     r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat"
     r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:in|with|under|for) (?:v1|v2|mavlink N))?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
     r"|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
-    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|comes?|counts?|uses?|carries|each"
+    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|weighs?|=|comes?|counts?|uses?|carries|each"
     r"|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
 )
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")

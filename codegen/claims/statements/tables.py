@@ -9,7 +9,7 @@ from itertools import groupby
 from codegen.claims.reading import Reading
 from codegen.claims.rate import RULE as BANDWIDTH
 from codegen.claims.rate import exact_sizes
-from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, as_sure
+from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.spans import About, Span, about
@@ -234,6 +234,8 @@ _TOTAL = re.compile(
 
 def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> Iterator[Diagnostic]:
     """A column of offsets, or of values for unknown, one field in each row."""
+    if _LENGTH.fullmatch(head):
+        yield from _lengths(reading, rows, column)
     if _EXTENSION.fullmatch(head):
         yield from _extensions(reading, rows, column)
     is_offset, is_sentinel = _OFFSET.fullmatch(head) is not None, _UNKNOWN.fullmatch(head) is not None
@@ -254,6 +256,26 @@ def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> I
         if is_sentinel and known is not None and one.is_wrong(partial(is_unknown, value=float(value))):
             text = f"{one.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, place, f"{one.name} {written}", text)
+
+
+_LENGTH = re.compile(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")
+
+
+def _lengths(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+    """A column with the number of elements of each array; bytes will do."""
+    for row in rows:
+        one, at = _field(reading, row), row.number(column)
+        value = number(row.span.sentence.term(at)) if at is not None else None
+        if one is None or at is None or value is None or not one.field.is_array:
+            continue
+        if one.is_wrong(partial(_holds, value=value)):
+            written = row.span.sentence.term(at).written
+            text = f"{one.name} has {one.field.count} elements, not {written}"
+            yield reading.found(TYPE, row.span.place(at), f"{one.name} {written} elements", text)
+
+
+def _holds(field: WireField, value: float | Fraction) -> bool:
+    return value in (field.count, field.size)
 
 
 _EXTENSION = re.compile(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 only|mavlink 2 only")

@@ -53,6 +53,7 @@ _SIGN = re.compile(
 _WANTED = re.compile(
     r"\b(?:to get|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
 )
+_EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
 _SCALE = re.compile(
     r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is"
@@ -221,7 +222,8 @@ def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     yield from _named_factor(reading, said)
     wanted = _WANTED.search(text, max(said.before, said.start - 40), said.start)
-    for form in (_FACTOR, _SIGN) if wanted is None else (_BY,):
+    wanted = wanted or _EQUATION.search(text, max(said.before, said.start - 40), said.start)
+    for form in (_FACTOR, _SIGN) if wanted is None else (_BY, _APPLIED):
         found = form.search(text, start, said.until)
         if (
             found is None
