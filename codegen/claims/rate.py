@@ -39,8 +39,11 @@ _ABOUT = re.compile(
     r"(?:about|roughly|around|approximately|approx\.?|ca\.?|nearly|almost|some|~|\u2248) ?$", re.IGNORECASE
 )
 _CUT = re.compile(
-    r"truncat|trimmed|\bcut\b|zeros|average|measured|\bmost\b|\bless\b|\bbelow\b|\bup to\b", re.IGNORECASE
+    r"\benough\b|\bothers?\b|\btogether\b|\blink (?:has|gives|carries)\b|truncat|trimmed|\bcut\b|zeros|average|measured"
+    r"|\bmost\b|\bless\b|\bbelow\b|\bup to\b",
+    re.IGNORECASE,
 )
+_FRAMES = re.compile(r"\bframes?\b|\bpackets?\b|on the wire", re.IGNORECASE)
 _OFF = Fraction(1, 10)
 """By how much bytes per second may be off that are about so many."""
 _BITS_OF_BYTE = (8, 10)
@@ -109,7 +112,10 @@ def _wrong(
         return (*said, True)
     is_about = _ABOUT.search(text, max(found.start() - 16, 0), found.start()) is not None
     off = _OFF if is_about else Fraction(0)
-    fitting = [size * each for size in exact_sizes(message) for each in rates]
+    own = exact_sizes(message)
+    if _FRAMES.search(text, max(sentence[0] - 120, 0), sentence[1]):
+        own -= {message.base_length, message.length}
+    fitting = [size * each for size in own for each in rates]
     if any(abs(total - one) <= off * total + _PRECISION for total in fitting for one in stated):
         return None
     if any(sent.low * each <= one <= sent.high * each for each in rates for one in stated) and reading.reference.sent:

@@ -26,6 +26,8 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
     """The numbers that stand for unknown and how they are written; None where the dialect says nothing of it."""
     if field.sentinel is not None:
         return [value for value in field.sentinel.values if value is not None], field.sentinel.written
+    if is_negative_unknown(field):
+        return [-1], "negative"
     for form in _WORDS:
         found = form.search(field.definition.description)
         written = ("0" if found["value"].lower() == "zero" else found["value"]) if found else ""
@@ -33,6 +35,17 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
         if value is not None:
             return [value], written
     return None
+
+
+_NEGATIVE = re.compile(
+    r"\bnegative values?:? (?:means? |is |for |= ?)?(?:unknown|invalid|not)|\b(?:unknown|invalid)[^.;]{0,20} negative\b",
+    re.IGNORECASE,
+)
+
+
+def is_negative_unknown(field: WireField) -> bool:
+    """Return whether any negative value stands for unknown."""
+    return _NEGATIVE.search(field.definition.description) is not None
 
 
 def number_of(written: str) -> int | float | None:

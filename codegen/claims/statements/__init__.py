@@ -23,7 +23,7 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
-from codegen.claims.statements.ruled_out import is_aside, is_own_column
+from codegen.claims.statements.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.statements.spans import Span, spans
 from codegen.claims.statements.units import head_of
 from codegen.diagnostics import Diagnostic
@@ -56,7 +56,7 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
     low, high = span.bounds(offset)
-    return is_aside(span.text[low:high])
+    return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

@@ -45,6 +45,33 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         value = term.value
         if isinstance(value, tuple) and isinstance(value[1], Unit) and value[0] is not None:
             yield from _amount(reading, span, at, value[0], value[1])
+    yield from _intervals(reading, span)
+
+
+_INTERVAL_IS = re.compile(
+    r"(?P<name>F)(?: (?:of|in) M)?(?: (?:will|then|has|to|must|should|be|is|reads?|=|shows?|carries|holds?|field))* ?(?:=|:)? ?(?P<value>N)"
+    r"(?=\s*(?:[.,;)]|$|us\b|U))"
+)
+
+
+def _intervals(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "At 5 Hz `interval_us` is 200000", with other words between."""
+    for found in _INTERVAL_IS.finditer(span.text):
+        low, high = _bounds(span, found.start())
+        rates = [term.value for _, term in span.sentence.within(low, high, "Q")]
+        hertz = [
+            each for each in rates if isinstance(each, tuple) and isinstance(each[1], Unit) and each[1].name == "Hz"
+        ]
+        one, value = about(reading, span, found.start("name")), number(span.sentence.term(found.start("value")))
+        if one is None or len(hertz) != 1 or _INTERVAL not in one.field.name or not hertz[0][0]:
+            continue
+        own = _in_own(one.field, hertz[0][0], hertz[0][1])
+        if own is None or value is None or isinstance(value, float) or abs(own - value) <= own / 100 or value <= 0:
+            continue
+        written = span.sentence.term(found.start("value")).written
+        text = f"{float(hertz[0][0]):g} Hz is {float(own):.10g} in {one.name} ({one.field.unit_text}), not {written}"
+        rule = as_sure(SCALING, is_sure=one.is_sure)
+        yield reading.found(rule, span.place(found.start("value")), f"{one.name} {written} for {hertz[0][0]} Hz", text)
 
 
 def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit) -> Iterator[Diagnostic]:

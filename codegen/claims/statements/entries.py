@@ -36,7 +36,7 @@ _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
         r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
-        r"| mask| command| cmd)*(?: of)? |, (?:command|value|number|code|cmd) )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
+        r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
     re.compile(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is|this is"

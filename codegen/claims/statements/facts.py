@@ -8,7 +8,7 @@ from itertools import pairwise
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, ORDER, as_sure
 from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
-from codegen.claims.statements.spans import Span, about
+from codegen.claims.statements.spans import About, Span, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
@@ -82,6 +82,12 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _LIST.finditer(text):
         names = [at for at in range(*found.span("names")) if text[at] in "FP"]
         yield from _kinds(reading, span, names, is_extension=found["kind"].startswith("ext"))
+    for found in _THESE.finditer(text):
+        value = number(span.sentence.term(found.start("many")))
+        named = [at for at, _ in span.sentence.within(0, found.start(), "FP")]
+        if value is not None and 1 < value <= len(named):
+            is_extension = found["kind"].startswith("ext")
+            yield from _kinds(reading, span, named[-int(value) :], found.start("kind"), is_extension=is_extension)
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
     for found in _GROUP.finditer(text) if _KIND.search(text) else ():
@@ -100,15 +106,21 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
         is_extension = "extension" in kind[0] and not kind[0].startswith("no")
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
-        yield from _kinds(reading, span, names if is_of_all else names[-1:], is_extension=is_extension)
+        far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
+        yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
 
 
+_THESE = re.compile(
+    r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
+)
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 60
 """Characters between names and what kind of fields they are."""
 
 
-def _kinds(reading: Reading, span: Span, names: Sequence[int], *, is_extension: bool) -> Iterator[Diagnostic]:
+def _kinds(
+    reading: Reading, span: Span, names: Sequence[int], kind_at: int | None = None, *, is_extension: bool
+) -> Iterator[Diagnostic]:
     """The fields that are not of the kind that is said of them."""
     low, high = span.bounds(names[0])
     if re.search(r"\bwithout\b|\bpropos|\bwould\b|\bshould\b|\bmake\b|\?", span.text[low:high]):
@@ -119,7 +131,7 @@ def _kinds(reading: Reading, span: Span, names: Sequence[int], *, is_extension: 
             kind = "an extension" if one.field.definition.is_extension else "a base field"
             yield reading.found(
                 as_sure(EXTENSION, is_sure=one.is_sure),
-                span.place(offset),
+                span.place(offset if kind_at is None else kind_at),
                 f"{one.name} {is_extension}",
                 f"{one.name} is {kind}",
             )
@@ -169,7 +181,12 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         for at, place in zip(names, places, strict=False):
             one = about(reading, span, at)
             index = _ORDINALS.index(place)
-            if one is None or one.others or index >= len(one.message.fields) or one.message.fields[index] is one.field:
+            if (
+                one is None
+                or _is_other(one)
+                or index >= len(one.message.fields)
+                or one.message.fields[index] is one.field
+            ):
                 continue
             text = (
                 f"{one.message.name}: {one.message.fields[index].name} comes {place} on the wire, not {one.field.name}"
@@ -177,6 +194,11 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             order = f"on the wire: {', '.join(field.name for field in one.message.fields)}"
             claim = f"{one.message.name} {place} {one.field.name}"
             yield reading.found(as_sure(ORDER, is_sure=one.is_sure), span.place(at), claim, text, order)
+
+
+def _is_other(one: About) -> bool:
+    """Whether a field of another message may be meant."""
+    return any(other is not one.field for other in one.others)
 
 
 _FIRST = re.compile(
@@ -197,7 +219,7 @@ def _first(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         base = [field for field in of_kind if not field.definition.is_extension] or of_kind
         possible = of_kind[:1] if found["which"] == "first" else [of_kind[-1], base[-1]]
-        if one.field in possible or any(other.offset == 0 for other in one.others):
+        if one.field in possible or any(other.offset == 0 and other is not one.field for other in one.others):
             continue
         words = f"{one.message.name}: the {found['which']} {found['what']} on the wire is {possible[0].name}"
         order = ", ".join(field.name for field in one.message.fields)

@@ -68,7 +68,7 @@ _ELEMENTS = re.compile(
     r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
     r"|bytes?|octets?|channels"
     r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further"
-    r"|more|a second|each|in a|at the|are|each))"
+    r"|more|a second|each|in a|in base|in payload|in total|in all|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )
 _HOLDS = frozenset((

@@ -34,14 +34,14 @@ _OVER = re.compile(
     r" (?:does not|do not|cannot|will not|doesn't|don't|can't|never) (?:fit|go|be|get) (?:into|in|stored in|sent in|held by)? ?(?:the )?(?:field )?$"
 )
 _SPAN = re.compile(
-    r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?|\u2026| ?[-\u2013] ?| to | and | through | up to )(?:about )?(?P<value>[NQ])"
+    r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?| ?\u2026 ?| ?[-\u2013] ?| to | and | through | up to )(?:about )?(?P<value>[NQ])"
 )
 _RANGE = re.compile(
     r"\b(?:from|between|range|ranges|values?|goes|runs|valid|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=] ?$|^ ?$"
 )
 _RULED_OUT = words(
     DENIED[1:2], REPLACED, PAST, OWN, MISTAKEN, PROPOSED, SHOWN, r"\bshould\b", r"\bpulse", r"\bbytes?\b", r"\belement",
-    r"\bscaled", r"\bdivid", r"\bmap(?:ped|s)?\b", r"\bbecause\b", r"\bsensor\b", r"\btypical", r"\bnormal",
+    r"\bscaled", r"\bdivid", r"\bmap(?:ped|s)?\b", r"\bsensor\b", r"\btypical", r"\bnormal",
 )  # fmt: skip
 _NOT_ONE = re.compile(r"\bnot\b(?! (?:be|go|get|exceed|hold|carry|count|reach|more|larger))")
 _TOPS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MAX")}))
@@ -86,7 +86,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         if (
             _RULED_OUT.search(gap)
             or _NOT_ONE.search(gap)
-            or re.search(r"[|;]|\.\s", text[said.end : found.start()].strip(" |"))
+            or re.search(_ends(said), text[said.end : found.start()].strip(" |"))
         ):
             continue
         if not is_certain and not _RANGE.search(text[said.end : found.start()]):
@@ -111,6 +111,11 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
 def _is_of_other(unit: object, one: About) -> bool:
     """Whether a unit that is named, too, is another one than that of the field: the number may be in that one."""
     return isinstance(unit, Unit) and not has_unit(one.field, unit)
+
+
+def _ends(said: Said) -> str:
+    """What divides a statement from the next one: in an item a semicolon does not."""
+    return r"\||\.\s" if said.is_listed else r"[|;]|\.\s"
 
 
 def _end(span: Span, offset: int, one: About) -> _End | None:

@@ -40,7 +40,8 @@ _ASIDE = words(
     r"\b(?:draft|proposals?|proposed?|rfc|suggest\w*|wish|idea)\b",
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
     rf"\b(?:we|i|they) (?:then |only |first |also |had |would )*{_HANDLED}\b",
-    r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)\b",
+    r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)"
+    r" (?:to|into|as|in|with|by|on|for)\b",
     r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",
     r"\bon (?:the|a) (?:screen|display|map|page|plot)\b",
     r"\b(?:old|older|earlier|previous|former|legacy|ancient) (?:[a-z]+ )?(?:firmwares?|versions?|headers?|generations?|releases?"
@@ -49,9 +50,18 @@ _ASIDE = words(
     r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",
     r"\bwrong(?:ly)?\b|\bmistak|\bincorrect|\ba bug\b|\brejected\b|\brefused\b|\bmislead",
     r"\bwould (?:be better|be nicer|make|prefer|rather|like)\b|\bif [^,;]{1,40} were\b",
-    r"\b(?:must|should|may|can) (?:not|never) be\b(?! (?:more|larger|greater|higher|bigger|above|over|exceed))",
 )
 """What makes a sentence one about other things than the messages of the dialect."""
+
+
+_DENIAL = re.compile(
+    r"\b(?:must|should|may|can) (?:not|never) be\b(?! (?:more|larger|greater|higher|bigger|above|over|exceed))"
+)
+
+
+def is_denial(sentence: str) -> bool:
+    """Return whether a sentence says of something what it must not be."""
+    return _DENIAL.search(sentence) is not None
 
 
 def is_aside(sentence: str) -> bool:
@@ -61,7 +71,7 @@ def is_aside(sentence: str) -> bool:
 
 _OWN_COLUMN = re.compile(
     r"\bour|\bmy\b|\bcolumn (?:type|unit)|\bcsv\b|\bsql\b|database|\bros\b|\btopic|variable|\blocal\b|\bdraft\b|propos"
-    r"|\bbefore\b|\bold\b|\bwrong\b|shown|display",
+    r"|\bwrong\b|shown|display",
     re.IGNORECASE,
 )
 

@@ -30,6 +30,8 @@ _FIELDS = re.compile(
     r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)(?:_t)?|float)\b"
 )
 _KEYED = re.compile(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
+_DEFINED = re.compile(r"[FP](?:,? (?:and )?[FP])* : ")
+"""A definition list, which is a paragraph for Markdown."""
 _LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
 _FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
 _CELL = re.compile(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
@@ -107,7 +109,7 @@ class Span:
 
     def end_of(self, offset: int) -> int:
         """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
-        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code:
+        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code or _DEFINED.match(self.text):
             return len(self.text)
         _, high = self.bounds(offset)
         while high < len(self.text) and _GOES_ON.match(self.text, high + 1):

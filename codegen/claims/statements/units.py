@@ -89,10 +89,15 @@ def is_same_unit(one: Unit, other: Unit) -> bool:
     return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
 
 
+_UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
+
+
 def has_unit(field: WireField, unit: Unit) -> bool:
     """Whether a unit is that of a field; also where either has none to compare."""
     own = Unit.parse(field.definition.units)
     stated = of_field(unit, field)
+    if own is None and stated.dimension and _UNITLESS.search(field.definition.description):
+        return False
     if own is None or not stated.dimension:
         return True
     if field.multiplier != 1:
@@ -113,7 +118,13 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         gap, behind = text[said.end : offset], text[offset + 1 :]
         if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
             return
-        if not _PLACE.search(gap) or not _IS_SHORT.match(behind) or len(gap) > _GAP_LONG or _is_own(span, offset):
+        is_column = span.is_comment and gap == " " and not behind.strip()  # "# heading, target_heading    deg"
+        if (
+            not (_PLACE.search(gap) or is_column)
+            or not _IS_SHORT.match(behind)
+            or len(gap) > _GAP_LONG
+            or _is_own(span, offset)
+        ):
             continue
         if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):
             yield from _each(reading, said, offset)
@@ -202,10 +213,14 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
     assert isinstance(unit, Unit)
     one = claimed(reading, said, offset, lambda field: has_unit(field, unit))
     if one is not None:
-        text = f"{one.name} is in {one.field.definition.units}, not {term.written}"
+        text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
             as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
         )
+
+
+def _own(field: WireField) -> str:
+    return f"is in {field.definition.units}" if field.definition.units else "has no unit"
 
 
 def _factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:

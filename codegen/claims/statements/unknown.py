@@ -9,7 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
 from codegen.claims.statements.spans import Span, about
-from codegen.claims.unknown_value import unknown_values
+from codegen.claims.unknown_value import is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
@@ -75,7 +75,7 @@ def is_unknown(field: WireField, value: float) -> bool:
     known = unknown_values(field)
     if known is None:
         return True
-    if value == 0 and field.definition.enum:
+    if (value == 0 and field.definition.enum) or (value < 0 and is_negative_unknown(field)):
         return True
     return any(same_number(value, each) for each in known[0])
 
