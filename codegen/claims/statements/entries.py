@@ -257,7 +257,7 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
         or stated is None
         or stated == own
         or re.search(
-            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|see|section"
+            r"\b(?:component|system|(?<!command )id|param\w*|than|after|about|least|most|up to|channel|instance|see|section"
             r"|chapter|not) ?$|[+*<>-] ?$",
             before[:-1] if before.endswith(" ") else before,
         )

@@ -180,7 +180,8 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         offset = found.start("number") if found["number"] else found.start("first")
         low, _ = span.bounds(offset)
         is_extra = "extra" in found[0] or "seed" in found[0]
-        if (not is_extra and not span.is_code) or re.search(
+        is_listed = span.kind is PassageKind.ITEM and any(span.named(0, offset))
+        if (not is_extra and not span.is_code and not is_listed) or re.search(
             r"\b(?:not|n't|instead|was|old|our|other|wrong)\b", text[low:offset]
         ):
             continue

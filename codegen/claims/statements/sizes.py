@@ -43,6 +43,7 @@ _PAIRS = (
     ),
     re.compile(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
     re.compile(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
+    re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
     re.compile(
         r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
         r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2|mavlink N)"
@@ -56,8 +57,8 @@ _FRAMED = re.compile(
 """The payload, and the whole frame."""
 _SHORT = re.compile(
     r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
-    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
-    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
+    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
+    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?! M)"
 )
 _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the )?header)"
@@ -89,7 +90,7 @@ _BEHIND = re.compile(
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
-_CALCULATED = re.compile(r"[=+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
+_CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
 _HYPOTHETICAL = words(
     ASKED, DENIED[:2], PROPOSED, REPLACED[:1], PAST[:1], OWN[:1], r"\bown\b", r"\bif\b",
