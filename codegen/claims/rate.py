@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from codegen.claims.reading import Reading, between
+from codegen.claims.ruled_out import is_aside
 from codegen.claims.rules import as_sure
 from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
-from codegen.claims.statements.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage

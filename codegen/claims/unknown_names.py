@@ -9,7 +9,7 @@ from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
 from codegen.claims.misspelled import is_spelled_so, numbered_message
 from codegen.claims.reading import Reading, between
-from codegen.claims.statements.ruled_out import is_aside
+from codegen.claims.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line

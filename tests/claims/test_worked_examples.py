@@ -8,7 +8,7 @@ import pytest
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reference, read_document
-from codegen.claims.worked.amount import amounts
+from codegen.claims.own.worked.amount import amounts
 from codegen.cli import main
 from codegen.commands.document_findings import project_documents
 from codegen.commands.documents import example_numbers, project_reference

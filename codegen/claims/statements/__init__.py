@@ -7,6 +7,7 @@ which messages a part may be about; the other modules each know what is said of 
 from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.statements import (
     absent,
     amounts,
@@ -23,7 +24,6 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
-from codegen.claims.statements.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.statements.spans import Span, spans
 from codegen.claims.statements.units import head_of
 from codegen.diagnostics import Diagnostic

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from functools import partial
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.ruled_out import ASKED, DENIED, MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.statements.sentence import NamedField
 from codegen.claims.statements.spans import About, Span, about, is_data
 from codegen.claims.statements.unknown import NOTHING, is_unknown

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.statements.spans import About, Span, about
 from codegen.claims.statements.units import of_field
 from codegen.diagnostics import Diagnostic

@@ -6,9 +6,7 @@ from fractions import Fraction
 from functools import partial
 
 from codegen.claims.reading import Reading
-from codegen.claims.rules import TYPE, as_sure
-from codegen.claims.statements.fields import Said, made_of, named, number, said_of_fields
-from codegen.claims.statements.ruled_out import (
+from codegen.claims.ruled_out import (
     CHANGED,
     CONVERTED,
     DENIED,
@@ -19,6 +17,8 @@ from codegen.claims.statements.ruled_out import (
     SUPPOSED,
     words,
 )
+from codegen.claims.rules import TYPE, as_sure
+from codegen.claims.statements.fields import Said, made_of, named, number, said_of_fields
 from codegen.claims.statements.spans import About, Span, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField

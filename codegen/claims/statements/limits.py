@@ -6,9 +6,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.statements.spans import About, Span, about
 from codegen.claims.statements.units import has_unit, of_field
 from codegen.diagnostics import Diagnostic
@@ -77,7 +77,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         (_TOP.search(text, low, said.until), True),
         (_SPAN.search(text, said.end, said.until), False),
     ):
-        if found is None or found.end() <= said.end and found["value"] is None:
+        if found is None or (found.end() <= said.end and found["value"] is None):
             continue
         at = found.start("value")
         if (at < said.end and found is not lead) or at - said.end > _FAR:

@@ -6,10 +6,10 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.statements.spans import Span, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
