@@ -46,12 +46,13 @@ def check_project_documents(systems: Sequence[System], files: Files, report: Rep
     systems = _without_texts(systems, paths)
     compared_with, dialects = _digest(systems), _digest_of_dialects(systems)
     seen: dict[str, str] = {}
+    looked_at: dict[str, str] = {}
     reference = asked_once(lambda noting: _reference(systems, noting))
     found: dict[str, Found] = {}
     for path in paths:
         text = files.read_text(path, report)
         if text is not None:
-            find = _finder(text, path, systems, reference, dialects)
+            find = _finder(text, path, systems, reference, (dialects, looked_at))
             inputs = compared_with, path, text
             found[path] = with_files_read(inputs, find, seen, files) if compared_with else find(files)
     for of_document in found.values():
@@ -106,9 +107,16 @@ def _reference(systems: Sequence[System], files: Files) -> "Reference":
 
 
 def _finder(
-    text: str, path: str, systems: Sequence[System], reference: "Callable[[Files], Reference]", dialects: str
+    text: str,
+    path: str,
+    systems: Sequence[System],
+    reference: "Callable[[Files], Reference]",
+    known_by: tuple[str, dict[str, str]],
 ) -> Callable[[Files], Found]:
-    """Return what finds what is wrong in a document: it imports all that this needs."""
+    """Return what finds what is wrong in a document: it imports all that this needs.
+
+    ``known_by`` has the hash of the dialects, and by path what was found at files that were compared before.
+    """
 
     def find(noting: Files) -> Found:
         from codegen.commands.documents import found_claims, of_dialects
@@ -121,7 +129,8 @@ def _finder(
         def compare(inner: Files) -> "OfDialect":
             return of_dialects(text, path, reference(inner), inner)
 
-        known = with_files_read((dialects, path, text), compare, {}, noting) if dialects else None
+        dialects, seen = known_by
+        known = with_files_read((dialects, path, text), compare, seen, noting) if dialects else None
         claims = found_claims(text, path, reference(noting), noting, known)
         return Found((*stated.findings, *drift(stated, systems)), tuple(claims))
 
