@@ -14,7 +14,7 @@ from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect.dialect import WireMessage
+from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.once import once
 from codegen.source import Place
 
@@ -344,31 +344,23 @@ def _turned(reading: Reading, place: Place, name: str) -> Iterator[Diagnostic]:
     words = name.split("_")
     if len(words) < _LONG:
         return
-    near = _spellings(reading).get("".join(sorted(words)))
-    near = near or _lacking(reading).get(name)
-    entry = next((enum.name for enum in reading.enums.values() if near and enum.entry(near)), None)
-    if entry is not None and near is not None:
-        yield reading.found(NO_ENTRY, place, name, f"{entry} has no entry {name}", f"did you mean {near}?")
+    names = _long_entries(reading.reference.dialect)
+    near = next((each for each in names.get(len(name), ()) if sorted(each.split("_")) == sorted(words)), None)
+    near = near or next((each for each in names.get(len(name) + 1, ()) if is_spelled_so(name, (each,))), None)
+    enum = next((enum.name for enum in reading.enums.values() if near and enum.entry(near)), None)
+    if enum is not None and near is not None:
+        yield reading.found(NO_ENTRY, place, name, f"{enum} has no entry {name}", f"did you mean {near}?")
 
 
 @once
-def _spellings(reading: Reading) -> Mapping[str, str]:
-    """The entries of long names by their words in order of letters."""
-    names = (entry.name for enum in reading.enums.values() for entry in enum.entries)
-    return {"".join(sorted(name.split("_"))): name for name in names if name.count("_") >= _LONG - 1}
-
-
-@once
-def _lacking(reading: Reading) -> Mapping[str, str]:
-    """The entries of long names by what is left of them without one letter."""
-    names = (entry.name for enum in reading.enums.values() for entry in enum.entries)
-    return {
-        name[:at] + name[at + 1 :]: name
-        for name in names
-        if name.count("_") >= _LONG - 1
-        for at in range(1, len(name) - 1)
-        if name[at].isalpha()
-    }
+def _long_entries(dialect: Dialect) -> Mapping[int, Sequence[str]]:
+    """The entries with long names, by the length of these."""
+    found: dict[int, list[str]] = {}
+    for enum in dialect.enums.values():
+        for entry in enum.entries:
+            if entry.name.count("_") >= _LONG - 1:
+                found.setdefault(len(entry.name), []).append(entry.name)
+    return found
 
 
 _LONG = 3
