@@ -18,14 +18,14 @@ from codegen.claims.statements import (
     limits,
     messages,
     nouns,
+    order,
     sizes,
     tables,
     types,
     units,
     unknown,
 )
-from codegen.claims.statements.spans import Span, spans
-from codegen.claims.statements.units import head_of
+from codegen.claims.statements.spans import Span, head_of, spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
@@ -38,6 +38,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (amounts.check, "FP", "Q"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
+    (order.check, "FP", ""),
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),

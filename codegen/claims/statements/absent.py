@@ -5,11 +5,12 @@ from collections.abc import Iterator
 from functools import partial
 
 from codegen.claims.reading import Reading
-from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, PAST, PROPOSED, REPLACED, words
+from codegen.claims.ruled_out import ASKED, MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import About, Span, about, is_data
+from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
@@ -40,7 +41,7 @@ _CONDITION = re.compile(
     r"\b(?:if|when|while|without|unless|until|no|unknown|absent|missing|invalid|lacks?|marks?|has no)\b"
 )
 _RULED_OUT = words(
-    PAST, MISTAKEN, PROPOSED, REPLACED[:1], ASKED, DENIED[:1] and r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b",
+    PAST, MISTAKEN, PROPOSED, REPLACED[:1], ASKED, r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b",
     r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b",
 )  # fmt: skip
 _SMALL = (0, 1)
@@ -85,7 +86,7 @@ def _found(reading: Reading, span: Span, found: "re.Match[str]", sentence: tuple
     rest = span.text[sentence[0] : found.start()] + " " + span.text[found.end() : sentence[1]]
     if not (_ABSENT.search(rest) or _ABSENT.search(found[0])) or _others(span, found, sentence, one):
         return
-    is_sure = one.is_sure and (float(value) not in _SMALL or _is_told(span, found, sentence))
+    is_sure = one.is_sure and (float(value) not in _SMALL or _is_told(span, sentence))
     text = f"{one.name} is unknown when it is {known[1]}, not {term.written}"
     yield reading.found(
         as_sure(SENTINEL, is_sure=is_sure), span.place(found.start("value")), f"{one.name} {term.written}", text
@@ -97,7 +98,7 @@ def _is_element(span: Span, offset: int) -> bool:
     return isinstance(value, NamedField) and value.elements is not None
 
 
-def _is_told(span: Span, found: "re.Match[str]", sentence: tuple[int, int]) -> bool:
+def _is_told(span: Span, sentence: tuple[int, int]) -> bool:
     """Whether the sentence says of the value itself that it stands for nothing."""
     return (
         re.search(

@@ -7,9 +7,10 @@ from fractions import Fraction
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SCALING, as_sure
+from codegen.claims.statements.field_units import of_field
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import About, Span, about
-from codegen.claims.statements.units import of_field
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField

@@ -5,11 +5,12 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, REPLACED, SUPPOSED, words
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
-from codegen.claims.statements.spans import Span, about
-from codegen.claims.statements.units import head_of
+from codegen.claims.statements.spans import Span, head_of
+from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -45,7 +46,9 @@ _NAMED = (
 )
 _AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
-_NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
+_NOT = words(
+    DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"
+)
 _FEWEST = 2
 _VALUE_HEAD = re.compile(
     r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"

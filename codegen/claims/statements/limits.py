@@ -8,9 +8,10 @@ from fractions import Fraction
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
+from codegen.claims.statements.field_units import has_unit, of_field
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.spans import About, Span, about
-from codegen.claims.statements.units import has_unit, of_field
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField

@@ -5,9 +5,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import DENIED, OWN, PAST, REPLACED, words
 from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span, subjects
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
@@ -141,7 +143,9 @@ def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Di
         yield from _id(reading, span, offset, messages[:1] if own else messages, is_sure=is_sure)
 
 
-_UNSURE = re.compile(r"\b(?:not|n't|instead|was|old|our|free|private|unused|other)\b")
+_UNSURE = words(
+    DENIED[:1], REPLACED[:1], PAST[:1], r"\bold\b", OWN[:1], r"\bfree\b", r"\bprivate\b", r"\bunused\b", r"\bother\b"
+)
 
 
 def _has_id(message: WireMessage) -> bool:

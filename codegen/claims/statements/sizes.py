@@ -10,7 +10,8 @@ from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACE
 from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span, subjects
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind

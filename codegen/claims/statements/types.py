@@ -5,10 +5,24 @@ from collections.abc import Iterator
 
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import (
+    CHANGED,
+    COMPARED,
+    CONDITIONAL,
+    DENIED,
+    MISTAKEN,
+    OWN,
+    PAST,
+    REPLACED,
+    SUPPOSED,
+    TEMPORARY,
+    words,
+)
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
 from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span, about, is_data
+from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
@@ -20,13 +34,11 @@ _IDLE = frozenset((
     "three", "named", "value", "values", "number", "numbers", "member", "data", "set", "to", "travel", "travels", "u",
     "q", "U", "N", "E",
 ))  # fmt: skip
-_NOT = re.compile(
-    r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast"
-    r"|buffer|\bour\b|\bthan\b"
-    r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b"
-    r"|\bread as\b|\btaken as\b|\bfrom\b"
-    r"|\bpack(?:ed)? into\b|\bmistake|\b(?:and|while|whereas|but) (?:the|its|their) |, the \w"
-)
+_NOT = words(
+    DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, CONDITIONAL[:1], OWN[:1], TEMPORARY[:1],
+    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread (?:in|as)", r"\btaken as\b", r"\bfrom\b", r"\bpack(?:ed)? into\b",
+    r"\b(?:and|while|whereas|but) (?:the|its|their) ", r", the \w",
+)  # fmt: skip
 _BEFORE = re.compile(
     r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
     r"|named))? ?$|\bT $"

@@ -8,7 +8,8 @@ from functools import partial
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
-from codegen.claims.statements.spans import Span, about
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import about
 from codegen.claims.unknown_value import is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
