@@ -3,11 +3,14 @@
 
     python benchmarks/claims_phrasings.py [--each N] [--seed N] [--missed] [KIND...]
 
-Printed is by kind which share of the wrong ones is found, and how many of the right ones have a finding.
-The phrasings are in claims_phrasings.yaml; what they are filled with comes from the dialect common.
+Printed is by kind which share of the wrong ones is found, and how many of the right ones have a finding. At the end
+come sentences that are no claims, though what they name is wrong: none of them is to have a finding.
+The phrasings are in claims_phrasings.yaml, what is no claim in claims_asides.yaml; what they are filled with comes from
+the dialect common.
 """
 
 import argparse
+import math
 import random
 import sys
 from collections.abc import Callable, Iterator, Mapping
@@ -28,6 +31,7 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
 
 PHRASINGS = Path(__file__).with_suffix(".yaml")
+ASIDES = PHRASINGS.with_name("claims_asides.yaml")
 
 Words = dict[str, str]
 """What fills a phrasing: by the name in its braces."""
@@ -62,9 +66,9 @@ def findings(text: str) -> list[Diagnostic]:
 
 
 @cache
-def phrasings() -> Mapping[str, list[str]]:
-    """Return all phrasings by kind."""
-    found: Mapping[str, list[str]] = yaml.safe_load(PHRASINGS.read_text())
+def phrasings(path: Path = PHRASINGS) -> Mapping[str, list[str]]:
+    """Return all phrasings of a file by kind."""
+    found: Mapping[str, list[str]] = yaml.safe_load(path.read_text())
     return found
 
 
@@ -315,7 +319,7 @@ def _sentinel(chance: random.Random) -> Fact | None:
     known = unknown_values(field)
     assert known is not None
     value, name = known[0][0], known[1]
-    shown = chance.choice([name, name if value != value else str(int(value))])
+    shown = chance.choice([name, name if math.isnan(value) else str(int(value))])
     tops = ["-1", "0", str(field.type.maximum), f"{field.type.name.removesuffix('_t').upper()}_MAX"]
     wrong = [text for text in tops if text not in (name, shown, str(value)) and not (text == "0" and value == 0)]
     if field.type.name == "float":
@@ -344,7 +348,7 @@ def _extension(chance: random.Random) -> Fact | None:
 
 
 def _offset(chance: random.Random) -> Fact | None:
-    found = _of_field(chance, lambda field: True)
+    found = _of_field(chance, lambda _: True)
     if found is None:
         return None
     _, field, words = found
@@ -503,10 +507,10 @@ MAKERS: Mapping[str, Maker] = {
 }
 
 
-def twins(kind: str, each: int, seed: int = 0) -> Iterator[Twins]:
+def twins(kind: str, each: int, seed: int = 0, path: Path = PHRASINGS) -> Iterator[Twins]:
     """Yield each phrasing of a kind, filled so many times with messages that the seed chooses."""
-    for phrasing in phrasings()[kind]:
-        chance = random.Random(f"{seed} {phrasing}")
+    for phrasing in phrasings(path)[kind]:
+        chance = random.Random(f"{seed} {phrasing}")  # noqa: S311  which messages fill it
         made = 0
         while made < each:
             fact = MAKERS[kind](chance)
@@ -540,8 +544,14 @@ def main() -> int:
             print(f"  missed {len(texts)} of {arguments.each}: {phrasing!r}\n      such as {texts[0]!r}")
         for text, one in false if arguments.missed else ():
             print(f"  false  {text!r}\n      {one.rule.id}: {one.message}")
+    asides = [each.wrong for kind in phrasings(ASIDES) for each in twins(kind, arguments.each, arguments.seed, ASIDES)]
+    taken = [(text, one) for text in asides if not arguments.kinds for one in findings(text)]
+    for text, one in taken if arguments.missed else ():
+        print(f"  no claim {text!r}\n      {one.rule.id}: {one.message}")
     share = 100 * total[0] / total[1]
     print(f"all: {total[0]} of {total[1]} found ({share:.1f} %), {total[2]} findings on as many that are right")
+    if not arguments.kinds:
+        print(f"no claims: {len(taken)} findings on {len(asides)}")
     return 0
 
 

@@ -30,7 +30,8 @@ _COSTS = re.compile(
 _NUMBER = r"(?<![\w.,-])(?P<{}>\d{{1,4}}(?:\.\d{{1,3}})?)"
 _RATE = re.compile(
     rf"{_NUMBER.format('hertz')} ?Hz\b"
-    rf"|{_NUMBER.format('times')} (?:times |messages |frames |packets |of them )(?:per|a|each|every|in a|in each) second\b"
+    rf"|{_NUMBER.format('times')} (?:times |messages |frames |packets |of them )(?:per|a|each|every|in a|in each)"
+    rf" second\b"
     rf"|\bevery {_NUMBER.format('ms')} ?(?:ms|milliseconds)\b|\bevery {_NUMBER.format('s')} ?(?:s|sec|seconds)\b"
     r"|(?P<once>\b(?:once|one) (?:per|a|each|every) second\b)"
 )

@@ -44,7 +44,8 @@ _ASIDE = words(
     r" (?:to|into|as|in|with|by|on|for)\b",
     r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",
     r"\bon (?:the|a) (?:screen|display|map|page|plot)\b",
-    r"\b(?:old|older|earlier|previous|former|legacy|ancient) (?:[a-z]+ )?(?:firmwares?|versions?|headers?|generations?|releases?"
+    r"\b(?:old|older|earlier|previous|former|legacy|ancient) (?:[a-z]+ )?(?:firmwares?|versions?|headers?"
+    r"|generations?|releases?"
     r"|builds?|code|bindings?|drafts?)\b",
     r"\b(?:before|until|up to) (?:version|v\d|release)",
     r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",

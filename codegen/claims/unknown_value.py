@@ -38,7 +38,8 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
 
 
 _NEGATIVE = re.compile(
-    r"\bnegative values?:? (?:means? |is |for |= ?)?(?:unknown|invalid|not)|\b(?:unknown|invalid)[^.;]{0,20} negative\b",
+    r"\bnegative values?:? (?:means? |is |for |= ?)?(?:unknown|invalid|not)|\b(?:unknown|invalid)[^.;]{0,20}"
+    r" negative\b",
     re.IGNORECASE,
 )
 

@@ -1,4 +1,4 @@
-"""Values that a field is said to have while nothing is known: "without a sensor `alt` is 0", "-1 marks a missing `id`"."""
+"""Values that a field is said to have while nothing is known: "without a sensor `alt` is 0", "-1 marks no `id`"."""
 
 import re
 from collections.abc import Iterator
@@ -17,12 +17,15 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
 _ABSENT = re.compile(
-    rf"\b{NOTHING}|\b(?:no|without an?|without) (?:[a-z]+ ){{0,2}}(?:sensor|data|fix|gps|estimate|measurement|value|reading"
-    r"|module|receiver|battery|input|signal|device)\b|\babsent\b|\bmissing\b|\b(?:lacks?|has no) an? |\bnothing\b"
-    r"|\b(?:cannot|can't|do not|don't) (?:fill|know|measure|tell|have)\b|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno \w+ is (?:fitted|connected|present|known|available)"
+    rf"\b{NOTHING}|\b(?:no|without an?|without) (?:[a-z]+ ){{0,2}}(?:sensor|data|fix|gps|estimate|measurement"
+    rf"|value|reading"
+    r"|module|receiver|input|signal|device)\b|\babsent\b|\bmissing\b|\b(?:lacks?|has no) an? |\bnothing\b"
+    r"|\b(?:cannot|can't|do not|don't) (?:fill|know|measure|tell|have)\b|\buntil (?:an? |the )?[a-z]+ is (?:known"
+    r"|there|available)|\bno \w+ is (?:fitted|connected|present|known|available)"
 )
 _VERB = (
-    r"(?:is|are|=|==|:|equals|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be|should be"
+    r"(?:is|are|=|==|:|equals|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be"
+    r"|should be"
     r"|becomes|gets|holds?|carries|contains|will be|goes to|(?:is |are )?(?:set|filled|left|sent|marked)"
     r"(?: to| with| as| at)?|to|with|at|as)"
 )
@@ -31,11 +34,13 @@ _TO_VALUE = re.compile(
     r"(?=\s*(?:[,;.)!]|$|#|//|/\*|\*/|(?:if|when|as long as|while|until|unless|and|as|because|for|then|on|without)\b))"
 )
 _TO_FIELD = re.compile(
-    r"(?<![-+*/<>] )(?P<value>[NS]) (?:(?:in|for|as|into|marks?|means|of|is|says|stands|signals|tells|to|an?|the|missing|unknown"
+    r"(?<![-+*/<>] )(?P<value>[NS]) (?:(?:in|for|as|into|marks?|means|of|is|says|stands|signals|tells|to|an?|the"
+    r"|missing|unknown"
     r"|invalid|absent|field|fields|value|that) )*(?P<name>[FP])(?! ?(?:[-+*/]|(?:is|are|=) ?[NS]))"
 )
 _TO_SEND = re.compile(
-    r"\b(?:use|send|put|write|set|take) (?P<value>[NS]) (?:if|when|where|while|unless) [^.;|()NS]{0,40}?(?P<name>F)(?! ?[-+*/])"
+    r"\b(?:use|send|put|write|set|take) (?P<value>[NS]) (?:if|when|where|while|unless) [^.;"
+    r"|()NS]{0,40}?(?P<name>F)(?! ?[-+*/])"
 )
 _CONDITION = re.compile(
     r"\b(?:if|when|while|without|unless|until|no|unknown|absent|missing|invalid|lacks?|marks?|has no)\b"

@@ -23,7 +23,8 @@ _LINKS = frozenset((
     "gives", "give", "corresponds", "then", "field", "number", "raw", "has", "have", "shows", "represented",
     "reported", "received", "transmitted", "be", "must", "will", "it", "which", "and", "comes", "arrives", "appears",
     "there", "i", "e", "ie", "eg", "exactly", "by", "this", "say", "integer", "holds", "hold", "carries", "carry",
-    "x", "would", "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces", "produce", "carried", "display", "when", "results", "reading",
+    "x", "would", "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces",
+    "produce", "carried", "display", "when", "results", "reading",
     "yields", "turns", "nothing", "than", "from",
 ))  # fmt: skip
 _NOUNS = re.compile(
@@ -50,7 +51,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 _INTERVAL_IS = re.compile(
-    r"(?P<name>F)(?: (?:of|in) M)?(?: (?:will|then|has|to|must|should|be|is|reads?|=|shows?|carries|holds?|field))* ?(?:=|:)? ?(?P<value>N)"
+    r"(?P<name>F)(?: (?:of|in) M)?(?: (?:will|then|has|to|must|should|be|is|reads?|=|shows?|carries|holds?"
+    r"|field))* ?(?:=|:)? ?(?P<value>N)"
     r"(?=\s*(?:[.,;)]|$|us\b|U))"
 )
 
@@ -168,7 +170,7 @@ def _in_own(field: WireField, amount: Fraction, unit: Unit) -> Fraction | None:
 
 
 def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, written: str) -> bool:
-    """Whether a number is an amount in the unit of a field, or of any other that may be meant, as exactly as it is written."""
+    """Whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
     places = len(re.split(r"[^\d]", written.partition(".")[2])[0]) if "." in written else 0
     for field in (one.field, *one.others):
         own, next_one = _in_own(field, amount, unit), _in_own(field, amount + Fraction(1, 10**places), unit)

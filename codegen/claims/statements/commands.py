@@ -21,7 +21,8 @@ _NUMBERED = re.compile(
 _LINK = r"(?:is|are|=|:|\||holds?|carries|has|means|gives|sets|takes|tells|stands for|to|for|\(|-|\u2013|\u2014)"
 _BEHIND = re.compile(rf"\)? ?(?:of V ?|in V ?)?,? ?{_LINK}[ |]*(?:the |an? |its )?(?P<what>[a-zPU][a-zPU /'-]{{2,40}})")
 _BEFORE = re.compile(
-    r"(?:the |an? |with |: ?)(?P<what>[a-zPU][a-zPU /'-]{2,40}?)(?: \(U\)| in U)?(?: (?:is|goes|stands|belongs|comes|sits))?"
+    r"(?:the |an? |with |: ?)(?P<what>[a-zPU][a-zPU /'-]{2,40}?)(?: \(U\)| in U)?(?: (?:is|goes|stands|belongs"
+    r"|comes|sits))?"
     r" (?:in|into|as|by) (?:the )?$"
 )
 _STOPS = re.compile(

@@ -1,4 +1,4 @@
-"""Factors by which the numbers of fields are said to be scaled: "divided by 100 for degrees", "in degrees times 10^7"."""
+"""Factors by which the numbers of fields are said to be scaled: "divided by 100 for degrees", "degrees times 10^7"."""
 
 import re
 from collections.abc import Iterator

@@ -34,17 +34,20 @@ _NOUN = (
 )
 _HELD = (
     re.compile(
-        rf"N (?:more |of the )?(?P<noun>{_NOUN}) (?:(?:can be |are |will |may |do )?(?:fit|stored|held|kept|sent|there) )?(?:in|into|of|for|inside)"
+        rf"N (?:more |of the )?(?P<noun>{_NOUN}) (?:(?:can be |are |will |may |do )?(?:fit|stored|held|kept|sent"
+        rf"|there) )?(?:in|into|of|for|inside)"
         r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
     re.compile(rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b"),
     re.compile(
-        r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into|inside)"
+        r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into"
+        r"|inside)"
         r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)"
     ),
     re.compile(
         r"\b(?:length|size|dimension|number of (?:elements|entries|values|items)|count|capacity) (?:of|for|in)"
-        r" (?:the )?(?:array |field |list )*(?P<name>F)(?: (?:of|in) M)? ?(?:is|=|:|being|has to be|must be|,)+ ?(?P<value>N)"
+        r" (?:the )?(?:array |field |list )*(?P<name>F)(?: (?:of|in) M)? ?(?:is|=|:|being|has to be|must be|,)+"
+        r" ?(?P<value>N)"
         r"(?! ?(?:bytes?|hz|%|U|[-+*/]))"
     ),
     re.compile(
@@ -56,7 +59,8 @@ _HELD = (
         rf" (?P<noun>{_NOUN})"
     ),
     re.compile(
-        r"(?P<name>F)(?: (?:of|in) M)?(?: is|:|,| has| \()* ?(?:an |the )?(?:array|list|vector) (?:of|with) (?P<value>N)"
+        r"(?P<name>F)(?: (?:of|in) M)?(?: is|:|,| has| \()* ?(?:an |the )?(?:array|list|vector) (?:of|with)"
+        r" (?P<value>N)"
         r"(?! ?(?:bytes? |bits|x\b|by\b|[A-Z*/]))"
     ),
 )

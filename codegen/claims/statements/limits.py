@@ -25,20 +25,26 @@ _TOP = re.compile(
     r"(?: (?:more|larger|greater|higher|bigger|further|beyond|above|over|values))*(?: than)?"
     r"|ends? at|stops? at|(?:is |are )?limited to|(?:is |are )?capped at|clips? at|saturates? at|tops? out at|runs? to"
     r"|wraps?(?: around)? (?:at|after)|overflows?(?: (?:at|after|above|beyond))?|rolls over (?:at|after)"
-    r"|goes? up to|goes only to|counts? (?:up )?to|reaches|at most|no more than|never (?:more|larger|higher|above)(?: than)?"
-    r"|(?:largest|greatest|highest|biggest|maximum|max|top|full) (?:possible )?(?:value|number|reading|count)?(?: of M?F)?"
+    r"|goes? up to|goes only to|counts? (?:up )?to|reaches|at most|no more than|never (?:more|larger|higher"
+    r"|above)(?: than)?"
+    r"|(?:largest|greatest|highest|biggest|maximum|max|top|full) (?:possible )?(?:value|number|reading|count)?(?:"
+    r" of M?F)?"
     r"|maximum|max\.?|upper (?:limit|end|bound)|limit|(?:values|numbers|anything) (?:above|over|beyond)|\u2264|<=)"
     r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
 )
 _OVER = re.compile(
-    r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater than)? ?(?P<value>[NQ])"
-    r" (?:does not|do not|cannot|will not|doesn't|don't|can't|never) (?:fit|go|be|get) (?:into|in|stored in|sent in|held by)? ?(?:the )?(?:field )?$"
+    r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"
+    r" than)? ?(?P<value>[NQ])"
+    r" (?:does not|do not|cannot|will not|doesn't|don't|can't|never) (?:fit|go|be|get) (?:into|in|stored in|sent"
+    r" in|held by)? ?(?:the )?(?:field )?$"
 )
 _SPAN = re.compile(
-    r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?| ?\u2026 ?| ?[-\u2013] ?| to | and | through | up to )(?:about )?(?P<value>[NQ])"
+    r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?| ?\u2026 ?| ?[-\u2013] ?| to | and | through | up to )(?:about"
+    r" )?(?P<value>[NQ])"
 )
 _RANGE = re.compile(
-    r"\b(?:from|between|range|ranges|values?|goes|runs|valid|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=] ?$|^ ?$"
+    r"\b(?:from|between|range|ranges|values?|goes|runs|valid|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=]"
+    r" ?$|^ ?$"
 )
 _RULED_OUT = words(
     DENIED[1:2], REPLACED, PAST, OWN, MISTAKEN, PROPOSED, SHOWN, r"\bshould\b", r"\bpulse", r"\bbytes?\b", r"\belement",
@@ -92,11 +98,11 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
             continue
         if not is_certain and not _RANGE.search(text[said.end : found.start()]):
             continue
-        end = _end(span, at, one)
+        end = _end(span, at)
         if end is None:
             continue
         end = replace(end, is_wrapped=re.search(r"wrap|overflow|roll", found[0]) is not None)
-        lower = _end(span, found.start("low"), one) if not is_certain else None
+        lower = _end(span, found.start("low")) if not is_certain else None
         if end.unit is None and any(
             _is_of_other(term.value, one) for _, term in span.sentence.within(said.end, said.until, "U")
         ):
@@ -119,7 +125,7 @@ def _ends(said: Said) -> str:
     return r"\||\.\s" if said.is_listed else r"[|;]|\.\s"
 
 
-def _end(span: Span, offset: int, one: About) -> _End | None:
+def _end(span: Span, offset: int) -> _End | None:
     term = span.sentence.term(offset)
     if term.letter == "Q":
         assert isinstance(term.value, tuple)
@@ -146,9 +152,7 @@ def _raw(field: WireField, end: _End) -> Fraction | None:
 
 def _is_wrong(one: About, end: _End, *, is_top: bool) -> bool:
     """Whether an end is that of another type, or of a full turn in another unit, and none of the field."""
-    if any(not _is_other(field, end, is_top=is_top) for field in (one.field, *one.others)):
-        return False
-    return True
+    return all(_is_other(field, end, is_top=is_top) for field in (one.field, *one.others))
 
 
 def _is_other(field: WireField, end: _End, *, is_top: bool) -> bool:

@@ -40,14 +40,17 @@ _PLAIN = re.compile(
     r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
     r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
     r"|^[\s*-]*(?P<own>M): ?# ?(?P<behind>N)(?=\s*$)|(?P<numbered>M), (?:number|no\.?|msg|message) (?P<nth>N)"
-    r"|\b(?:subscribe[sd]? to|listens? (?:to|for)|filters? (?:on|for)|asks? for|waits? for|requests?) (?:message |id |#)*(?P<heard>N) \((?P<hearing>M)\)"
-    r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the )?(?P<asked>M))"
+    r"|\b(?:subscribe[sd]? to|listens? (?:to|for)|filters? (?:on|for)|asks? for|waits? for|requests?) (?:message "
+    r"|id |#)*(?P<heard>N) \((?P<hearing>M)\)"
+    r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the"
+    r" )?(?P<asked>M))"
     r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
 )
 _OF_RATE = re.compile(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
 _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
 _CRC = re.compile(
-    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra byte)\b(?: (?:byte|of"
+    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra"
+    r" byte)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
     r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"

@@ -1,4 +1,4 @@
-"""The order of fields on the wire, as sentences tell it: "`a` comes before `b`", "the first field is `id`", lists of them."""
+"""The order of fields on the wire, as sentences tell it: "`a` comes before `b`", "the first field is `id`", lists."""
 
 import re
 from collections.abc import Iterator
@@ -13,8 +13,10 @@ from codegen.diagnostics import Diagnostic
 
 _DENIED = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2])
 _ORDER = re.compile(
-    r"(?P<first>[FP])(?: field)?(?: (?:of|in) M)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?|stands?|is|goes"
-    r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|sits in front|stands in front|travels?|directly|right|immediately|follows"
+    r"(?P<first>[FP])(?: field)?(?: (?:of|in) M)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?"
+    r"|stands?|is|goes"
+    r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|sits in front|stands in front|travels?|directly"
+    r"|right|immediately|follows"
     r"|precedes|leads)(?: (?:directly|right|immediately|placed|sent|stored))?"
     r" ?(?P<how>before|ahead of|in front of|of|precedes|after|behind|follows"
     r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
@@ -26,7 +28,8 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 _ORDINAL = "|".join(_ORDINALS)
 _PLACED = re.compile(
     rf"(?P<names>[FP](?:(?:, ?|,? and )[FP]){{0,6}})(?: (?:of|in) M)?,? (?:comes?|is|are|goes|go|stands?|sent|follows?)"
-    rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte|bit|in the xml))"
+    rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte"
+    rf"|bit|in the xml))"
 )
 _STARTS = re.compile(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
 _WIRE = re.compile(

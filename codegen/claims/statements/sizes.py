@@ -47,22 +47,26 @@ _PAIRS = (
     re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
     re.compile(
         r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
-        r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2|mavlink N)"
+        r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2"
+        r"|mavlink N)"
     ),
 )
 """The size of a message without its extensions, and with them."""
 _FRAMED = re.compile(
-    r"(?P<first>N) bytes?(?: (?:of )?payload| base)?(?:,|;| and| or| \(|:)+ ?(?P<then>N)(?: bytes?)? (?:in|as|per|for|on|with)"
+    r"(?P<first>N) bytes?(?: (?:of )?payload| base)?(?:,|;| and| or| \(|:)+ ?(?P<then>N)(?: bytes?)? (?:in|as|per"
+    r"|for|on|with)"
     r" (?:the |a |an |one |each |whole |full |its )*(?:v2 |mavlink N )?(?:frame|packet|wire|link|header|air)\b"
 )
 """The payload, and the whole frame."""
 _SHORT = re.compile(
     r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
-    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
+    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the"
+    r" )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
     r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?! M)"
 )
 _KINDS = re.compile(
-    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the )?header)"
+    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
+    r" )?header)"
     r"|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
     r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
@@ -73,12 +77,14 @@ _OF_ELSE = re.compile(
     r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
-    r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|(?<!M )(?<!mavlink N )carr(?:y"
+    r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|(?<!M"
+    r" )(?<!mavlink N )carr(?:y"
     r"|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
 _BESIDE = re.compile(
     r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat"
-    r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:in|with|under|for) (?:v1|v2|mavlink N))?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
+    r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:in|with|under|for) (?:v1|v2|mavlink"
+    r" N))?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
     r"|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
     r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|weighs?|=|comes?|counts?|uses?|carries|each"
     r"|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
@@ -86,7 +92,8 @@ _BESIDE = re.compile(
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
 _BEHIND = re.compile(
     r"(?: |-)?(?:long |of |in )?(?:the )?(?P<payload>payload|base\b)"
-    r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|a)(?: whole| v2)? (?:wire|link|line|frame|packet)|(?:of air )?per frame|(?P<frame>frames?|packets?))"
+    r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|a)(?: whole| v2)? (?:wire|link|line|frame|packet)|(?:of air )?per"
+    r" frame|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")

@@ -229,7 +229,8 @@ _RATE = re.compile(
     r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?"
 )
 _TOTAL = re.compile(
-    r"(?:bandwidth|load|total|throughput|traffic|data rate|cost)?(?: in)? ?[(\[,]?(?:b|bytes?)(?:/| per | a )(?:s|sec|second)\.?[)\]]?"
+    r"(?:bandwidth|load|total|throughput|traffic|data rate|cost)?(?: in)? ?[(\[,]?(?:b|bytes?)(?:/| per | a )(?:s"
+    r"|sec|second)\.?[)\]]?"
 )
 
 

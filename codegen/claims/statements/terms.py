@@ -45,7 +45,8 @@ _TERM = re.compile(
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
   | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?
-      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
+      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?
+      |{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?

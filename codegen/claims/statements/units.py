@@ -41,14 +41,16 @@ _IS_SHORT = re.compile(
     r"|but|because|while|on|of|to|up)\b|[-\u2013\u2014])"
 )
 _NOT = words(
-    DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED, COMPARED[:2],
+    DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
+    COMPARED[:2],
     SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b", r"\blimit", r"\bstep\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r", the \w",
 )  # fmt: skip
 _SCALED_AFTER = re.compile(
-    r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our) (?:screen|display)|here\b|is wrong"
+    r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
+    r" (?:screen|display)|here\b|is wrong"
     r"|was wrong|\?|, which is wrong)"
 )
 _GAP_LONG = 90
