@@ -23,7 +23,8 @@ _LINKS = frozenset((
     "gives", "give", "corresponds", "then", "field", "number", "raw", "has", "have", "shows", "represented",
     "reported", "received", "transmitted", "be", "must", "will", "it", "which", "and", "comes", "arrives", "appears",
     "there", "i", "e", "ie", "eg", "exactly", "by", "this", "say", "integer", "holds", "hold", "carries", "carry",
-    "x", "would", "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces",
+    "x", "would", "should", "sensor", "transmitter", "then", "with",
+    "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces",
     "produce", "carried", "display", "when", "results", "reading",
     "yields", "turns", "nothing", "than", "from",
 ))  # fmt: skip
@@ -137,6 +138,8 @@ def _is_tied(span: Span, start: int, end: int) -> bool:
         return span.text.count("N") == 1 and span.text.count("Q") == 1
     if re.search(r"[QNUSTVC;|]|\.\s", gap):
         return False
+    if gap == " (":
+        return re.search(r"[:=] $", span.text[:start]) is not None and span.text[end + 1 : end + 2] == ")"
     names = re.findall(r"[a-z]+", _NOUNS.sub("", gap))
     return all(word in _LINKS for word in names) and re.search(r"[a-z=:\u2192#/*]|->|, ", gap) is not None
 

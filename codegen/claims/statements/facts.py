@@ -66,6 +66,8 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if value is not None and 1 < value <= len(named):
             is_extension = found["kind"].startswith("ext")
             yield from _kinds(reading, span, named[-int(value) :], found.start("kind"), is_extension=is_extension)
+    for found in _NAMED_SO.finditer(text):
+        yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
     for found in _GROUP.finditer(text) if _KIND.search(text) else ():
@@ -91,6 +93,7 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 _THESE = re.compile(
     r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
 )
+_NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 60
 """Characters between names and what kind of fields they are."""

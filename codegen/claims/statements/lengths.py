@@ -38,6 +38,7 @@ _HELD = (
         rf"|there) )?(?:in|into|of|for|inside)"
         r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
+    re.compile(rf"\b(?:up to|carry|carries|holds?|takes?|has) (?P<value>N) {_NOUN},? \((?P<name>F)\)"),
     re.compile(rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b"),
     re.compile(
         r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into"
@@ -97,6 +98,11 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     yield from _held(reading, span)
     if span.is_code and not span.is_comment:
         yield from _in_code(reading, span)
+
+
+_VALUE_OF = re.compile(
+    r"\b(?:value|maximum|minimum|largest|limit|range) (?:value |number )?(?:of|in|for) (?:the )?(?:field )?$"
+)
 
 
 def _index(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -173,6 +179,8 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     )
     one = about(reading, span, said.names[-1]) if found is not None else None
     if found is None or one is None or len(said.names) > 1:
+        return
+    if _VALUE_OF.search(span.text, max(said.start - 40, 0), said.start):
         return
     gap = span.text[said.end : found.start()]
     before = re.search(r"(?:\bin |\bthan )$", gap)

@@ -43,7 +43,8 @@ _SPAN = re.compile(
     r" )?(?P<value>[NQ])"
 )
 _RANGE = re.compile(
-    r"\b(?:from|between|range|ranges|values?|goes|runs|valid|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=]"
+    r"\b(?:accepts?|takes?|allows?|holds?|carries|supports|from|between|range|ranges|values?|goes|runs|valid"
+    r"|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=]"
     r" ?$|^ ?$"
 )
 _RULED_OUT = words(

@@ -36,10 +36,12 @@ _HELD = re.compile(
 )
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
 _PLAIN = re.compile(
-    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has the number) (?:number |no\.? |id )?#?(?P<number>N)"
+    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has (?:the )?number) (?:number |no\.? |id"
+    r" )?#?(?P<number>N)"
     r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
     r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
-    r"|^[\s*-]*(?P<own>M): ?# ?(?P<behind>N)(?=\s*$)|(?P<numbered>M), (?:number|no\.?|msg|message) (?P<nth>N)"
+    r"|^[\s*-]*(?P<own>M): ?# ?(?P<behind>N)(?=\s*$)|(?P<held>M) \[(?P<inside>N)\]|(?P<numbered>M), (?:number"
+    r"|no\.?|msg|message) (?P<nth>N)"
     r"|\b(?:subscribe[sd]? to|listens? (?:to|for)|filters? (?:on|for)|asks? for|waits? for|requests?) (?:message "
     r"|id |#)*(?P<heard>N) \((?P<hearing>M)\)"
     r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the"
@@ -112,6 +114,7 @@ def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 _TOLD = {
     "lead": "number", "called": "then", "last": "first", "asked": "set", "own": "behind", "numbered": "nth",
+    "held": "inside",
     "hearing": "heard",
 }  # fmt: skip
 """The groups of a message, and those of its number."""

@@ -32,6 +32,7 @@ _PLACED = re.compile(
     rf"|bit|in the xml))"
 )
 _STARTS = re.compile(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
+_IS_FIRST = re.compile(r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one)\b")
 _WIRE = re.compile(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
@@ -70,7 +71,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "`a` comes first, `b` and `c` come second and third", "NAME starts with `a`"."""
-    for found in (*_PLACED.finditer(span.text), *_STARTS.finditer(span.text)):
+    for found in (form_found for form in (_PLACED, _STARTS, _IS_FIRST) for form_found in form.finditer(span.text)):
         low, high = span.bounds(found.start())
         if (
             not _WIRE.search(span.text, low, high)

@@ -62,7 +62,8 @@ _SHORT = re.compile(
     r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
     r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the"
     r" )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
-    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?! M)"
+    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?!"
+    r" (?:M|v2|frame|payload|packet))"
 )
 _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
@@ -98,6 +99,8 @@ _BEHIND = re.compile(
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
+_FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
+"""A field that a size is said of, whose message stands behind it."""
 _CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
 _HYPOTHETICAL = words(
@@ -236,6 +239,8 @@ def _is_claim(size: _Size) -> bool:
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
     if "sizeof" in size.words:
         return True
+    if _FIELD_OF.search(before):
+        return False
     if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
         return size.first is not None
     if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
