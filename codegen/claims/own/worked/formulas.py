@@ -6,9 +6,9 @@ from fractions import Fraction
 from itertools import islice
 
 from codegen.claims.expression import expression_before
-from codegen.claims.worked.amount import Amount, amounts
-from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.readings import measured
+from codegen.claims.own.worked.amount import Amount, amounts
+from codegen.claims.own.worked.examples import Examples, Statement
+from codegen.claims.own.worked.readings import measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.units.unit import decimal
