@@ -9,8 +9,8 @@ from pathlib import Path
 from types import ModuleType
 
 _UNUSED = (
-    "debugging", "doctest", "faulthandler", "logging", "pastebin", "recwarn", "setuponly", "stepwise", "threadexception",
-    "unittest", "unraisableexception", "warnings",
+    "debugging", "doctest", "faulthandler", "logging", "pastebin", "recwarn", "setuponly", "stepwise",
+    "threadexception", "unittest", "unraisableexception", "warnings",
 )  # fmt: skip
 """Parts of pytest that watch each test for what no suite does, which is a fifth of what a thousand tests take."""
 
@@ -20,6 +20,9 @@ ALONE = {
     "PYTEST_ADDOPTS": " ".join(("--capture=no", "-p no:cacheprovider", *(f"-p no:{name}" for name in _UNUSED))),
 }
 """The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
+
+COMMON = "day or heap or storage or parameter or service or loop or steady or arming or link or stream or health"
+"""The scripts of the program that are about modules that every project has alike."""
 
 
 def run_suite(
