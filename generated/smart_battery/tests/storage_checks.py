@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: b5b0e60e946cb73e
+# Inputs: 4abab6b623e7910f
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -110,7 +110,7 @@ def absent_files_give_defaults():
 
 
 def damaged_files_give_defaults_and_a_warning():
-    """Any changed byte is noticed with one warning, also beside rubbish: defaults, or beside a whole slot its values."""
+    """Any changed byte is noticed with one warning: defaults, also beside rubbish; beside a whole slot its values."""
     craft = new_craft()
     _set_all(craft)
     save(craft)

@@ -108,7 +108,7 @@ def absent_files_give_defaults():
 
 
 def damaged_files_give_defaults_and_a_warning():
-    """Any changed byte is noticed with one warning, also beside rubbish: defaults, or beside a whole slot its values."""
+    """Any changed byte is noticed with one warning: defaults, also beside rubbish; beside a whole slot its values."""
     craft = new_craft()
     _set_all(craft)
     save(craft)
