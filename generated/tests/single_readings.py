@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 854876aad6548548
+# Inputs: 0a838161a1cd2025
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -70,7 +70,11 @@ def failures_of(board, facts):
 
 def ages_alone(facts, fresh):
     """A reading that is not taken any longer is unknown after its own time, and not before."""
-    for build in facts["builders"]:
+
+    def forget(state):
+        first_of(state, facts).expire()
+
+    for build in facts["builders"] + [forget]:
         for start_us in (0, (1 << 30) * 1000 - 200000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
             board, state, _ = fresh(facts["on"])
@@ -163,7 +167,76 @@ def lasts_at_the_mean(facts, fresh):
     mock_time.set_ticks_us(0)
 
 
+def is_summed_exactly(facts, fresh):
+    """Each reading counts for the time since the one before, and not where that is a gap; a step is told at its half.
+
+    What a sum leaves of a full store goes with it, of stores of several sizes and of none.
+    """
+    sizes = max(len(rest["sizes"]) for rest in facts["rests"]) if facts["rests"] else 1
+    for at in range(sizes):
+        settings = dict(facts["on"])
+        for rest in facts["rests"]:
+            settings[rest["full"]] = rest["sizes"][min(at, len(rest["sizes"]) - 1)]
+        board, state, _ = fresh(settings)
+        for one in facts["others"]:
+            set_count(board, one, one["counts"][0])
+        mock_time.set_ticks_us((1 << 30) * 1000 - 1500000)  # ticks_ms() wraps meanwhile
+        totals = {}
+        for each in facts["sums"]:
+            begun = max(0, each["least"]) if at else None
+            setattr(first_of(state, facts), each["attribute"], begun)
+            totals[each["attribute"]] = begun if begun is None else begun * each["parts"] + each["parts"] // 2
+        for turn, took_ms in enumerate(turns_of(facts["stale_after_ms"])):
+            mock_time.advance_us(took_ms * 1000)
+            set_count(board, facts, facts["counts"][turn % 2])
+            before = [each["times"] and own(state, facts, each["times"]) for each in facts["sums"]]
+            if turn == 0:
+                for one in facts["others"]:
+                    getattr(board, "fail_" + one["input"])(1)
+            update(state, board, facts)
+            counted = value_of(state, facts) * took_ms if turn and took_ms <= facts["stale_after_ms"] else 0
+            for each, times in zip(facts["sums"], before):  # noqa: B905  MicroPython's takes nothing else
+                check_sum(state, facts, each, counted, times, totals)
+            for rest in facts["rests"]:
+                check_rest(state, facts, rest, settings[rest["full"]] * rest["steps"])
+    mock_time.set_ticks_us(0)
+
+
+def turns_of(gap):
+    """Return how many milliseconds after the one before each reading is taken: beside a gap, and gaps among them."""
+    return [5, gap, gap + 1, gap, 1, 3, gap // 2, gap, gap + 1, gap - 1, 2] + 20 * [gap]
+
+
+def check_sum(state, facts, each, counted, times, totals):
+    """Hold a sum against exact arithmetic: from its half a step on is told. ``times`` is what it is multiplied by."""
+    name, parts = each["attribute"], each["parts"]
+    if each["times"] is None:
+        times = 1
+    elif each["is_after"]:
+        times = own(state, facts, each["times"])
+    if times is not None:
+        total = (parts // 2 if totals[name] is None else totals[name]) + counted * times
+        steps = min(max(total // parts, each["least"]), each["most"])
+        totals[name] = steps * parts + total % parts
+    told = own(state, facts, name)
+    assert told == (None if totals[name] is None else totals[name] // parts), (name, told, totals[name])
+
+
+def check_rest(state, facts, rest, size):
+    """Hold what is left against what the sum says."""
+    left = min(max(size - own(state, facts, rest["after"]), 0), size)
+    if rest["share"] is not None and size:
+        left = (left * rest["share"] + size // 2) // size
+    told = own(state, facts, rest["attribute"])
+    assert told == (min(left, rest["most"]) if size else None), (rest["attribute"], told, size)
+
+
+def first_of(state, facts):
+    """Return the first instance of the component."""
+    component = getattr(state, facts["component"])
+    return component[0] if facts["several"] else component
+
+
 def own(state, facts, attribute):
     """Return an attribute of the first instance."""
-    component = getattr(state, facts["component"])
-    return getattr(component[0] if facts["several"] else component, attribute)
+    return getattr(first_of(state, facts), attribute)
