@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 0a838161a1cd2025
+# Inputs: 5bd585276e0448ee
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -180,31 +180,52 @@ def is_summed_exactly(facts, fresh):
         board, state, _ = fresh(settings)
         for one in facts["others"]:
             set_count(board, one, one["counts"][0])
+            getattr(board, "fail_" + one["input"])(1)  # a product has nothing to begin with
         mock_time.set_ticks_us((1 << 30) * 1000 - 1500000)  # ticks_ms() wraps meanwhile
         totals = {}
         for each in facts["sums"]:
             begun = max(0, each["least"]) if at else None
             setattr(first_of(state, facts), each["attribute"], begun)
             totals[each["attribute"]] = begun if begun is None else begun * each["parts"] + each["parts"] // 2
-        for turn, took_ms in enumerate(turns_of(facts["stale_after_ms"])):
-            mock_time.advance_us(took_ms * 1000)
-            set_count(board, facts, facts["counts"][turn % 2])
-            before = [each["times"] and own(state, facts, each["times"]) for each in facts["sums"]]
-            if turn == 0:
-                for one in facts["others"]:
-                    getattr(board, "fail_" + one["input"])(1)
-            update(state, board, facts)
-            counted = value_of(state, facts) * took_ms if turn and took_ms <= facts["stale_after_ms"] else 0
-            for each, times in zip(facts["sums"], before):  # noqa: B905  MicroPython's takes nothing else
-                check_sum(state, facts, each, counted, times, totals)
-            for rest in facts["rests"]:
-                check_rest(state, facts, rest, settings[rest["full"]] * rest["steps"])
+        gap = facts["stale_after_ms"]
+        summed_over(facts, board, state, settings, totals, [0])
+        summed_over(facts, board, state, settings, totals, [gap, gap + 1, gap, 1, 3, gap // 2, gap + 1, gap - 1])
+        for each in facts["sums"]:
+            if each["times"] is None:
+                for part in (each["parts"] - 1, 0):  # the last one that is less than a step, and all of it
+                    fill(facts, board, state, settings, totals, each, part)
     mock_time.set_ticks_us(0)
 
 
-def turns_of(gap):
-    """Return how many milliseconds after the one before each reading is taken: beside a gap, and gaps among them."""
-    return [5, gap, gap + 1, gap, 1, 3, gap // 2, gap, gap + 1, gap - 1, 2] + 20 * [gap]
+def summed_over(facts, board, state, settings, totals, times_ms):
+    """Take a reading after each of these times, of both counts in turn, and hold the sums against `totals`."""
+    for turn, took_ms in enumerate(times_ms):
+        mock_time.advance_us(took_ms * 1000)
+        set_count(board, facts, facts["counts"][turn % 2])
+        before = [each["times"] and own(state, facts, each["times"]) for each in facts["sums"]]
+        update(state, board, facts)
+        counted = value_of(state, facts) * took_ms if took_ms <= facts["stale_after_ms"] else 0
+        for each, times in zip(facts["sums"], before):  # noqa: B905  MicroPython's takes nothing else
+            check_sum(state, facts, each, counted, times, totals)
+        for rest in facts["rests"]:
+            check_rest(state, facts, rest, settings[rest["full"]] * rest["steps"])
+
+
+def fill(facts, board, state, settings, totals, each, part):
+    """Let a sum come to so many parts of a step, where times of both counts are found that make it so."""
+    gap, values = facts["stale_after_ms"], []
+    for count in facts["counts"]:
+        set_count(board, facts, count)
+        update(state, board, facts)
+        values.append(value_of(state, facts))
+    for _ in range(40):
+        for first in range(1, gap + 1):
+            missing = (part - totals[each["attribute"]] - values[0] * first) % each["parts"]
+            if values[1] and missing % values[1] == 0 and 0 < missing // values[1] <= gap:
+                summed_over(facts, board, state, settings, totals, [first, missing // values[1]])
+                assert totals[each["attribute"]] % each["parts"] == part
+                return
+        summed_over(facts, board, state, settings, totals, [gap])
 
 
 def check_sum(state, facts, each, counted, times, totals):
