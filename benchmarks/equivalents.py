@@ -19,11 +19,16 @@ class Fault(NamedTuple):
     new: str
 
 
-def listed(texts: Mapping[str, str]) -> set[Fault]:
-    """Return those in these modules; an entry about a line that is gone is a fault of the list."""
+def listed(texts: Mapping[str, str], program: str | None = None) -> set[Fault]:
+    """Return those in these modules; an entry about a line that is gone is a fault of the list.
+
+    One that names its programs holds in their firmware alone: what nothing calls there, or what there is one of.
+    """
     found = set()
     for entry in yaml.safe_load(LIST.read_text(encoding="utf-8")) or ():
         module, line = entry["module"], entry["line"]
+        if program not in entry.get("programs", [program]):
+            continue
         if module in texts and line not in map(str.strip, texts[module].splitlines()):
             raise SystemExit(f"{LIST}: {module} has no line {line!r} any more")
         found.add(Fault(module, line, str(entry["old"]), str(entry["new"])))

@@ -44,7 +44,7 @@ def main() -> int:
     firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
     texts = {path.name: path.read_text() for path in sorted(firmware.glob("*.py")) if arguments.only in path.stem}
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
-    equivalent = listed(texts)
+    equivalent = listed(texts, arguments.program)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
     tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
     print(

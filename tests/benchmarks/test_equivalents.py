@@ -1,0 +1,48 @@
+"""Each fault that is left out of a score is one that can be drawn, where it is left out, and says why."""
+
+from pathlib import Path
+
+import equivalents
+import pytest
+import yaml
+from equivalents import Fault, fault_of, listed
+from mutants import mutants_of
+from mutation import PROGRAMS
+from results import ROOT
+
+ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
+
+
+def faults(paths: list[Path], names: list[str]) -> set[Fault]:
+    texts = {name: path.read_text(encoding="utf-8") for name, path in zip(names, paths, strict=True)}
+    return {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_every_entry_of_a_firmware_is_a_fault_there(program: str) -> None:
+    paths = sorted((ROOT / PROGRAMS[program] / "firmware").glob("*.py"))
+    texts = {path.name: path.read_text(encoding="utf-8") for path in paths}
+    found = {fault for fault in listed(texts, program) if fault.module in texts}
+    assert found
+    assert found <= faults(paths, list(texts))
+
+
+def test_every_entry_of_the_generator_is_a_fault_there() -> None:
+    names = sorted({entry["module"] for entry in ENTRIES if "/" in entry["module"]})
+    known = faults([ROOT / name for name in names], names)
+    assert {fault for fault in listed({}) if "/" in fault.module} <= known
+
+
+def test_an_entry_of_other_programs_does_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "equivalents.yaml"
+    entry = {"module": "a.py", "line": "x = 1", "old": 1, "new": 2, "reason": "So it is."}
+    path.write_text(yaml.safe_dump([entry, {**entry, "line": "y = 1", "programs": ["boat"]}]))
+    monkeypatch.setattr(equivalents, "LIST", path)
+    texts = {"a.py": "x = 1\n"}
+    assert listed(texts, "rover") == {Fault("a.py", "x = 1", "1", "2")}
+    with pytest.raises(SystemExit, match="y = 1"):
+        listed(texts, "boat")
+
+
+def test_every_entry_has_a_reason() -> None:
+    assert all(entry["reason"].endswith(".") and len(entry["reason"]) > 20 for entry in ENTRIES)
