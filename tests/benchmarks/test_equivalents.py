@@ -22,9 +22,7 @@ def faults(paths: list[Path], names: list[str]) -> set[Fault]:
 def test_every_entry_of_a_firmware_is_a_fault_there(program: str) -> None:
     paths = sorted((ROOT / PROGRAMS[program] / "firmware").glob("*.py"))
     texts = {path.name: path.read_text(encoding="utf-8") for path in paths}
-    found = {fault for fault in listed(texts, program) if fault.module in texts}
-    assert found
-    assert found <= faults(paths, list(texts))
+    assert {fault for fault in listed(texts, program) if fault.module in texts} <= faults(paths, list(texts))
 
 
 def test_every_entry_of_the_generator_is_a_fault_there() -> None:

@@ -1,10 +1,11 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: c9edf6e2f059ec0a
+# Inputs: be608853a5aa1072
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
-of the same values as live ones, of those fields that can be live, and what of these is received as live ones; then of the fields that can be unknown what they are
-at first, what they are once small values were set, and what they are once they are unknown again.
+of the same values as live ones, of those fields that can be live, and what of these is received as live ones; then of
+the fields that can be unknown what they are at first, what they are once small values were set, and what they are once
+they are unknown again.
 """
 
 import json
