@@ -1,6 +1,7 @@
 """The faults that benchmarks/equivalents.yaml lists, with reasons: nobody can notice them, and they do not count."""
 
-from collections.abc import Mapping
+import ast
+from collections.abc import Mapping, Set
 from typing import NamedTuple
 
 import yaml
@@ -11,12 +12,16 @@ LIST = ROOT / "benchmarks" / "equivalents.yaml"
 
 
 class Fault(NamedTuple):
-    """A fault as the list names it: wherever its line stands, it is the same fault."""
+    """A fault as the list names it: wherever its line stands, it is the same fault.
+
+    ``within`` is the function that the line stands in, after its class: ``Wifi.poll``; "" is any, or none.
+    """
 
     module: str
     line: str
     old: str
     new: str
+    within: str = ""
 
 
 def listed(texts: Mapping[str, str], program: str | None = None) -> set[Fault]:
@@ -31,10 +36,25 @@ def listed(texts: Mapping[str, str], program: str | None = None) -> set[Fault]:
             continue
         if module in texts and line not in map(str.strip, texts[module].splitlines()):
             raise SystemExit(f"{LIST}: {module} has no line {line!r} any more")
-        found.add(Fault(module, line, str(entry["old"]), str(entry["new"])))
+        found.add(Fault(module, line, str(entry["old"]), str(entry["new"]), entry.get("within", "")))
     return found
 
 
 def fault_of(mutant: Mutant, text: str) -> Fault:
     """Return a fault as the list would name it; ``text`` is that of its module."""
-    return Fault(mutant.file, mutant.line_in(text), " ".join(mutant.old.split()), mutant.new)
+    return Fault(
+        mutant.file, mutant.line_in(text), " ".join(mutant.old.split()), mutant.new, _within(text, mutant.line)
+    )
+
+
+def is_listed(fault: Fault, found: Set[Fault]) -> bool:
+    """Return whether an entry is about a fault: about its function, or about its line in any."""
+    return fault in found or fault._replace(within="") in found
+
+
+def _within(text: str, line: int) -> str:
+    """Return the names of the classes and functions around a line: ``Wifi.poll``."""
+    kinds = ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+    named = (node for node in ast.walk(ast.parse(text)) if isinstance(node, kinds))
+    around = (node for node in named if node.lineno <= line <= (node.end_lineno or 0))
+    return ".".join(node.name for node in sorted(around, key=lambda node: node.lineno))

@@ -25,7 +25,7 @@ from itertools import count
 from pathlib import Path
 from queue import Queue
 
-from equivalents import fault_of, listed
+from equivalents import fault_of, is_listed, listed
 from mutants import Mutant, mutants_of
 from quality_results import store
 from reached import OPTIONS, SUITES, Reached, copy_of_repository, reached, surroundings
@@ -81,7 +81,7 @@ def _tried(
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
     equivalent = listed(texts)
-    tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
+    tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
     without = len(drawn) - len(tried)
     print(f"{folder}: {len(known)} faults known, {len(drawn)} drawn, {without} of them without effect", flush=True)
     noticed, all_ = Counter[str](), Counter[str](mutant.file for mutant in tried)

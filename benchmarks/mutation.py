@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from queue import Queue
 
-from equivalents import fault_of, listed
+from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
 from quality_results import store
@@ -46,7 +46,7 @@ def main() -> int:
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
     equivalent = listed(texts, arguments.program)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
-    tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
+    tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
     )

@@ -5,7 +5,7 @@ from pathlib import Path
 import equivalents
 import pytest
 import yaml
-from equivalents import Fault, fault_of, listed
+from equivalents import Fault, fault_of, is_listed, listed
 from mutants import mutants_of
 from mutation import PROGRAMS
 from results import ROOT
@@ -15,7 +15,8 @@ ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
 
 def faults(paths: list[Path], names: list[str]) -> set[Fault]:
     texts = {name: path.read_text(encoding="utf-8") for name, path in zip(names, paths, strict=True)}
-    return {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
+    found = {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
+    return found | {fault._replace(within="") for fault in found}
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
@@ -40,6 +41,14 @@ def test_an_entry_of_other_programs_does_not_count(tmp_path: Path, monkeypatch: 
     assert listed(texts, "rover") == {Fault("a.py", "x = 1", "1", "2")}
     with pytest.raises(SystemExit, match="y = 1"):
         listed(texts, "boat")
+
+
+def test_an_entry_about_a_function_says_nothing_about_others() -> None:
+    text = "def f():\n    x = 1\n\n\ndef g():\n    x = 1\n"
+    in_f, in_g = (fault_of(mutant, text) for mutant in mutants_of("a.py", text))
+    assert (in_f.within, in_g.within) == ("f", "g")
+    assert [is_listed(each, {in_f}) for each in (in_f, in_g)] == [True, False]
+    assert [is_listed(each, {in_f._replace(within="")}) for each in (in_f, in_g)] == [True, True]
 
 
 def test_every_entry_has_a_reason() -> None:
