@@ -7,13 +7,14 @@ with the reason, and does not count.
 """
 
 import argparse
+import hashlib
 import random
 import shutil
 import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,7 +23,7 @@ from queue import Queue
 from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
-from quality_results import store
+from quality_results import read, store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
@@ -39,6 +40,11 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="modules whose name has this in it")
     parser.add_argument("--store", action="store_true", help="keep the numbers for docs/quality.md")
+    parser.add_argument(
+        "--again",
+        action="store_true",
+        help="try only what the stored run of the same faults has not noticed: where the suite has more cases since",
+    )
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
     firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
@@ -47,24 +53,40 @@ def main() -> int:
     equivalent = listed(texts, arguments.program)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
     tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
+    firmware_hash = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
+    drawing = {"seed": arguments.seed, "drawn": len(drawn), "firmware": firmware_hash}
+    known_as = {mutant: list(fault_of(mutant, texts[mutant.file])) for mutant in tried}
+    left = _left(arguments.program, drawing) if arguments.again else list(known_as.values())
+    asked = [mutant for mutant in tried if known_as[mutant] in left]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
     )
-    noticed, all_ = Counter[str](), Counter[str](mutant.file for mutant in tried)
+    all_ = Counter[str](mutant.file for mutant in tried)
+    noticed = Counter[str](mutant.file for mutant in tried if mutant not in asked)
+    left = []
     with _copies(arguments.program, arguments.jobs) as copies, ThreadPoolExecutor(arguments.jobs) as pool:
-        for mutant, found in zip(tried, pool.map(lambda each: _is_noticed(each, texts, copies), tried), strict=True):
+        for mutant, found in zip(asked, pool.map(lambda each: _is_noticed(each, texts, copies), asked), strict=True):
             noticed[mutant.file] += found
             if not found:
+                left.append(known_as[mutant])
                 print(f"not noticed: {mutant.shown(texts[mutant.file])}", flush=True)
     for name in sorted(all_, key=lambda name: (noticed[name] / all_[name], name)):
         print(f"{name:28} {noticed[name]:3} of {all_[name]:3}")
     score = 100 * sum(noticed.values()) / max(1, len(tried))
     print(f"{arguments.program}: {sum(noticed.values())} of {len(tried)} are noticed, {score:.1f} %")
     if arguments.store:
-        found = {"seed": arguments.seed, "drawn": len(drawn), "equivalent": len(drawn) - len(tried)}
         modules = {name: [noticed[name], all_[name]] for name in sorted(all_)}
+        found = {**drawing, "equivalent": len(drawn) - len(tried), "left": left}
         store("mutation", arguments.program, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
+
+
+def _left(program: str, drawing: Mapping[str, object]) -> list[list[str]]:
+    """Return the faults that the stored run has not noticed; one of other faults says nothing about these."""
+    stored = read().get("mutation", {}).get(program, {})
+    if any(stored.get(key) != value for key, value in drawing.items()):
+        raise SystemExit("the stored run drew other faults, or from another firmware: try all of them")
+    return [list(each) for each in stored["left"]]
 
 
 @contextmanager
