@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Mapping, Set
+from functools import cache
 from typing import NamedTuple
 
 import yaml
@@ -54,7 +55,12 @@ def is_listed(fault: Fault, found: Set[Fault]) -> bool:
 
 def _within(text: str, line: int) -> str:
     """Return the names of the classes and functions around a line: ``Wifi.poll``."""
+    return ".".join(name for name, first, last in _named(text) if first <= line <= last)
+
+
+@cache
+def _named(text: str) -> list[tuple[str, int, int]]:
+    """Return the name, the first and the last line of each class and function of a module, in their order."""
     kinds = ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
-    named = (node for node in ast.walk(ast.parse(text)) if isinstance(node, kinds))
-    around = (node for node in named if node.lineno <= line <= (node.end_lineno or 0))
-    return ".".join(node.name for node in sorted(around, key=lambda node: node.lineno))
+    found = [node for node in ast.walk(ast.parse(text)) if isinstance(node, kinds)]
+    return sorted(((node.name, node.lineno, node.end_lineno or 0) for node in found), key=lambda each: each[1])
