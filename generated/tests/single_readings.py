@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 5bd585276e0448ee
+# Inputs: cd5c1bf0240460f3
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -191,9 +191,9 @@ def is_summed_exactly(facts, fresh):
         summed_over(facts, board, state, settings, totals, [0])
         summed_over(facts, board, state, settings, totals, [gap, gap + 1, gap, 1, 3, gap // 2, gap + 1, gap - 1])
         for each in facts["sums"]:
-            if each["times"] is None:
-                for part in (each["parts"] - 1, 0):  # the last one that is less than a step, and all of it
-                    fill(facts, board, state, settings, totals, each, part)
+            near = 1 if each["times"] is None else each["parts"] // 100000
+            for part in (each["parts"] - near, 0):  # as little as can be less than a step, and all of it
+                fill(facts, board, state, settings, totals, each, part, near)
     mock_time.set_ticks_us(0)
 
 
@@ -211,19 +211,20 @@ def summed_over(facts, board, state, settings, totals, times_ms):
             check_rest(state, facts, rest, settings[rest["full"]] * rest["steps"])
 
 
-def fill(facts, board, state, settings, totals, each, part):
-    """Let a sum come to so many parts of a step, where times of both counts are found that make it so."""
-    gap, values = facts["stale_after_ms"], []
+def fill(facts, board, state, settings, totals, each, part, near):
+    """Let a sum come to so many parts of a step, or less than `near` more, where times of both counts make it so."""
+    gap, amounts = facts["stale_after_ms"], []
     for count in facts["counts"]:
         set_count(board, facts, count)
         update(state, board, facts)
-        values.append(value_of(state, facts))
+        amounts.append(value_of(state, facts) * (1 if each["times"] is None else own(state, facts, each["times"])))
     for _ in range(40):
         for first in range(1, gap + 1):
-            missing = (part - totals[each["attribute"]] - values[0] * first) % each["parts"]
-            if values[1] and missing % values[1] == 0 and 0 < missing // values[1] <= gap:
-                summed_over(facts, board, state, settings, totals, [first, missing // values[1]])
-                assert totals[each["attribute"]] % each["parts"] == part
+            missing = (part - totals[each["attribute"]] - amounts[0] * first) % each["parts"]
+            second = -(-missing // (amounts[1] or 1))
+            if 0 <= second * amounts[1] - missing < near and 0 < second <= gap:
+                summed_over(facts, board, state, settings, totals, [first, second])
+                assert 0 <= totals[each["attribute"]] % each["parts"] - part < near
                 return
         summed_over(facts, board, state, settings, totals, [gap])
 
