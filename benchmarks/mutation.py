@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -27,8 +28,8 @@ from quality_results import read, store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
-LONGEST_S = 240
-"""What takes longer hangs, which is noticed, too; the suite takes some 40 s."""
+LONGEST = 6
+"""What takes so many times as long as the suite without any fault hangs, which is noticed, too."""
 
 
 def main() -> int:
@@ -65,9 +66,14 @@ def main() -> int:
     noticed = Counter[str](mutant.file for mutant in tried if mutant not in asked)
     left = []
     with _copies(arguments.program, arguments.jobs) as copies, ThreadPoolExecutor(arguments.jobs) as pool:
-        for mutant, found in zip(asked, pool.map(lambda each: _is_noticed(each, texts, copies), asked), strict=True):
-            noticed[mutant.file] += found
-            if not found:
+        longest_s = _longest_s(copies.queue[0])
+        for mutant, passes in zip(
+            asked, pool.map(lambda each: _passes_with(each, texts, copies, longest_s), asked), strict=True
+        ):
+            noticed[mutant.file] += not passes
+            if passes is None:
+                print(f"it hangs: {mutant.shown(texts[mutant.file])}", flush=True)
+            elif passes:
                 left.append(known_as[mutant])
                 print(f"not noticed: {mutant.shown(texts[mutant.file])}", flush=True)
     for name in sorted(all_, key=lambda name: (noticed[name] / all_[name], name)):
@@ -91,7 +97,7 @@ def _left(program: str, drawing: Mapping[str, object]) -> list[list[str]]:
 
 @contextmanager
 def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
-    """Copies of the project, in which the suite passes as it is."""
+    """Copies of the project."""
     folder = Path(tempfile.mkdtemp(prefix="codegen-mutation-"))
     copies: Queue[Path] = Queue()
     try:
@@ -103,33 +109,38 @@ def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
             for module in root.glob("*.py"):
                 shutil.copy(module, copy)
             copies.put(copy / "generated" / ("smart_battery" if program == "smart_battery" else ""))
-        first = copies.queue[0]
-        if not _passes(first):
-            raise SystemExit("the suite fails without any fault")
         yield copies
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def _is_noticed(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]") -> bool:
+def _longest_s(copy: Path) -> float:
+    """Return how long the suite of a copy may take with a fault: it passes without any."""
+    begun = time.monotonic()
+    if not _passes(copy, None):
+        raise SystemExit("the suite fails without any fault")
+    return LONGEST * (time.monotonic() - begun)
+
+
+def _passes_with(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]", longest_s: float) -> bool | None:
     copy = copies.get()
     path = copy / "firmware" / mutant.file
     try:
         path.write_text(mutant.applied(texts[mutant.file]))
-        return not _passes(copy)
+        return _passes(copy, longest_s)
     finally:
         path.write_text(texts[mutant.file])
         copies.put(copy)
 
 
-def _passes(copy: Path) -> bool:
-    """Whether the suite of a copy passes."""
+def _passes(copy: Path, longest_s: float | None) -> bool | None:
+    """Return whether the suite of a copy passes; None where it takes longer than it may."""
     options = ["-c", "/dev/null", "--rootdir", str(copy), "-x", "-q", "-p", "no:cacheprovider", "-W", "ignore"]
     command = [sys.executable, "-B", "-m", "pytest", *options, str(copy / "tests")]
     try:
-        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=LONGEST_S, check=False)
+        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=longest_s, check=False)
     except subprocess.TimeoutExpired:
-        return False
+        return None
     return done.returncode == 0
 
 
