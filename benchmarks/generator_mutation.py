@@ -25,7 +25,7 @@ from itertools import count
 from pathlib import Path
 from queue import Queue
 
-from equivalents import fault_of, listed
+from equivalents import fault_of, is_listed, listed
 from mutants import Mutant, mutants_of
 from quality_results import store
 from reached import OPTIONS, SUITES, Reached, copy_of_repository, reached, surroundings
@@ -81,7 +81,7 @@ def _tried(
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
     equivalent = listed(texts)
-    tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
+    tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
     without = len(drawn) - len(tried)
     print(f"{folder}: {len(known)} faults known, {len(drawn)} drawn, {without} of them without effect", flush=True)
     noticed, all_ = Counter[str](), Counter[str](mutant.file for mutant in tried)
@@ -89,7 +89,8 @@ def _tried(
     def one(mutant: Mutant) -> None:
         chosen, left = chosen_tests(mutant, texts[mutant.file], folder, suites, arguments.most)
         begun = time.monotonic()
-        by = _noticed_by(mutant, texts[mutant.file], chosen, copies, arguments.most) if chosen else None
+        longest = 60 + 10 * sum(suites[name].seconds for name in chosen)
+        by = _noticed_by(mutant, texts[mutant.file], chosen, copies, longest) if chosen else None
         seconds = time.monotonic() - begun
         noticed[mutant.file] += by is not None
         of = (
@@ -156,7 +157,7 @@ def _copies(number: int) -> "Iterator[Queue[Path]]":
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def _noticed_by(mutant: Mutant, text: str, tests: list[str], copies: "Queue[Path]", most: float) -> str | None:
+def _noticed_by(mutant: Mutant, text: str, tests: list[str], copies: "Queue[Path]", longest: float) -> str | None:
     """Return the test that fails with a fault, or that it hangs; None where all pass."""
     copy = copies.get()
     path = copy / mutant.file
@@ -165,7 +166,7 @@ def _noticed_by(mutant: Mutant, text: str, tests: list[str], copies: "Queue[Path
         path.write_text(mutant.applied(text), encoding="utf-8")
         # Compiled modules are taken for those of a source with the same time and size, and none are written.
         os.utime(path, (times.st_atime, times.st_mtime + next(_NUMBERS)))
-        return _failed(copy, tests, 3 * most + 60)
+        return _failed(copy, tests, longest)
     finally:
         path.write_text(text, encoding="utf-8")
         os.utime(path, (times.st_atime, times.st_mtime))

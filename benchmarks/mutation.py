@@ -7,27 +7,29 @@ with the reason, and does not count.
 """
 
 import argparse
+import hashlib
 import random
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from queue import Queue
 
-from equivalents import fault_of, listed
+from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
-from quality_results import store
+from quality_results import read, store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
-LONGEST_S = 240
-"""What takes longer hangs, which is noticed, too; the suite takes some 40 s."""
+LONGEST = 6
+"""What takes so many times as long as the suite without any fault hangs, which is noticed, too."""
 
 
 def main() -> int:
@@ -39,37 +41,63 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="modules whose name has this in it")
     parser.add_argument("--store", action="store_true", help="keep the numbers for docs/quality.md")
+    parser.add_argument(
+        "--again",
+        action="store_true",
+        help="try only what the stored run of the same faults has not noticed: where the suite has more cases since",
+    )
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
     firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
     texts = {path.name: path.read_text() for path in sorted(firmware.glob("*.py")) if arguments.only in path.stem}
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
-    equivalent = listed(texts)
+    equivalent = listed(texts, arguments.program)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
-    tried = [mutant for mutant in drawn if fault_of(mutant, texts[mutant.file]) not in equivalent]
+    tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
+    firmware_hash = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
+    drawing = {"seed": arguments.seed, "drawn": len(drawn), "firmware": firmware_hash}
+    known_as = {mutant: list(fault_of(mutant, texts[mutant.file])) for mutant in tried}
+    left = _left(arguments.program, drawing) if arguments.again else list(known_as.values())
+    asked = [mutant for mutant in tried if known_as[mutant] in left]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
     )
-    noticed, all_ = Counter[str](), Counter[str](mutant.file for mutant in tried)
+    all_ = Counter[str](mutant.file for mutant in tried)
+    noticed = Counter[str](mutant.file for mutant in tried if mutant not in asked)
+    left = []
     with _copies(arguments.program, arguments.jobs) as copies, ThreadPoolExecutor(arguments.jobs) as pool:
-        for mutant, found in zip(tried, pool.map(lambda each: _is_noticed(each, texts, copies), tried), strict=True):
-            noticed[mutant.file] += found
-            if not found:
+        longest_s = _longest_s(copies.queue[0])
+        for mutant, passes in zip(
+            asked, pool.map(lambda each: _passes_with(each, texts, copies, longest_s), asked), strict=True
+        ):
+            noticed[mutant.file] += not passes
+            if passes is None:
+                print(f"it hangs: {mutant.shown(texts[mutant.file])}", flush=True)
+            elif passes:
+                left.append(known_as[mutant])
                 print(f"not noticed: {mutant.shown(texts[mutant.file])}", flush=True)
     for name in sorted(all_, key=lambda name: (noticed[name] / all_[name], name)):
         print(f"{name:28} {noticed[name]:3} of {all_[name]:3}")
     score = 100 * sum(noticed.values()) / max(1, len(tried))
     print(f"{arguments.program}: {sum(noticed.values())} of {len(tried)} are noticed, {score:.1f} %")
     if arguments.store:
-        found = {"seed": arguments.seed, "drawn": len(drawn), "equivalent": len(drawn) - len(tried)}
         modules = {name: [noticed[name], all_[name]] for name in sorted(all_)}
+        found = {**drawing, "equivalent": len(drawn) - len(tried), "left": left}
         store("mutation", arguments.program, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
 
 
+def _left(program: str, drawing: Mapping[str, object]) -> list[list[str]]:
+    """Return the faults that the stored run has not noticed; one of other faults says nothing about these."""
+    stored = read().get("mutation", {}).get(program, {})
+    if any(stored.get(key) != value for key, value in drawing.items()):
+        raise SystemExit("the stored run drew other faults, or from another firmware: try all of them")
+    return [list(each) for each in stored["left"]]
+
+
 @contextmanager
 def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
-    """Copies of the project, in which the suite passes as it is."""
+    """Copies of the project."""
     folder = Path(tempfile.mkdtemp(prefix="codegen-mutation-"))
     copies: Queue[Path] = Queue()
     try:
@@ -81,33 +109,38 @@ def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
             for module in root.glob("*.py"):
                 shutil.copy(module, copy)
             copies.put(copy / "generated" / ("smart_battery" if program == "smart_battery" else ""))
-        first = copies.queue[0]
-        if not _passes(first):
-            raise SystemExit("the suite fails without any fault")
         yield copies
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def _is_noticed(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]") -> bool:
+def _longest_s(copy: Path) -> float:
+    """Return how long the suite of a copy may take with a fault: it passes without any."""
+    begun = time.monotonic()
+    if not _passes(copy, None):
+        raise SystemExit("the suite fails without any fault")
+    return LONGEST * (time.monotonic() - begun)
+
+
+def _passes_with(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]", longest_s: float) -> bool | None:
     copy = copies.get()
     path = copy / "firmware" / mutant.file
     try:
         path.write_text(mutant.applied(texts[mutant.file]))
-        return not _passes(copy)
+        return _passes(copy, longest_s)
     finally:
         path.write_text(texts[mutant.file])
         copies.put(copy)
 
 
-def _passes(copy: Path) -> bool:
-    """Whether the suite of a copy passes."""
+def _passes(copy: Path, longest_s: float | None) -> bool | None:
+    """Return whether the suite of a copy passes; None where it takes longer than it may."""
     options = ["-c", "/dev/null", "--rootdir", str(copy), "-x", "-q", "-p", "no:cacheprovider", "-W", "ignore"]
     command = [sys.executable, "-B", "-m", "pytest", *options, str(copy / "tests")]
     try:
-        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=LONGEST_S, check=False)
+        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=longest_s, check=False)
     except subprocess.TimeoutExpired:
-        return False
+        return None
     return done.returncode == 0
 
 

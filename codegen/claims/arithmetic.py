@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from codegen.claims.expression import Expression, expression_before
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
+from codegen.load.expression import Expression, expression_before
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
 from codegen.model.units.unit import Unit, ratio

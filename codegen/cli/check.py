@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
         print("codegen check: --examples is a list for people; it does not go with --format", file=sys.stderr)
         return 2
     if project is None and not arguments.documents:
-        return report_no_project()
+        return report_no_project(arguments.format)
     from codegen.cli.findings import print_findings
     from codegen.cli.progress import working
     from codegen.decode.reach import within

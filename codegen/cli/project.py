@@ -2,7 +2,6 @@
 
 import argparse
 import os
-import sys
 
 from codegen.project import PROJECT_FILES, nearest_project, project_in
 
@@ -19,11 +18,20 @@ def project_file(arguments: argparse.Namespace) -> str | None:
     return project_in(path) or path
 
 
-def report_no_project() -> int:
-    """Say on stderr that a project is needed, and return the exit code of that."""
-    print(
-        f"codegen: there is no {' or '.join(PROJECT_FILES)} in {os.getcwd()} or above it; codegen init begins a "
-        "project, --project FILE names another one",
-        file=sys.stderr,
+def report_no_project(form: str = "text") -> int:
+    """Print in a format of findings that a project is needed, and return the exit code of that."""
+    from codegen.cli.findings import print_findings
+    from codegen.diagnostics import Report
+    from codegen.load.text import FILE_NOT_FOUND
+    from codegen.source import Place
+
+    folder = os.getcwd()
+    report = Report()
+    report.add(
+        FILE_NOT_FOUND,
+        Place(os.path.join(folder, PROJECT_FILES[0])),
+        f"there is no {' or '.join(PROJECT_FILES)} in {folder} or above it",
+        "codegen init begins a project, --project FILE names another one",
     )
-    return 2
+    print_findings(report, form)
+    return report.exit_code

@@ -99,7 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     project = project_file(arguments)
     if project is None:
-        return report_no_project()
+        return report_no_project(arguments.format if arguments.format in OF_FINDINGS else "text")
     from codegen.cli.progress import working
     from codegen.project.systems import read_systems
 

@@ -74,9 +74,9 @@ class CountsReturns(Derivation):
 def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surroundings) -> CountsReturns:
     """The boolean whose end counts."""
     name, gone, others = around.name, written.counts_returns_of, around.others
-    counting = _counting(around)
-    if counting[0] != name:
-        related = [(others[counting[0]].at("counts_returns_of"), f"{counting[0]} counts them, too")]
+    first = next(_counting(around))
+    if first != name:
+        related = [(others[first].at("counts_returns_of"), f"{first} counts them, too")]
         message = "a component has one quantity that counts returns"
         around.bad("counts_returns_of", message, BAD_RETURN, related=related)
     if gone not in others:
@@ -114,9 +114,9 @@ def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, .
     return tuple(around.in_steps("back_from", written.back_from, steps * count) for count in counts)
 
 
-def _counting(around: Surroundings) -> list[str]:
-    """The quantities of the component that count returns."""
-    return [name for name, other in around.others.items() if other.written(CountsReturnsSpec) is not None]
+def _counting(around: Surroundings) -> Iterator[str]:
+    """Yield the quantities of the component that count returns."""
+    return (name for name, other in around.others.items() if other.written(CountsReturnsSpec) is not None)
 
 
 def _follows_a_reading(name: str, around: Surroundings) -> bool:
@@ -130,10 +130,11 @@ def _follows_a_reading(name: str, around: Surroundings) -> bool:
 
 def check_restart(kept: Kept, around: Surroundings) -> None:
     """Report what keeps a quantity from beginning anew with a count."""
-    name, spec, others, counting = around.name, around.spec, around.others, _counting(around)
+    name, spec, others = around.name, around.spec, around.others
     count, is_sound = spec.restarts_with, not around.failed
     if count is None:
         return
+    counting = list(_counting(around))
     if count not in others:
         hint = did_you_mean(count, counting or others)
         around.bad("restarts_with", f"there is no quantity {count}", BAD_RETURN, hint)

@@ -4,7 +4,7 @@ import re
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target
-from codegen.importing.expression import Product
+from codegen.load.expression import Product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.dialect.wire_types import WIRE_TYPES

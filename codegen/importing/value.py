@@ -5,9 +5,9 @@ import re
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
-from codegen.importing.expression import read_product
 from codegen.importing.number import has_entries, read_entry, read_number, unknown_answer
 from codegen.importing.quantity import likely_quantity, read_quantity
+from codegen.load.expression import read_product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
 from codegen.model.units.unit import read_measure

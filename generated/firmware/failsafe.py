@@ -103,7 +103,7 @@ class Failsafe:
         self._told = OK
 
     def update(self, now_ms):
-        """Look at the latest value; return the level that is reached just now, else 0. Call it after each reading."""
+        """Look at the value; return the level that is reached just now, else 0. Call it after each reading."""
         if not self._words[_SWITCH_AT]:
             self.is_against = False
             return OK

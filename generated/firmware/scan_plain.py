@@ -1,5 +1,5 @@
 # Generated from templates/firmware/scan_plain.py: do not edit.
-# Inputs: 90f9085776beb3c0
+# Inputs: 7823d0a28286080b
 """What the main loop looks at all the time, in plain Python; scan_viper is the same in machine code.
 
 Functions of few variables: MicroPython puts those of larger ones on the heap at every call.
@@ -14,7 +14,6 @@ _MASK = 0x3FFFFFFF  # ticks are counted in 30 bits
 _HEAD = 9  # words of the rows before the first condition
 _ROW = 7  # of each
 _HALF = 0x20000000
-_NEVER = 0x40000000  # ms: times do not run
 _LONGEST_MS = 1 << 24  # how long a condition holds is not counted further
 
 
@@ -68,20 +67,8 @@ def watch(words, rows, now_ms, flags):
     and its level. The sense is -1 for below the limit, 1 for above, 2 for unknown, 3 for nobody heard, and 0 holds
     never. A value that is unknown, or not believed, neither restarts a time nor lets it go on.
     """
-    passed_ms = (now_ms - rows[5] + _HALF & _MASK) - _HALF if flags & 1 else _NEVER
+    found = _look(words, rows, _passed(rows, now_ms) if flags & 1 else None, flags)
     rows[5] = now_ms & _MASK
-    rows[3] = -1
-    rows[4] = found = 0
-    at = _HEAD
-    while at < len(rows):
-        if _holds(words[rows[at]], rows, at, flags):
-            found |= rows[at + 1] != 3
-            if at >= _HEAD + _ROW * rows[1]:
-                rows[4] = rows[at + 6]
-                _count(words[rows[at]], rows, at, passed_ms, True)
-        elif at >= _HEAD + _ROW * rows[1]:
-            _count(words[rows[at]], rows, at, passed_ms, False)
-        at += _ROW
     return 1 if _rate(words, rows) or found else 0
 
 
@@ -95,6 +82,36 @@ def holding(words, rows):
         if _holds(words[rows[at]], rows, at, 0):
             bits |= 1
     return bits
+
+
+def _passed(rows, now_ms):
+    """Return how many ms have passed, below 0 where the ticks went half round; no number on the way is a large one."""
+    passed_ms = (now_ms & _MASK) - rows[5]
+    if passed_ms >= _HALF:
+        return passed_ms - _HALF - _HALF
+    return passed_ms + _HALF + _HALF if passed_ms < -_HALF else passed_ms
+
+
+def _look(words, rows, passed_ms, flags):
+    """Look at each condition; return whether one holds that is about a value."""
+    rows[3] = -1
+    rows[4] = 0
+    at = _HEAD
+    while at < len(rows):
+        if _look_at(words[rows[at]], rows, at, passed_ms, flags):
+            flags |= 4
+        at += _ROW
+    return flags & 4
+
+
+def _look_at(value, rows, at, passed_ms, flags):
+    """Look at a condition, and count where it is timed; return whether it holds and is about a value."""
+    flags = _holds(value, rows, at, flags)
+    if at >= _HEAD + _ROW * rows[1]:
+        if flags:
+            rows[4] = rows[at + 6]
+        _count(value, rows, at, passed_ms, flags)
+    return flags and rows[at + 1] != 3
 
 
 def _rate(words, rows):
@@ -118,8 +135,8 @@ def _holds(value, rows, at, flags):
 
 
 def _count(value, rows, at, passed_ms, holds):
-    """Count for how long a condition holds."""
-    if passed_ms == _NEVER:
+    """Count for how long a condition holds; None ms pass where times do not run."""
+    if passed_ms is None:
         rows[at + 5] = -1
     elif rows[at + 1] < 2 and value <= rows[at + 3]:
         if (holds or rows[at + 5] >= 0) and rows[at + 6] <= rows[2]:  # what is up stays up

@@ -296,6 +296,7 @@ def battery_old_reading_is_unknown():
         telemetry.build_battery_status,
         telemetry.build_battery_status_v2,
         telemetry.build_battery_cell_voltages,
+        lambda state: state.battery[0].expire(),
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
@@ -503,6 +504,44 @@ BATTERY_CURRENT = {
         "readings": 300,
         "most": 1000000,
     },
+    "sums": [
+        {
+            "attribute": "consumed_mah",
+            "times": None,
+            "is_after": False,
+            "parts": 3600000,
+            "least": -1073741823,
+            "most": 1073741823,
+        },
+        {
+            "attribute": "energy_hj",
+            "times": "voltage_mv",
+            "is_after": True,
+            "parts": 100000000000,
+            "least": -1073741823,
+            "most": 1073741823,
+        },
+    ],
+    "rests": [
+        {
+            "attribute": "remaining_pct",
+            "after": "consumed_mah",
+            "full": "batt_capacity",
+            "steps": 1,
+            "share": 100,
+            "most": 100,
+            "sizes": [0, 7, 3300],
+        },
+        {
+            "attribute": "left_mah",
+            "after": "consumed_mah",
+            "full": "batt_capacity",
+            "steps": 1,
+            "share": None,
+            "most": 1073741823,
+            "sizes": [0, 7, 3300],
+        },
+    ],
     "builders": [telemetry.build_sys_status, telemetry.build_battery_status, telemetry.build_battery_status_v2],
     "others": [
         {
@@ -539,6 +578,10 @@ def battery_current_allocates_nothing():
 
 def battery_current_lasts_at_the_mean():
     single_readings.lasts_at_the_mean(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_is_summed_exactly():
+    single_readings.is_summed_exactly(BATTERY_CURRENT, reading_of)
 
 
 def every_value_allocates_nothing():
@@ -964,6 +1007,7 @@ CHECKS = (
     ("FR-00077.2", battery_current_is_left_alone_where_it_is_off),
     ("NFR-00060.3", battery_current_allocates_nothing),
     ("FR-00077.7", battery_current_lasts_at_the_mean),
+    ("FR-00077.5", battery_current_is_summed_exactly),
     ("FR-00068.8", heartbeat_stream_keeps_its_rate),
     ("FR-00068.9", extended_status_stream_keeps_its_rate),
     ("FR-00068.2", extra1_stream_keeps_its_rate),

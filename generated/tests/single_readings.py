@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 854876aad6548548
+# Inputs: cd5c1bf0240460f3
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -70,7 +70,11 @@ def failures_of(board, facts):
 
 def ages_alone(facts, fresh):
     """A reading that is not taken any longer is unknown after its own time, and not before."""
-    for build in facts["builders"]:
+
+    def forget(state):
+        first_of(state, facts).expire()
+
+    for build in facts["builders"] + [forget]:
         for start_us in (0, (1 << 30) * 1000 - 200000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
             board, state, _ = fresh(facts["on"])
@@ -163,7 +167,98 @@ def lasts_at_the_mean(facts, fresh):
     mock_time.set_ticks_us(0)
 
 
+def is_summed_exactly(facts, fresh):
+    """Each reading counts for the time since the one before, and not where that is a gap; a step is told at its half.
+
+    What a sum leaves of a full store goes with it, of stores of several sizes and of none.
+    """
+    sizes = max(len(rest["sizes"]) for rest in facts["rests"]) if facts["rests"] else 1
+    for at in range(sizes):
+        settings = dict(facts["on"])
+        for rest in facts["rests"]:
+            settings[rest["full"]] = rest["sizes"][min(at, len(rest["sizes"]) - 1)]
+        board, state, _ = fresh(settings)
+        for one in facts["others"]:
+            set_count(board, one, one["counts"][0])
+            getattr(board, "fail_" + one["input"])(1)  # a product has nothing to begin with
+        mock_time.set_ticks_us((1 << 30) * 1000 - 1500000)  # ticks_ms() wraps meanwhile
+        totals = {}
+        for each in facts["sums"]:
+            begun = max(0, each["least"]) if at else None
+            setattr(first_of(state, facts), each["attribute"], begun)
+            totals[each["attribute"]] = begun if begun is None else begun * each["parts"] + each["parts"] // 2
+        gap = facts["stale_after_ms"]
+        summed_over(facts, board, state, settings, totals, [0])
+        summed_over(facts, board, state, settings, totals, [gap, gap + 1, gap, 1, 3, gap // 2, gap + 1, gap - 1])
+        for each in facts["sums"]:
+            near = 1 if each["times"] is None else each["parts"] // 100000
+            for part in (each["parts"] - near, 0):  # as little as can be less than a step, and all of it
+                fill(facts, board, state, settings, totals, each, part, near)
+    mock_time.set_ticks_us(0)
+
+
+def summed_over(facts, board, state, settings, totals, times_ms):
+    """Take a reading after each of these times, of both counts in turn, and hold the sums against `totals`."""
+    for turn, took_ms in enumerate(times_ms):
+        mock_time.advance_us(took_ms * 1000)
+        set_count(board, facts, facts["counts"][turn % 2])
+        before = [each["times"] and own(state, facts, each["times"]) for each in facts["sums"]]
+        update(state, board, facts)
+        counted = value_of(state, facts) * took_ms if took_ms <= facts["stale_after_ms"] else 0
+        for each, times in zip(facts["sums"], before):  # noqa: B905  MicroPython's takes nothing else
+            check_sum(state, facts, each, counted, times, totals)
+        for rest in facts["rests"]:
+            check_rest(state, facts, rest, settings[rest["full"]] * rest["steps"])
+
+
+def fill(facts, board, state, settings, totals, each, part, near):
+    """Let a sum come to so many parts of a step, or less than `near` more, where times of both counts make it so."""
+    gap, amounts = facts["stale_after_ms"], []
+    for count in facts["counts"]:
+        set_count(board, facts, count)
+        update(state, board, facts)
+        amounts.append(value_of(state, facts) * (1 if each["times"] is None else own(state, facts, each["times"])))
+    for _ in range(40):
+        for first in range(1, gap + 1):
+            missing = (part - totals[each["attribute"]] - amounts[0] * first) % each["parts"]
+            second = -(-missing // (amounts[1] or 1))
+            if 0 <= second * amounts[1] - missing < near and 0 < second <= gap:
+                summed_over(facts, board, state, settings, totals, [first, second])
+                assert 0 <= totals[each["attribute"]] % each["parts"] - part < near
+                return
+        summed_over(facts, board, state, settings, totals, [gap])
+
+
+def check_sum(state, facts, each, counted, times, totals):
+    """Hold a sum against exact arithmetic: from its half a step on is told. ``times`` is what it is multiplied by."""
+    name, parts = each["attribute"], each["parts"]
+    if each["times"] is None:
+        times = 1
+    elif each["is_after"]:
+        times = own(state, facts, each["times"])
+    if times is not None:
+        total = (parts // 2 if totals[name] is None else totals[name]) + counted * times
+        steps = min(max(total // parts, each["least"]), each["most"])
+        totals[name] = steps * parts + total % parts
+    told = own(state, facts, name)
+    assert told == (None if totals[name] is None else totals[name] // parts), (name, told, totals[name])
+
+
+def check_rest(state, facts, rest, size):
+    """Hold what is left against what the sum says."""
+    left = min(max(size - own(state, facts, rest["after"]), 0), size)
+    if rest["share"] is not None and size:
+        left = (left * rest["share"] + size // 2) // size
+    told = own(state, facts, rest["attribute"])
+    assert told == (min(left, rest["most"]) if size else None), (rest["attribute"], told, size)
+
+
+def first_of(state, facts):
+    """Return the first instance of the component."""
+    component = getattr(state, facts["component"])
+    return component[0] if facts["several"] else component
+
+
 def own(state, facts, attribute):
     """Return an attribute of the first instance."""
-    component = getattr(state, facts["component"])
-    return getattr(component[0] if facts["several"] else component, attribute)
+    return getattr(first_of(state, facts), attribute)

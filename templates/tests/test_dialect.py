@@ -100,18 +100,22 @@ def packed(known, given):
 
 
 def test_fields(carried, modules):
-    """Values of every field, from the smallest to the largest, stand in the payload where the dialect has them."""
+    """Values of every field, from the smallest to the largest, stand in the payload where the dialect has them.
+
+    What a frame has of live fields is received by them.
+    """
     for name, (found, frames, _unknown) in carried.items():
         known = message_class(modules[0], name)
         for given, payload, read in found:
             assert bytes.fromhex(payload) == packed(known, given), (name, given)
             assert read == given, name
-        for given, sent in frames:
+        for given, sent, received in frames:
             frame = bytes.fromhex(sent)
             crc = x25crc(frame[1:-2])
             crc.accumulate([known.crc_extra])
             assert frame[-2:] == struct.pack("<H", crc.crc), (name, given)
             assert frame[10:-2] == (packed(known, given).rstrip(b"\0") or b"\0"), (name, given)
+            assert all(received), (name, given, received)
 
 
 def test_unknown_fields(carried):

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from codegen.claims.expression import expression_before
+from codegen.load.expression import expression_before
 from codegen.load.prose import CodeBlock, Passage, PassageKind, read_prose
 
 TEXT = """\

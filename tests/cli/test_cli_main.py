@@ -1,5 +1,6 @@
 """The frame around the commands: usage, finding the project, and every way that a run can end."""
 
+import json
 import os
 import pty
 import re
@@ -146,16 +147,26 @@ def test_project_option_stands_before_or_after_the_command(
     assert pipeline.projects == [str(project / "x.yaml")]
 
 
-@pytest.mark.parametrize("command", [["build"], ["check"], ["check", "--format", "json"]])
-def test_no_project_ends_with_2_and_says_what_is_missing(
-    pipeline: Any, run: Any, project: Path, command: list[str]
+@pytest.mark.parametrize("command", ["build", "check", "trace", "sim", "deploy", "bench", "watch"])
+def test_no_project_ends_with_2_and_says_what_is_missing_in_the_form_of_findings(
+    pipeline: Any, run: Any, project: Path, command: str
 ) -> None:
     (project / "specs" / "codegen.yaml").unlink()
-    code, out, err = run(*command)
-    assert (code, out, pipeline.projects) == (2, "", [])
-    assert "codegen.yaml" in err
-    assert "--project" in err
-    assert "codegen init" in err
+    code, out, err = run(command)
+    assert (code, err, pipeline.projects) == (2, "1 error\n", [])
+    assert out.startswith(
+        "specs/codegen.yaml:1:1: error file-not-found: there is no specs/codegen.yaml or codegen.yaml"
+    )
+    assert "--project" in out
+    assert "codegen init" in out
+
+
+@pytest.mark.parametrize("command", ["check", "trace"])
+def test_no_project_is_told_in_the_format_that_is_asked_for(run: Any, project: Path, command: str) -> None:
+    (project / "specs" / "codegen.yaml").unlink()
+    code, out, err = run(command, "--format", "json")
+    assert (code, err) == (2, "")
+    assert [each["rule"] for each in json.loads(out)["findings"]] == ["file-not-found"]
 
 
 @pytest.mark.parametrize("folder", [".", "specs", "../{name}"])

@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from codegen.importing.answer import Reading, Sources
-from codegen.importing.expression import Product, read_product
+from codegen.load.expression import Product, read_product
 
 Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
 

@@ -9,6 +9,7 @@ from codegen.diff.dialect.dialect import dialect_changes
 from codegen.diff.dialect.hearing import dropped, heard_in
 from codegen.diff.dialect.used import used_of
 from codegen.diff.judging.softening import softened
+from codegen.diff.own_places import at_own_places
 from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
 from codegen.diff.system.behaviour_rules import PROGRAM
 from codegen.diff.system.board import board_subjects
@@ -46,13 +47,15 @@ class Comparison:
 
 def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
     """Two dialects, each on its own."""
-    return Comparison(tuple(softened(dialect_changes(old, new), old)))
+    changes = at_own_places(dialect_changes(old, new), old, new)
+    return Comparison(tuple(softened(changes, old)))
 
 
 def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
     """Two versions of a project with its further programs; the first system of each is the project's own."""
     used = used_of((*old, *new))
-    of_dialect = dialect_changes(old[0].dialect, new[0].dialect)
+    dialects = old[0].dialect, new[0].dialect
+    of_dialect = at_own_places(dialect_changes(*dialects), *dialects, old, new)
     found: list[Change] = []
     elsewhere: list[Change] = []
     for change in of_dialect:

@@ -129,6 +129,7 @@ def _of_single(reading: ReadingFacts) -> Iterator[BehaviourCheck]:
         (cited["when"], "is_left_alone_where_it_is_off", bool(reading.off)),
         (cited["steady"], "allocates_nothing", True),
         (reading.lasting.citation if reading.lasting else "", "lasts_at_the_mean", reading.lasting is not None),
+        (next((each.citation for each in reading.sums), ""), "is_summed_exactly", bool(reading.sums)),
     ]
     for criterion, name, is_there in found:
         if is_there:

@@ -284,6 +284,7 @@ def battery_old_reading_is_unknown():
         telemetry.build_battery_status,
         telemetry.build_battery_status_v2,
         telemetry.build_battery_cell_voltages,
+        lambda state: state.battery.expire(),
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)

@@ -1,10 +1,11 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: 357df30f6b9833a5
+# Inputs: be608853a5aa1072
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
-of the same values as live ones, of those fields that can be live; then of the fields that can be unknown what they are
-at first, what they are once small values were set, and what they are once they are unknown again.
+of the same values as live ones, of those fields that can be live, and what of these is received as live ones; then of
+the fields that can be unknown what they are at first, what they are once small values were set, and what they are once
+they are unknown again.
 """
 
 import json
@@ -57,9 +58,9 @@ def carried(cls):
         message = cls(unknown=False).update(**given)
         found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
     live = [name for name, field in fields.items() if field[0][-1] in LIVE]
-    message = cls(live, unknown=False)
+    message, arrived = cls(live, unknown=False), cls(live, unknown=False)
     wire = Wire()
-    link = mavlink.Link(wire, 1, 1, 2, (cls,), cls.LENGTH)
+    link = mavlink.Link(wire, 1, 1, 2, (arrived,), cls.LENGTH)
     frames = []
     for pattern in range(4):
         given = values(fields, pattern)
@@ -69,7 +70,12 @@ def carried(cls):
         for index, value in enumerate(flat):
             message.live[index] = value - (1 << 32) if value > 0x7FFFFFFF else value
         link.send(message)
-        frames.append([{name: given[name] for name in live}, wire.frame.hex()])
+        for index in range(len(flat)):
+            arrived.live[index] = -1 - message.live[index]  # nothing that is to be received
+        for _ in link.feed(wire.frame):
+            pass
+        same = [arrived.live[index] == message.live[index] for index in range(len(flat))]
+        frames.append([{name: given[name] for name in live}, wire.frame.hex(), same])
     return [found, frames, unknown(cls, fields)]
 
 

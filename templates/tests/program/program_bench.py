@@ -167,9 +167,10 @@ class Port:
         """Let bytes arrive."""
         self._arrived += bytes(data)
 
-    def look(self, _wait_ms):
-        """Return something where something has arrived; the main loop asks in each pass of the links."""
+    def look(self, wait_ms):
+        """Return something where something has arrived; the main loop asks in each pass of the links, for no time."""
         self.looks += 1
+        assert wait_ms == 0, "nothing waits for a link"
         return HERE if self._arrived else ()
 
     def readinto(self, buffer):

@@ -20,8 +20,10 @@ from program_facts import (
     ABSENT,
     ANSWERED,
     COMPONENT_ID,
+    CONTROL_US,
     FILES,
     FORCE_ARM,
+    LINKS_US,
     MESSAGES,
     ON_REQUEST,
     PARAMETERS,
@@ -258,6 +260,17 @@ def pings_are_answered():
     assert station.received(messages.Ping) == []
 
 
+def what_arrives_together_is_answered_before_its_turns():
+    """What a link has left in its turn is gone on with in the next slot, where that comes before its next turn."""
+    needs(LINKS_US > CONTROL_US, "slots between the turns of a link")
+    craft, station = _met()
+    count, taken = 16, min(craft.MESSAGES, 2)  # of those in a turn
+    for seq in range(1, count + 1):
+        station.send(messages.Ping, time_usec=1, seq=seq, target_system=0, target_component=0)
+    run(craft, count // taken * LINKS_US * 3 // 4)
+    assert [pong.seq for pong in station.received(messages.Ping)] == list(range(1, count + 1))
+
+
 def _chunks(craft, station):
     run_passes(craft, 6)
     return station.received(messages.Statustext)
@@ -466,6 +479,7 @@ CHECKS = (
     (arming_by_command, "arming.command", "arming.reasons"),
     (restart_by_command, "services.restart"),
     (pings_are_answered, "services.ping"),
+    (what_arrives_together_is_answered_before_its_turns, "services.ping"),
     (texts_in_chunks, "services.texts"),
     (texts_reach_every_link, "services.texts"),
     (what_stands_is_told_again, "services.standing"),

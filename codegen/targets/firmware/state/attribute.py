@@ -73,9 +73,10 @@ def attributes(
     """
     at_once: list[AttributeView] = []
     lines: list[LineView] = []
+    places = {block.constant(word): str(at) for word, at in block.offsets.items()}
     for view in _attributes(component, block, told):
         if component.name != OF_THE_PROGRAM and _kind(view) in MADE_WHEN_USED and "told=" not in view.expression:
-            lines.append(_line(view, block))
+            lines.append(_line(view, places))
         else:
             at_once.append(_broken(view))
     return tuple(at_once), tuple(lines)
@@ -85,10 +86,12 @@ def _kind(view: AttributeView) -> str:
     return view.expression.partition("(")[0]
 
 
-def _line(view: AttributeView, block: Block) -> LineView:
-    """The line of an attribute: its names, the kind of its view, and what that is told, with places as numbers."""
+def _line(view: AttributeView, places: Mapping[str, str]) -> LineView:
+    """Return the line of an attribute: its names, the kind of its view, and what that is told.
+
+    ``places`` are the numbers of the words by the names of their constants.
+    """
     kind, _, rest = view.expression.partition("(")
-    places = {block.constant(word): str(at) for word, at in block.offsets.items()}
     told = [places.get(value, value).strip('"') for value in _by_position(kind, rest.removesuffix(")").split(", "))]
     words = ["", *(f"{name}:" for name in view.name.split(", ")), kind, *told[:-1], f"{told[-1]}\\n"]
     comments = tuple(line for text in (view.above, view.behind) if text for line in text.split("\n    # "))

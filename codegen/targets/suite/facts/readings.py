@@ -39,6 +39,38 @@ class LastingFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class SumFacts:
+    """What is summed of a reading, of its products with ``times`` where that is one: ``parts`` are a step of it.
+
+    ``is_after``: of the same pass, in which ``times`` is read before it.
+    """
+
+    attribute: str
+    times: str | None
+    is_after: bool
+    parts: int
+    least: int
+    most: int
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class RestFacts:
+    """What the sum ``after`` leaves of the parameter ``full``, whose step is so many ``steps`` of the sum.
+
+    ``share``: the steps that are all of it, where a part of it is told. ``sizes`` are values of the parameter.
+    """
+
+    attribute: str
+    after: str
+    full: str
+    steps: int
+    share: int | None
+    most: int
+    sizes: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ReadingFacts:
     """A reading with the others of its component; ``on`` are the settings with which it is read.
 
@@ -57,6 +89,8 @@ class ReadingFacts:
     extremes: tuple[Settings, ...]
     builders: tuple[str, ...]
     lasting: LastingFacts | None
+    sums: tuple[SumFacts, ...]
+    rests: tuple[RestFacts, ...]
     cited: Mapping[str, str]
 
 
@@ -81,6 +115,8 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
         extremes=tuple({**on, **found} for found in _extremes(conversion.factors)),
         builders=_builders(reading, system),
         lasting=_lasting(reading),
+        sums=tuple(_sums(reading)),
+        rests=tuple(_rests(reading)),
         cited={
             "failure": quantity.cited("invalid_after"),
             "stale_after": quantity.cited("stale_after"),
@@ -98,6 +134,37 @@ def _lasting(reading: Reading) -> LastingFacts | None:
             most, citation = int(quantity.maximum), str(quantity.citation or "")
             return LastingFacts(quantity.attribute, left.attribute, found.factor, found.readings, most, citation)
     return None
+
+
+def _sums(reading: Reading) -> Iterator[SumFacts]:
+    order = [each.quantity.name for each in reading.component.readings]
+    for quantity in reading.sums:
+        if found := quantity.derivation.sums:
+            yield SumFacts(
+                quantity.attribute,
+                reading.component.quantities[found.times].attribute if found.times else None,
+                found.times in order[: order.index(found.of)],
+                found.parts,
+                int(quantity.minimum),
+                int(quantity.maximum),
+                str(quantity.citation or ""),
+            )
+
+
+def _rests(reading: Reading) -> Iterator[RestFacts]:
+    for quantity in reading.given:
+        if found := quantity.derivation.remains:
+            after, full = reading.component.quantities[found.after], found.full
+            sizes = sorted({full.minimum, full.default, min(full.minimum + 7, full.maximum)})
+            yield RestFacts(
+                quantity.attribute,
+                after.attribute,
+                first_attribute(full),
+                found.steps,
+                found.share,
+                int(quantity.maximum),
+                tuple(sizes),
+            )
 
 
 def _input(reading: Reading, system: System) -> InputFacts:

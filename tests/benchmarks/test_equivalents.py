@@ -1,0 +1,55 @@
+"""Each fault that is left out of a score is one that can be drawn, where it is left out, and says why."""
+
+from pathlib import Path
+
+import equivalents
+import pytest
+import yaml
+from equivalents import Fault, fault_of, is_listed, listed
+from mutants import mutants_of
+from mutation import PROGRAMS
+from results import ROOT
+
+ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
+
+
+def faults(paths: list[Path], names: list[str]) -> set[Fault]:
+    texts = {name: path.read_text(encoding="utf-8") for name, path in zip(names, paths, strict=True)}
+    found = {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
+    return found | {fault._replace(within="") for fault in found}
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_every_entry_of_a_firmware_is_a_fault_there(program: str) -> None:
+    paths = sorted((ROOT / PROGRAMS[program] / "firmware").glob("*.py"))
+    texts = {path.name: path.read_text(encoding="utf-8") for path in paths}
+    assert {fault for fault in listed(texts, program) if fault.module in texts} <= faults(paths, list(texts))
+
+
+def test_every_entry_of_the_generator_is_a_fault_there() -> None:
+    names = sorted({entry["module"] for entry in ENTRIES if "/" in entry["module"]})
+    known = faults([ROOT / name for name in names], names)
+    assert {fault for fault in listed({}) if "/" in fault.module} <= known
+
+
+def test_an_entry_of_other_programs_does_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "equivalents.yaml"
+    entry = {"module": "a.py", "line": "x = 1", "old": 1, "new": 2, "reason": "So it is."}
+    path.write_text(yaml.safe_dump([entry, {**entry, "line": "y = 1", "programs": ["boat"]}]))
+    monkeypatch.setattr(equivalents, "LIST", path)
+    texts = {"a.py": "x = 1\n"}
+    assert listed(texts, "rover") == {Fault("a.py", "x = 1", "1", "2")}
+    with pytest.raises(SystemExit, match="y = 1"):
+        listed(texts, "boat")
+
+
+def test_an_entry_about_a_function_says_nothing_about_others() -> None:
+    text = "def f():\n    x = 1\n\n\ndef g():\n    x = 1\n"
+    in_f, in_g = (fault_of(mutant, text) for mutant in mutants_of("a.py", text))
+    assert (in_f.within, in_g.within) == ("f", "g")
+    assert [is_listed(each, {in_f}) for each in (in_f, in_g)] == [True, False]
+    assert [is_listed(each, {in_f._replace(within="")}) for each in (in_f, in_g)] == [True, True]
+
+
+def test_every_entry_has_a_reason() -> None:
+    assert all(entry["reason"].endswith(".") and len(entry["reason"]) > 20 for entry in ENTRIES)
