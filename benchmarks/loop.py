@@ -34,12 +34,12 @@ STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     ("control alone", ("control",), (Part.PASS,)),
     ("jobs that do nothing", ("empty jobs",), (Part.JOBS, Part.JOB, Part.CALL)),
     ("links with nothing to do", ("links",), (Part.LINK,)),
-    ("further stations", ("stations",), (Part.STATION,)),
     (
         "frames",
         ("frames",),
-        (Part.STREAMS, Part.TABLE, Part.MESSAGE, Part.FRAME, Part.BYTE, Part.VALUE),
+        (Part.STREAMS, Part.TABLE, Part.MESSAGE, Part.FRAME, Part.BYTE, Part.VALUE, Part.ENDING),
     ),
+    ("further stations", ("stations",), (Part.STATION,)),
     ("a HEARTBEAT", ("heard",), (Part.HEARD,)),
     ("readings", ("readings",), (Part.COMPONENT, Part.READING, Part.SAMPLE)),
     ("failsafes", ("jobs",), (Part.WATCH, Part.FAILSAFE, Part.CONDITION, Part.REPORT, Part.REMINDER)),
@@ -75,6 +75,8 @@ def rows_of(project: str, plan: Plan, modules: Sequence[Path], folder: Path) -> 
 def _as_sent(counted: Counted, sent: tuple[int, int]) -> Work | None:
     """Return the work with the frames that went out; None where a message was withheld."""
     frames, size = sent
+    if counted.of == "stations":  # the frame is that of the pass beyond which they are counted
+        return counted.work
     if counted.of != "frames":
         if frames:
             raise SystemExit(f"{counted.name}: {frames} frames went out as well")

@@ -6,13 +6,13 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common
 
-from codegen.loop.frames import due_work, message_work, streamed
+from codegen.loop.frames import due_work, heard_work, sent_together, streamed
 from codegen.loop.grid import slots
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
 from codegen.loop.pass_share import messages_of_a_pass
 from codegen.model.program import LinkKind, Program
-from codegen.model.system import PopulatedMessage, System
+from codegen.model.system import System
 from codegen.model.vehicle import QuantityKind
 
 LOOK_US = 100000
@@ -161,8 +161,7 @@ class Plan:
             self.look_around()
             self.next_links()
             self.steps.append(["interval", number, 1000000])
-            work = Work({Part.STREAMS: 1, Part.TABLE: len(self.system.messages)})
-            self.count(f"message {number}", "frames", sum((self.sent(table) for table in tables), work), "links")
+            self.count(f"message {number}", "frames", sent_together(tables, self.system, self.program), "links")
             self.steps.append(["interval", number, -1])
             self.silence()
         if messages_of_a_pass(self.program) < len(streamed(self.system)):
@@ -172,10 +171,6 @@ class Plan:
         self.intervals(0)
         self.count("all messages", "frames", due_work(self.system, self.program), "links")
         self.silence()
-
-    def sent(self, message: PopulatedMessage) -> Work:
-        """Return what a message takes."""
-        return message_work(message, self.system)
 
     def look_around(self) -> None:
         """Have a pass in which a HEARTBEAT arrives: who is silent is looked for then, once a second."""
@@ -188,18 +183,20 @@ class Plan:
         self.look_around()
         self.next_links()
         self.hear()
-        self.count("heard", "heard", Work({Part.HEARD: 1}), "links")
+        self.count("heard", "heard", heard_work(self.program), "links")
 
     def count_stations(self) -> None:
-        """Count the pass in which a HEARTBEAT arrives with two stations more; one with nothing to do asks none."""
+        """Count the pass in which a message is due with two stations more; one with nothing to do asks none."""
         for station in (2, 3):
             self.hear(station)
             self.go(self.now_us + 2 * self.program.links_us)
         self.go(self.now_us + WARM_UP_US)
         self.silence()
         self.next_links()
-        self.hear()
-        self.count("stations", "stations", Work({Part.STATION: 2}), "heard")
+        number = min(message.wire.id for message in self.system.messages)
+        self.steps.append(["interval", number, 1000000])
+        self.count("stations", "stations", Work({Part.STATION: 2}), f"message {number}")
+        self.silence()
 
     def count_readings(self) -> None:
         """Count what it takes to read each component."""

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import uuid
+from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -57,6 +58,21 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
     """Let the process that began the run take the cache away."""
     if not hasattr(session.config, "workerinput"):
         shutil.rmtree(CACHE, ignore_errors=True)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def read_once() -> Iterator[None]:
+    """A file that is as it was is decoded once in this process, as with a cache: few tests exchange what decodes.
+
+    The tests of the cache take this away again.
+    """
+    known: dict[str, Any] = {}
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("kept", "kept_object"):
+            patch.setattr(f"codegen.decode.decoded.{name}", known.get)
+        for name in ("keep", "keep_object"):
+            patch.setattr(f"codegen.decode.decoded.{name}", known.__setitem__)
+        yield
 
 
 OTHER_DRAFTS = pytest.StashKey[int]()

@@ -8,18 +8,28 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-ALONE = {**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+_UNUSED = (
+    "debugging", "doctest", "faulthandler", "logging", "pastebin", "recwarn", "setuponly", "stepwise",
+    "threadexception", "unittest", "unraisableexception", "warnings",
+)  # fmt: skip
+"""Parts of pytest that watch each test for what no suite does, which is a fifth of what a thousand tests take."""
+
+ALONE = {
+    **os.environ,
+    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+    "PYTEST_ADDOPTS": " ".join(("--capture=no", "-p no:cacheprovider", *(f"-p no:{name}" for name in _UNUSED))),
+}
 """The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
+
+COMMON = "day or heap or storage or parameter or service or loop or steady or arming or link or stream or health"
+"""The scripts of the program that are about modules that every project has alike."""
 
 
 def run_suite(
     folder: Path, *tests: str, options: tuple[str, ...] = (), micropython: Path | None = None
 ) -> "subprocess.CompletedProcess[str]":
-    """Run tests of a suite, with another MicroPython than theirs if that is given; paths are relative to ``folder``.
-
-    No suite logs anything: to watch for it is a tenth of what a thousand tests take.
-    """
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:logging", *options, *tests]
+    """Run tests of a suite, with another MicroPython than theirs if that is given; paths are relative to ``folder``."""
+    command = [sys.executable, "-m", "pytest", "-q", *options, *tests]
     environment = {**ALONE, "MICROPYTHON": str(micropython)} if micropython else ALONE
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)
 

@@ -1,13 +1,14 @@
 """Claims of documents, recomputed: one module for each kind, a pure function from a reading to its findings.
 
-A module with a function ``check`` that lies here is run; nothing lists it.
+A module with a function ``check`` that lies here, or in ``own``, is run; nothing lists it.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from codegen.claims import own
+from codegen.claims.own.worked.examples import EXAMPLE
 from codegen.claims.reading import Reading, merged
-from codegen.claims.worked.examples import EXAMPLE
 from codegen.diagnostics import Diagnostic
 from codegen.rules.checks import checks_in
 
@@ -15,13 +16,29 @@ LIKELY = "likely, not certain"
 """What a finding says whose claim is read from the words around it; its rule is a warning and says why."""
 
 
+def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
+    """What is said of messages, fields and entries, and differs from the dialect; some of it several times."""
+    return tuple(finding for check in checks_in(__name__) for finding in check(reading))
+
+
+def of_project(reading: Reading) -> tuple[Diagnostic, ...]:
+    """What is said of the project itself, and differs from its specification; some of it several times."""
+    return tuple(finding for check in checks_in(own.__name__) for finding in check(reading))
+
+
 def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: True) -> list[Diagnostic]:
-    """What is wrong in the lines of a document, in its order; each claim once, with the places that repeat it.
+    """What is wrong in the lines of a document, in its order."""
+    return settled(reading, (*of_dialect(reading), *of_project(reading)), is_judged)
+
+
+def settled(
+    reading: Reading, found: Iterable[Diagnostic], is_judged: Callable[[int], bool] = lambda _: True
+) -> list[Diagnostic]:
+    """Each claim that was found wrong once, with the places that repeat it.
 
     Of a number that another rule tells already, nothing is said as part of a worked example.
     """
     quoted = reading.quoted_as_wrong
-    found = (finding for check in checks_in(__name__) for finding in check(reading))
     judged = (each for each in found if each.place.line not in quoted and is_judged(each.place.line))
     told = merged({(each.place.line, each.rule.id, each.message): each for each in judged}.values())
     others = {

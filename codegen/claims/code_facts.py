@@ -7,6 +7,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock
 from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
@@ -17,7 +18,7 @@ _CONSTANT = re.compile(
 _ROLE = re.compile(
     r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_|(?P<first>CRC_EXTRA|CRC|LENGTH|LEN|ID)_)?(?P<message>\w+?)(?:_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN))?$"
 )
-_NUMBERED = "MAVLINK_MSG_ID_"
+_NUMBERED = re.compile(r"(?:MAVLINK_)?(?:MSG|MESSAGE)_?ID_")
 _BARE = re.compile(
     r"^\s+(?:pub |static |export |readonly |constexpr )*(?:const )?(?:\w+ )?(?:MSG_|MESSAGE_)?"
     r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
@@ -35,6 +36,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every line of every block of code."""
     entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
     for code in reading.prose.code:
+        yield from _listed(reading, code)
         about: WireMessage | None = None
         seen = [(number, name) for number, name in reading.sightings if code.place.line <= number]
         for line in code.lines:
@@ -48,6 +50,24 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 about = None
             elif about is not None:
                 yield from _keys(reading, line, about)
+
+
+def _listed(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """``HEARTBEAT = 0`` and others below each other, of which most are ids."""
+    found = [
+        (line, each) for line in code.lines if (each := _MEMBER.match(line.text)) and each["name"] in reading.messages
+    ]
+    wrong = [(line, each) for line, each in found if reading.messages[each["name"]].id not in (int(each["value"]), -1)]
+    if len(found) > len(wrong) and len(found) >= 2 * len(wrong):
+        for line, each in wrong:
+            yield from number_claims(
+                reading, reading.messages[each["name"]], "id", int(each["value"]), _at(line, each.start("value"))
+            )
+
+
+_MEMBER = re.compile(
+    r"\s*[\"']?(?P<name>[A-Z][A-Z0-9_]{2,60})[\"']?\s*[=:]\s*(?P<value>\d{1,6})\s*[,;]?\s*(?://.*|#.*|/\*.*)?$"
+)
 
 
 def _at(line: Line, offset: int) -> Place:
@@ -65,7 +85,8 @@ def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterato
             text = f"{name} is {entries[name]}, not {found['value']}"
             yield reading.found(ENTRY_VALUE, place, f"{name} {number}", text)
         return
-    numbered = reading.messages.get(name.removeprefix(_NUMBERED)) if name.startswith(_NUMBERED) else None
+    prefix = _NUMBERED.match(name)
+    numbered = reading.messages.get(name[prefix.end() :]) if prefix is not None else None
     parts = _ROLE.match(name)
     role = "id" if numbered else ((parts["role"] or parts["first"]) if parts else None)
     message = numbered or (reading.messages.get(parts["message"]) if parts else None)

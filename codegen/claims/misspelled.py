@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
 
 from codegen.model.dialect.dialect import WireMessage
 
@@ -24,19 +25,27 @@ def _lacks_one(short: str, long: str) -> bool:
     return short[at:] == long[at + 1 :] and long[at].isalpha()
 
 
-def numbered_message(text: str, start: int, end: int, messages: Mapping[str, WireMessage]) -> str | None:
-    """The message whose id stands beside a name that begins as its own does."""
+def numbered_message(
+    text: str, start: int, end: int, messages: Mapping[str, WireMessage], below: int | None = None
+) -> str | None:
+    """The message whose id stands beside a name that is like its own, or ``below`` it."""
     behind, before = _ID_BEHIND.match(text, end), _ID_BEFORE.search(text, 0, start)
-    ids = {int(each["id"]) for each in (behind, before) if each is not None}
-    words = text[start:end].split("_")
-    alike = [
-        known
-        for known, message in messages.items()
-        if message.id in ids and len(words) > 1 and known.split("_")[: len(words) - 1] == words[:-1]
-    ]
+    ids = {int(each["id"]) for each in (behind, before) if each is not None} | ({below} if below is not None else set())
+    name = text[start:end]
+    alike = [known for known, message in messages.items() if message.id in ids and _is_alike(name, known)]
     return alike[0] if len(alike) == 1 else None
 
 
+def _is_alike(name: str, known: str) -> bool:
+    """Whether a name shares its first word, or half of all its words, with a known one, or is spelled nearly so."""
+    words, own = name.split("_"), known.split("_")
+    shared = len(set(words) & set(own))
+    return len(words) > 1 and (
+        words[0] == own[0] or 2 * shared >= len(own) or bool(get_close_matches(name, [known], n=1, cutoff=_CLOSE))
+    )
+
+
+_CLOSE = 0.7
 _ID_BEHIND = re.compile(
     r"`? ?(?:\(|\|| is | has the id |, )(?:id |ID |#)?\s*(?P<id>\d{1,5})(?=[).,;| ]|$)(?! ?(?:Hz|bytes|B\b))"
 )

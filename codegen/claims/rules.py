@@ -46,6 +46,16 @@ SCALING = Rule(
     "A document says that the number of a field is to be multiplied or divided by another factor than its unit in the "
     "dialect has. Whoever follows it is wrong by that factor. Correct it.",
 )
+RANGE = Rule(
+    "claim-range",
+    "A document says that the numbers of a field end where those of another type do, or where a turn ends in another "
+    "unit. Whoever follows it cuts values that can be sent, or waits for some that cannot. Correct it.",
+)
+PARAMETER = Rule(
+    "claim-command-parameter",
+    "A document gives a parameter of a command another number, or another unit, than the dialect has. What is sent in "
+    "its place is taken for something else. Correct it.",
+)
 EXTENSION = Rule(
     "claim-extension",
     "A document calls a base field an extension, or the other way round. Extensions come behind all other fields, do "

@@ -3,17 +3,30 @@
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from codegen.claims.about import Surroundings, message_about, surroundings
 from codegen.claims.field_notes import field_notes
+from codegen.claims.known_names import (
+    FAMILY,
+    SHORT,
+    UPPER,
+    Names,
+    entry_start,
+    is_successor,
+    is_unknown,
+    names_of,
+    near_fields,
+    near_message,
+)
 from codegen.claims.misspelled import is_spelled_so, numbered_message
 from codegen.claims.reading import Reading, between
+from codegen.claims.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
-from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect.dialect import WireMessage
+from codegen.model.dialect.dialect import Dialect, WireMessage
+from codegen.once import once
 from codegen.source import Place
 
 NO_FIELD = Rule(
@@ -36,7 +49,6 @@ NO_ENTRY = Rule(
     Severity.WARNING,
 )
 
-_UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\()")
 _SENT = re.compile(
     r"\b(?:messages?|send|sends|sent|answers?|streams?|streamed|requests?|requested|repl(?:y|ies)|receives?|publishe?s?"
     r"|uses?|emits?|telemetry|Hz)\b",
@@ -65,13 +77,17 @@ _IS_SENT = re.compile(
     r"| (?:carries|arrives|comes|contains|reports)\b"
 )
 _OWN = re.compile(
-    r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?)\b",
+    r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?"
+    r"|upstream)\b",
     re.IGNORECASE,
 )
 _ELSE = re.compile(
     r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
     r"|signal|script|module|column|table|key)s?\s+$",
     re.IGNORECASE,
+)
+_IS_ELSE = re.compile(
+    r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
 )
 _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
 _FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
@@ -91,42 +107,21 @@ _BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?
 _QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
 _WORD = re.compile(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
 _JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
-_SHORT = 3
 _NEAR = 20
 """Messages of a sentence that are looked at for one directly beside a name."""
-_FAMILY = 5
-"""Names that begin alike: then what they begin with is their family, and no misspelling of one of them."""
-_ALIKE = 0.72
-_SAME = 0.8
 _SURE = 0.7
 """For what stands where a message has to stand."""
 _KIN = 0.65
 """For what begins as all entries of an enum do."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Names:
-    """All names that a document may mean: ``messages`` by name, ``known`` names of anything else in the dialects.
-
-    ``fields`` has those of all messages that the document names: what one of them has is no misspelling. Nor is a new
-    name of a message with a successor (``followed``), whose field it may be. ``entries`` are by the beginning that all
-    of an enum share.
-    """
-
-    messages: Mapping[str, WireMessage]
-    known: Collection[str]
-    fields: Collection[str]
-    followed: Collection[str]
-    entries: Mapping[str, Sequence[str]]
-
-
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every passage, every run of rows or items, and every line of code."""
-    names = _names(reading)
+    names = names_of(reading)
     for notes in field_notes(reading):
         for note in notes.notes if not notes.is_whole and notes.message.name not in names.followed else ():
             is_one = note.type is None or notes.message.field(note.name) or note.name in names.fields
-            if not is_one and _near_fields(note.name, notes.message):
+            if not is_one and near_fields(note.name, notes.message):
                 yield _no_field(reading, note.passage.place, notes.message, note.name)
     for kind, run in groupby(surroundings(reading), lambda each: getattr(each[0], "kind", None)):
         parts = list(run)
@@ -152,30 +147,6 @@ def unknown_names(reading: Reading) -> Iterator[str]:
         yield from (found[0] for found in _CONSTANT.finditer(text) if found[0] not in reading.messages)
 
 
-def _names(reading: Reading) -> _Names:
-    enums = reading.enums
-    known = {entry.name for enum in enums.values() for entry in enum.entries} | set(enums)
-    known |= {each.name for each in reading.reference.listed}
-    known |= {entry.name.removeprefix(f"{name}_") for name, enum in enums.items() for entry in enum.entries}
-    named = dict.fromkeys(name for _, name in reading.sightings)
-    entries = {f"{name}_": [entry.name for entry in enum.entries] for name, enum in enums.items()}
-    return _Names(
-        messages=reading.messages,
-        known=known,
-        fields={field.name for name in named for field in reading.messages[name].fields},
-        followed=set(_followed(reading)),
-        entries={start: found for start, found in entries.items() if found and found[0].startswith(start)},
-    )
-
-
-def _followed(reading: Reading) -> Iterator[str]:
-    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
-    for passage in reading.prose.passages:
-        for found in _UPPER.finditer(passage.text):
-            words = found[0].split("_") if found[0] not in reading.messages else []
-            yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
-
-
 def _first(passage: Passage) -> "re.Match[str] | None":
     """What a row or an item begins with."""
     return _BEGINNING.match(passage.text)
@@ -189,60 +160,17 @@ def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
     return frozenset(id(passage) for passage, _ in begun)
 
 
-def _near_message(name: str, names: _Names) -> str | None:
-    """The message that a name was meant for; None for what may be a message of its own."""
-    joined = name.replace("_", "")
-    if "_" not in name:
-        same = (known for known in names.messages if "_" in known and known.replace("_", "") == joined)
-        alone = [known for known in names.messages if "_" not in known and len(known) > _SHORT]
-        return next(same, None) or next(iter(get_close_matches(name, alone, n=1, cutoff=_SAME)), None)
-    *front, last = name.split("_")
-    turned = [known for known in names.messages if sorted(known.split("_")) == sorted(name.split("_"))]
-    if len(turned) == 1:
-        return turned[0]
-    kin = []
-    for known in names.messages:
-        *own_front, own_last = known.split("_")
-        if known.replace("_", "") == joined:
-            return known
-        shorter, longer = sorted((last, own_last), key=len)
-        if own_front == front and len(shorter) > 2 and longer.startswith(shorter):
-            return known
-        first, own_first = name.partition("_")[0], known.partition("_")[0]
-        if first == own_first or (
-            min(len(own_first), len(first)) > 2 and (own_first.startswith(first) or first.startswith(own_first))
-        ):
-            kin.append(known)
-    begun = [known for known in kin if known.startswith(f"{name}_")]
-    if len(begun) >= _FAMILY:
-        return None
-    if begun:
-        return begun[0]
-    others = [known for known in kin if not name.startswith(f"{known}_")]  # or it is a successor
-    return next(iter(get_close_matches(name, others, n=1, cutoff=_SAME)), None)
-
-
-def _is_unknown(name: str, names: _Names) -> bool:
-    return name not in names.messages and name not in names.known and not _entry_start(name, names)
-
-
-def _entry_start(name: str, names: _Names) -> str:
-    """The beginning of the names of an enum's entries that a name has; the longest; empty for none."""
-    words = name.split("_")
-    starts = ("_".join(words[:end]) + "_" for end in range(len(words) - 1, 0, -1))
-    return next((start for start in starts if start in names.entries), "")
-
-
-def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collection[int]) -> Iterator[Diagnostic]:
+def _messages(reading: Reading, passage: Passage, names: Names, listed: Collection[int]) -> Iterator[Diagnostic]:
     """Names of messages that no dialect has, where what stands around them is about messages."""
-    for found in (*_UPPER.finditer(passage.text), *_WORD.finditer(passage.text)):
+    for found in (*UPPER.finditer(passage.text), *_WORD.finditer(passage.text)):
         name = found[0]
-        if not _is_unknown(name, names):
+        if not is_unknown(name, names):
             continue
         low, high = passage.sentence(found.start(), found.end())
         if _OWN.search(passage.text, low, high):
             continue
-        numbered = numbered_message(passage.text, *found.span(), names.messages)
+        following = _following_id(reading, passage) if passage.text.strip() == name else None
+        numbered = numbered_message(passage.text, *found.span(), names.messages, following)
         if numbered is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, numbered)
             continue
@@ -262,43 +190,58 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
             continue
         if _PARAMETER.match(name):
             continue
-        near = _near_message(name, names)
+        near = near_message(name, names)
         is_row = is_begun and passage.kind is not PassageKind.HEADING
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)
         is_sure = is_row or is_sent or _IS_SENT.match(passage.text, found.end()) is not None
-        if near is None and is_sure and reading.sightings and not _is_successor(name, names):
+        if near is None and is_sure and reading.sightings and not is_successor(name, names):
             near = next(iter(get_close_matches(name, names.messages, n=1, cutoff=_SURE)), None)
         if near is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, near)
 
 
-def _is_successor(name: str, names: _Names) -> bool:
-    """Whether a name goes on where that of a message ends, or is the beginning of several: a new one, or a family."""
-    words = name.split("_")
-    return any("_".join(words[:end]) in names.messages for end in range(1, len(words))) or any(
-        known.startswith(f"{name}_") for known in names.messages
-    )
+@once
+def _below(reading: Reading) -> Mapping[int, str]:
+    """By the identity of each heading what follows it directly."""
+    parts = reading.prose.parts
+    return {
+        id(part): following.text
+        for part, following in pairwise(parts)
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING and isinstance(following, Passage)
+    }
+
+
+def _following_id(reading: Reading, passage: Passage) -> int | None:
+    """The id with which the passage below a heading begins."""
+    found = _ID_BELOW.match(_below(reading).get(id(passage), ""))
+    return int(found["id"]) if found is not None else None
+
+
+_ID_BELOW = re.compile(r"(?:message |msg )?id:? #?(?P<id>\d{1,5})\b", re.IGNORECASE)
 
 
 def _no_message(reading: Reading, place: Place, name: str, near: str) -> Diagnostic:
     return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", f"did you mean {near}?")
 
 
-def _entries(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
-    for found in _UPPER.finditer(passage.text):
+def _entries(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagnostic]:
+    for found in UPPER.finditer(passage.text):
         low, high = passage.sentence(found.start(), found.end())
         if not _OWN.search(passage.text, low, high):
             yield from _entry(reading, passage.place_at(found.start()), found[0], names)
 
 
-def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator[Diagnostic]:
+def _entry(reading: Reading, place: Place, name: str, names: Names) -> Iterator[Diagnostic]:
     """A name that begins as the entries of an enum do, and is none of them."""
-    start = _entry_start(name, names)
-    if not start or name in names.known or name in names.messages:
+    start = entry_start(name, names)
+    if name in names.known or name in names.messages:
+        return
+    if not start:
+        yield from _turned(reading, place, name)
         return
     entries = names.entries[start]
-    if sum(entry.startswith(f"{name}_") for entry in entries) >= _FAMILY:
+    if sum(entry.startswith(f"{name}_") for entry in entries) >= FAMILY:
         return
     words = set(name.split("_"))
     near = [entry for entry in entries if words < set(entry.split("_"))][:1]
@@ -307,7 +250,35 @@ def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator
         yield reading.found(NO_ENTRY, place, name, f"{start[:-1]} has no entry {name}", f"did you mean {near[0]}?")
 
 
-def _fields(reading: Reading, passage: Passage, around: Surroundings, names: _Names) -> Iterator[Diagnostic]:
+def _turned(reading: Reading, place: Place, name: str) -> Iterator[Diagnostic]:
+    """A long name with the words of an entry in another order, or without one of its letters."""
+    words = name.split("_")
+    if len(words) < _LONG:
+        return
+    names = _long_entries(reading.reference.dialect)
+    near = next((each for each in names.get(len(name), ()) if sorted(each.split("_")) == sorted(words)), None)
+    near = near or next((each for each in names.get(len(name) + 1, ()) if is_spelled_so(name, (each,))), None)
+    enum = next((enum.name for enum in reading.enums.values() if near and enum.entry(near)), None)
+    if enum is not None and near is not None:
+        yield reading.found(NO_ENTRY, place, name, f"{enum} has no entry {name}", f"did you mean {near}?")
+
+
+@once
+def _long_entries(dialect: Dialect) -> Mapping[int, Sequence[str]]:
+    """The entries with long names, by the length of these."""
+    found: dict[int, list[str]] = {}
+    for enum in dialect.enums.values():
+        for entry in enum.entries:
+            if entry.name.count("_") >= _LONG - 1:
+                found.setdefault(len(entry.name), []).append(entry.name)
+    return found
+
+
+_LONG = 3
+"""Words of a name that is hardly that of anything else."""
+
+
+def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Names) -> Iterator[Diagnostic]:
     """Names in code spans that look like a field of the message that the passage is about."""
     for low, high in passage.codes:
         name = passage.text[low:high]
@@ -316,17 +287,11 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: _Na
         message = message_about(reading, passage, around, low, high)
         if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
             continue
+        if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
+            continue
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
-        if _near_fields(name, message) or (is_called and reading.named(passage)):
+        if near_fields(name, message) or (is_called and reading.named(passage)):
             yield _no_field(reading, passage.place_at(low), message, name)
-
-
-def _near_fields(name: str, message: WireMessage) -> list[str]:
-    """The field that a name is like, letter by letter or in all its words."""
-    own = [field.name for field in message.fields]
-    near = get_close_matches(name, own, n=1, cutoff=_ALIKE)
-    words = set(name.split("_"))
-    return near or [each for each in own if len(words) > 1 and words == set(each.split("_"))][:1]
 
 
 def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:
@@ -335,35 +300,37 @@ def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -
     return reading.found(NO_FIELD, place, f"{message.name} {name}", text, hint)
 
 
-def _qualified(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
+def _qualified(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagnostic]:
     """``MESSAGE.field``: the field of a known message is looked for letter by letter, or as the beginning of one."""
     for found in _QUALIFIED.finditer(passage.text):
         message, name = names.messages.get(found["message"]), found["field"]
         if message is None or message.field(name) or name in _FILES or message.name in names.followed:
             continue
         begun = [field.name for field in message.fields if field.name.startswith(name) or name.startswith(field.name)]
-        if begun or _near_fields(name, message):
+        if begun or near_fields(name, message):
             yield _no_field(reading, passage.place_at(found.start("field")), message, name)
 
 
-def _members(
-    reading: Reading, passages: Sequence[Passage], around: Surroundings, names: _Names
-) -> Iterator[Diagnostic]:
+def _members(reading: Reading, passages: Sequence[Passage], around: Surroundings, names: Names) -> Iterator[Diagnostic]:
     """Rows and items of which most begin with fields of the message that the heading names: the others are none."""
     message = around.first
     begun = [(passage, found) for passage in passages if (found := _first(passage)) and not found["name"].isupper()]
     own = [(passage, found) for passage, found in begun if message is not None and message.field(found["name"])]
-    if message is None or len(own) < 2 or message.name in names.followed:
+    is_table = bool(passages) and _OF_FIELDS.match(passages[0].text) is not None
+    if message is None or len(own) + is_table < 2 or not own or message.name in names.followed:
         return
     for passage, found in begun:
         name = found["name"]
         is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
-        is_like = len(name) > _SHORT and _near_fields(name, message)
+        is_like = len(name) > SHORT and near_fields(name, message)
         if name not in names.fields and (is_begun or is_like):
             yield _no_field(reading, passage.place_at(found.start("name")), message, name)
 
 
-def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:
+_OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
+
+
+def _code(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnostic]:
     """Names that code asks for by their message, and members of what it got."""
     quoted = [(line, found) for line in code.lines for found in _QUOTED.finditer(line.text)]
     asked = [(line, found) for line in code.lines for found in _IN_CODE.finditer(line.text)]
@@ -371,7 +338,7 @@ def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnost
     for line, found in (*asked, *(quoted if are_messages else ())):
         group = found.lastgroup or ""
         name = found[group]
-        near = _near_message(name, names) if _is_unknown(name, names) and "_" in name else None
+        near = near_message(name, names) if is_unknown(name, names) and "_" in name else None
         if near is not None:
             yield _no_message(reading, _at(line, found.start(group)), name, near)
     yield from _read(reading, code, names)
@@ -380,7 +347,7 @@ def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnost
             yield from _entry(reading, _at(line, found.start()), found[0], names)
 
 
-def _read(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:
+def _read(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnostic]:
     """Members of what code got as a message that it named."""
     variables: dict[str, WireMessage] = {}
     for line in code.lines:
@@ -390,7 +357,7 @@ def _read(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnost
                 variables[taken["variable"]] = message
         for found in _MEMBER.finditer(line.text) if variables else ():
             message = variables.get(found["variable"])
-            if message is not None and not message.field(found["field"]) and _near_fields(found["field"], message):
+            if message is not None and not message.field(found["field"]) and near_fields(found["field"], message):
                 yield _no_field(reading, _at(line, found.start("field")), message, found["field"])
 
 

@@ -7,7 +7,10 @@ from codegen.model.dialect.literals import named_number
 
 _VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
 _WORDS = (
-    re.compile(r"\b(?P<value>zero|-?\d{1,6}) means (?:unknown|not available|invalid)", re.IGNORECASE),
+    re.compile(
+        r"\b(?P<value>zero|-?\d{1,6}) (?:means|indicates) (?:unknown|not (?:available|supported)|invalid)",
+        re.IGNORECASE,
+    ),
     re.compile(
         rf"{_VALUE}:? (?:if |when |for |means |is |= ?)?(?:it is |value is )?"
         r"(?:unknown|invalid|not (?:known|available))"
@@ -23,6 +26,8 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
     """The numbers that stand for unknown and how they are written; None where the dialect says nothing of it."""
     if field.sentinel is not None:
         return [value for value in field.sentinel.values if value is not None], field.sentinel.written
+    if is_negative_unknown(field):
+        return [-1], "negative"
     for form in _WORDS:
         found = form.search(field.definition.description)
         written = ("0" if found["value"].lower() == "zero" else found["value"]) if found else ""
@@ -30,6 +35,18 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
         if value is not None:
             return [value], written
     return None
+
+
+_NEGATIVE = re.compile(
+    r"\bnegative values?:? (?:means? |is |for |= ?)?(?:unknown|invalid|not)|\b(?:unknown|invalid)[^.;]{0,20}"
+    r" negative\b",
+    re.IGNORECASE,
+)
+
+
+def is_negative_unknown(field: WireField) -> bool:
+    """Return whether any negative value stands for unknown."""
+    return _NEGATIVE.search(field.definition.description) is not None
 
 
 def number_of(written: str) -> int | float | None:

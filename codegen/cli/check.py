@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from codegen.cli.output import add_format_option
 
 if TYPE_CHECKING:
-    from codegen.claims.worked.listing import Number
+    from codegen.claims.own.worked.listing import Number
     from codegen.diagnostics import Report
 
 

@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from codegen.claims.own.worked.listing import Number
     from codegen.claims.reading import Reference
-    from codegen.claims.worked.listing import Number
     from codegen.diagnostics import Report
 
 

@@ -13,12 +13,14 @@ from codegen.decode.decoded import decoded, with_files_read
 from codegen.diagnostics import Diagnostic, Report
 from codegen.frozen import dataclass
 from codegen.load.files import Files, asked_once
+from codegen.model.price import sent_sizes
 from codegen.model.system import System
 from codegen.tool.cache import entry, pickled
 from codegen.tool.digest import tool_digest
 
 if TYPE_CHECKING:
     from codegen.claims.reading import Reference
+    from codegen.commands.documents import OfDialect
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,14 +44,15 @@ def check_project_documents(systems: Sequence[System], files: Files, report: Rep
     """
     paths = project_documents(systems)
     systems = _without_texts(systems, paths)
-    compared_with = _digest(systems)
+    compared_with, dialects = _digest(systems), _digest_of_dialects(systems)
     seen: dict[str, str] = {}
+    looked_at: dict[str, str] = {}
     reference = asked_once(lambda noting: _reference(systems, noting))
     found: dict[str, Found] = {}
     for path in paths:
         text = files.read_text(path, report)
         if text is not None:
-            find = _finder(text, path, systems, reference)
+            find = _finder(text, path, systems, reference, (dialects, looked_at))
             inputs = compared_with, path, text
             found[path] = with_files_read(inputs, find, seen, files) if compared_with else find(files)
     for of_document in found.values():
@@ -81,6 +84,22 @@ def _digest(systems: Iterable[System]) -> str:
     return entry("documents", tool_digest(), os.getcwd(), pickled(parts))
 
 
+def _digest_of_dialects(systems: Sequence[System]) -> str:
+    """The hash of all that statements about messages are compared with; empty where there is none for a dialect.
+
+    That are the dialect, also with overlays that are not listed, and how long messages are as they are sent. Most edits
+    of a specification leave these alone.
+    """
+    if not systems or not systems[0].dialect.digest:
+        return ""
+    spec = systems[0].spec
+    parts = (
+        systems[0].dialect.digest, spec.folder, spec.project, spec.corrections, spec.other_corrections, spec.refusals,
+        spec.other_overlays, sorted(sent_sizes(systems).items()),
+    )  # fmt: skip
+    return entry("dialects of documents", tool_digest(), os.getcwd(), pickled(parts))
+
+
 def _reference(systems: Sequence[System], files: Files) -> "Reference":
     from codegen.commands.documents import project_reference
 
@@ -88,19 +107,31 @@ def _reference(systems: Sequence[System], files: Files) -> "Reference":
 
 
 def _finder(
-    text: str, path: str, systems: Sequence[System], reference: "Callable[[Files], Reference]"
+    text: str,
+    path: str,
+    systems: Sequence[System],
+    reference: "Callable[[Files], Reference]",
+    known_by: tuple[str, dict[str, str]],
 ) -> Callable[[Files], Found]:
-    """Return what finds what is wrong in a document: it imports all that this needs."""
+    """Return what finds what is wrong in a document: it imports all that this needs.
+
+    ``known_by`` has the hash of the dialects, and by path what was found at files that were compared before.
+    """
 
     def find(noting: Files) -> Found:
-        from codegen.commands.documents import found_claims
+        from codegen.commands.documents import found_claims, of_dialects
         from codegen.importing.drift import drift
         from codegen.importing.stated import stated_fields
 
         stated = decoded("stated fields", text, path, lambda _: stated_fields(text, path), Report())
         assert stated is not None  # every text is Markdown
-        return Found(
-            (*stated.findings, *drift(stated, systems)), tuple(found_claims(text, path, reference(noting), noting))
-        )
+
+        def compare(inner: Files) -> "OfDialect":
+            return of_dialects(text, path, reference(inner), inner)
+
+        dialects, seen = known_by
+        known = with_files_read((dialects, path, text), compare, seen, noting) if dialects else None
+        claims = found_claims(text, path, reference(noting), noting, known)
+        return Found((*stated.findings, *drift(stated, systems)), tuple(claims))
 
     return find

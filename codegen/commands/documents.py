@@ -1,26 +1,28 @@
 """The way of the data for claims: documents, and the dialect or the project that they are compared with."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from typing import TYPE_CHECKING
 
-from codegen.claims import check_claims
+from codegen.claims import of_dialect, of_project, settled
 from codegen.claims.overlays import lines_about
 from codegen.claims.reading import Reading, Reference, read_document
-from codegen.claims.unknown_names import unknown_names
-from codegen.claims.worked.listing import Number, numbers
 from codegen.commands.codec import read_codec_dialect
 from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.files import DISK, Files, asked_once
-from codegen.model.price import Range, frame_size
+from codegen.model.price import sent_sizes
 from codegen.model.spec.spec import Spec
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
 from codegen.project.dialect import listed_messages
 from codegen.project.other_overlays import other_dialect
+
+if TYPE_CHECKING:
+    from codegen.claims.own.worked.listing import Number
 
 
 def dialect_reference(written: str, report: Report) -> Reference | None:
@@ -31,14 +33,7 @@ def dialect_reference(written: str, report: Report) -> Reference | None:
 
 def project_reference(systems: Sequence[System], files: Files = DISK) -> Reference:
     """Return what a project says, with all its programs, of which there is at least one."""
-    sent: dict[str, Range] = {}
-    for system in systems:
-        protocol = system.spec.project.protocol
-        for message in system.messages:
-            sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
-            name = message.wire.name
-            sizes += [sent[name]] if name in sent else []
-            sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
+    sent = sent_sizes(systems)
     spec = systems[0].spec
     listed = listed_messages(spec, files, Report())
     reference = Reference(
@@ -105,30 +100,68 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report, 
     return read
 
 
-def example_numbers(paths: Iterable[str], reference: Reference, files: Files = DISK) -> Iterator[Number]:
+def example_numbers(paths: Iterable[str], reference: Reference, files: Files = DISK) -> "Iterator[Number]":
     """The numbers of the worked examples of documents that can be read, and what is found when each is changed."""
+    from codegen.claims.own.worked.listing import numbers
+
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = files.read_text(path, Report())
         if text is not None:
             yield from numbers(text, with_other_dialects(read_document(text, path, reference), files))
 
 
-def found_claims(text: str, path: str, reference: Reference, files: Files) -> list[Diagnostic]:
-    """Return what is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
+OfDialect = Mapping[str, tuple[Diagnostic, ...]]
+"""What differs from the dialect, by the overlay that is in use besides; empty for none."""
+
+
+def of_dialects(text: str, path: str, reference: Reference, files: Files) -> OfDialect:
+    """Return what a text says of messages otherwise than the dialect, and, where it names an overlay that is not in
+    use, otherwise than the dialect with that one.
+    """
     reading = read_document(text, path, reference)
+    found = {"": of_dialect(with_other_dialects(reading, files))}
+    for overlay in lines_about(reading.prose, reference.overlays, reference.others):
+        other = reference.others[overlay](files)
+        if other is not None:
+            found[overlay] = of_dialect(with_other_dialects(read_document(text, path, other), files))
+    return found
+
+
+def found_claims(
+    text: str, path: str, reference: Reference, files: Files, known: OfDialect | None = None
+) -> list[Diagnostic]:
+    """Return what is wrong in the claims of a text: those about an overlay that is not in use by what holds with it.
+
+    ``known`` is what differs from the dialects, if that has been found out.
+    """
+    known = of_dialects(text, path, reference, files) if known is None else known
+    reading = read_document(text, path, reference)
+    own = of_project(reading)
     found: list[Diagnostic] = []
     elsewhere: set[int] = set()
     for overlay, lines in lines_about(reading.prose, reference.overlays, reference.others).items():
-        other = reference.others[overlay](files)
-        if other is not None:
+        if overlay in known:
             elsewhere |= lines
-            found += check_claims(with_other_dialects(read_document(text, path, other), files), lines.__contains__)
-    found += check_claims(with_other_dialects(reading, files), lambda line: line not in elsewhere)
+            there = _of_project_there(text, path, reference, files, overlay) if _are_in(own, lines) else ()
+            found += settled(reading, (*known[overlay], *there), lines.__contains__)
+    found += settled(reading, (*known[""], *own), lambda line: line not in elsewhere)
     return sorted(found, key=lambda finding: finding.place)
+
+
+def _are_in(findings: Iterable[Diagnostic], lines: Collection[int]) -> bool:
+    return any(finding.place.line in lines for finding in findings)
+
+
+def _of_project_there(text: str, path: str, reference: Reference, files: Files, overlay: str) -> tuple[Diagnostic, ...]:
+    """What is said of a project that differs from what it would be with an overlay; no more than without it."""
+    other = reference.others[overlay](files)
+    return of_project(read_document(text, path, other)) if other is not None else ()
 
 
 def with_other_dialects(reading: Reading, files: Files) -> Reading:
     """The reading with the messages of shipped dialects that it names, or that its own ones share an id with."""
+    from codegen.claims.unknown_names import unknown_names
+
     proposed = [message.definition for message in reading.proposed]
     reference = reading.reference
     others = set(unknown_names(reading))

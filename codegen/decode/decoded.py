@@ -86,7 +86,9 @@ def _digest(name: str, seen: dict[str, str], files: Files) -> str:
     if noted is None:
         return ""
     for path, found in json.loads(noted).items():
-        if path not in seen:
+        if path in seen:
+            files.note({path: seen[path]})
+        else:
             seen[path] = files.found_at(path)
         if seen[path] != found:
             return ""

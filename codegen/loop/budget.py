@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.loop.costs import Costs, measured_costs
-from codegen.loop.frames import busiest_works, due_work
+from codegen.loop.frames import busiest_works, due_work, heard_work
 from codegen.loop.grid import slot_kinds
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
@@ -121,7 +121,7 @@ def loop_budget(system: System) -> LoopBudget | None:
         jobs,
         tuple(sorted(slots, key=lambda slot: slot.busy.instructions)),
         around.took(Work({Part.STATION: 1})),
-        around.took(Work({Part.HEARD: 1})),
+        around.took(heard_work(program)),
         _a_second(base, costs, timing),
         _a_second(added(base, frame_rates(system, program)), costs, timing),
         costs,

@@ -1,5 +1,7 @@
 """What it takes to send messages, and which of them are due together."""
 
+from collections.abc import Iterable
+
 from codegen.loop.parts import Part, Work
 from codegen.loop.pass_share import messages_of_a_pass
 from codegen.model.price import frame_size, on_by_default, sent_messages
@@ -34,28 +36,50 @@ def message_work(message: PopulatedMessage, system: System, *, most: bool = Fals
     )
 
 
+def sent_together(messages: Iterable[PopulatedMessage], system: System, program: Program) -> Work:
+    """Return what a pass of a link takes in which these messages are sent, and nothing arrives."""
+    works = [message_work(message, system) for message in messages]
+    return sum(works, _looked(system)) + _ending(program, len(works))
+
+
+def heard_work(program: Program, heard: int = 1) -> Work:
+    """Return what a pass of a link takes in which so many messages arrive, and nothing is due."""
+    return Work({Part.HEARD: heard}) + _ending(program, heard)
+
+
 def due_work(system: System, program: Program, *, most: bool = False) -> Work:
     """Return what a station takes at which everything is due at once that streams send by default.
 
     So many messages as a pass sends, of all of them the dearest. ``most``: everything that there is is sent.
     """
-    return _sent_work(system, messages_of_a_pass(program), most=most)
+    return _sent_work(system, program, most=most)
 
 
 def busiest_works(system: System, program: Program) -> tuple[Work, ...]:
     """Return what the fullest passes of a link take: with none, one, ... of their messages being one that arrives."""
     share = messages_of_a_pass(program)
     return tuple(
-        _sent_work(system, share - heard, most=True) + Work({Part.HEARD: heard})
-        for heard in range(min(share, _HEARD_IN_A_PASS) + 1)
+        _sent_work(system, program, most=True, heard=heard) for heard in range(min(share, _HEARD_IN_A_PASS) + 1)
     )
 
 
-def _sent_work(system: System, count: int, *, most: bool) -> Work:
-    looked = Work({Part.STREAMS: 1, Part.TABLE: len(system.messages)})
+def _sent_work(system: System, program: Program, *, most: bool, heard: int = 0) -> Work:
+    """Return what a pass takes in which some messages arrive, and as many are sent as it may beside them."""
+    count = messages_of_a_pass(program) - heard
+    if not count:  # what is to be sent waits for the next pass
+        return heard_work(program, heard)
     due = system.messages if most else streamed(system)
-    works = sorted((message_work(message, system, most=most) for message in due), key=_weight, reverse=True)
-    return sum(works[:count], looked)
+    works = sorted((message_work(message, system, most=most) for message in due), key=_weight, reverse=True)[:count]
+    return sum(works, _looked(system)) + Work({Part.HEARD: heard}) + _ending(program, len(works) + heard)
+
+
+def _looked(system: System) -> Work:
+    return Work({Part.STREAMS: 1, Part.TABLE: len(system.messages)})
+
+
+def _ending(program: Program, count: int) -> Work:
+    """Return what is more where a pass takes in and sends so many messages, if it may do more."""
+    return Work({Part.ENDING: 1} if count < messages_of_a_pass(program) else {})
 
 
 def _weight(work: Work) -> tuple[int, int, int]:

@@ -3,7 +3,8 @@
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import islice
+from heapq import heapreplace
+from itertools import count, islice
 
 from codegen.loop.jobs import Job
 from codegen.loop.pass_share import jobs_of_a_pass
@@ -19,30 +20,36 @@ def slots(jobs: tuple[Job, ...], system: System, program: Program) -> Iterator[t
 
     A slot has so many jobs at most, in their order; others that are due have their turn in the next one.
     """
-    most = jobs_of_a_pass(system, program)
-    waiting: set[int] = set()
-    number = 0
-    while True:
-        now_us = number * program.control_us
-        waiting |= {
-            index
-            for index, job in enumerate(jobs)
-            if number == 0 or now_us // job.period_us > (now_us - program.control_us) // job.period_us
-        }
-        done = sorted(waiting)[:most]
-        waiting -= set(done)
-        number += 1
+    for done in _turns([job.period_us for job in jobs], program.control_us, jobs_of_a_pass(system, program)):
         yield tuple(jobs[index] for index in done)
+
+
+def _turns(periods_us: list[int], control_us: int, most: int) -> Iterator[tuple[int, ...]]:
+    """Yield the indexes of what is done in each slot: thousands of these are looked at, and in most nothing is due."""
+    due = [(0, index) for index in range(len(periods_us))]  # in which slot each is due next: a heap
+    waiting: set[int] = set()
+    for number in count():
+        while due[0][0] == number:
+            index = due[0][1]
+            period_us = periods_us[index]
+            times = number * control_us // period_us
+            heapreplace(due, (-(-(times + 1) * period_us // control_us), index))
+            waiting.add(index)
+        done = tuple(sorted(waiting)[:most]) if waiting else ()
+        waiting.difference_update(done)
+        yield done
 
 
 def slot_kinds(jobs: tuple[Job, ...], system: System, program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
     """Return what is done together, and how often in a second."""
     passes = min(_MOST_PASSES, -(-max(job.period_us for job in jobs) // program.control_us))
+    turns = _turns([job.period_us for job in jobs], program.control_us, jobs_of_a_pass(system, program))
     kinds: dict[tuple[str, ...], tuple[Job, ...]] = {}
     found = Counter[tuple[str, ...]]()
-    for due in islice(slots(jobs, system, program), passes):
+    for done, times in Counter(islice(turns, passes)).items():
+        due = tuple(jobs[index] for index in done)
         names = tuple(job.name for job in due)
         kinds[names] = due
-        found[names] += 1
-    for names, count in found.items():
-        yield kinds[names], Fraction(count * 1000000, passes * program.control_us)
+        found[names] += times
+    for names, times in found.items():
+        yield kinds[names], Fraction(times * 1000000, passes * program.control_us)

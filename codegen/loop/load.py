@@ -44,7 +44,7 @@ def traffic_load(system: System) -> TrafficLoad | str:
     def likely(work: Work) -> Fraction:
         return budget.took(work).likely_us or Fraction(0)
 
-    looked = Work({Part.STREAMS: 1, Part.TABLE: len(system.messages)})
+    looked = Work({Part.STREAMS: 1, Part.TABLE: len(system.messages), Part.ENDING: 1})
     frames: dict[str, Fraction] = {}
     for message in system.messages:
         work = message_work(message, system, most=True)

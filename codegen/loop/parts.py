@@ -31,6 +31,8 @@ class Part(StrEnum):
     """More for each byte of it."""
     VALUE = "value"
     """More for each number in it that can differ."""
+    ENDING = "ending"
+    """More where a pass of a link takes in or sends fewer messages than it may: it finds out when to look again."""
     HEARD = "heard"
     """More for a message that arrives: a HEARTBEAT of a ground station."""
     COMPONENT = "component"

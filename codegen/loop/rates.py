@@ -44,7 +44,7 @@ def looks_a_second(system: System, program: Program) -> Fraction:
 def frame_rates(system: System, program: Program) -> Rates:
     """Return what the messages take that streams send by default, over all links."""
     looks = looks_a_second(system, program)
-    rates: Rates = {Part.STREAMS: looks, Part.TABLE: looks * len(system.messages)}
+    rates: Rates = {Part.STREAMS: looks, Part.TABLE: looks * len(system.messages), Part.ENDING: looks}
     for message in streamed(system):
         rate = default_rate(message) * len(system.links)
         rates = added(rates, {part: count * rate for part, count in message_work(message, system).items()})

@@ -6,7 +6,7 @@ from codegen.loop.parts import Part, Work
 GROUPS: dict[str, tuple[Part, ...]] = {
     "the pass and its jobs": (Part.PASS, Part.JOBS, Part.JOB, Part.CALL),
     "serving links": (Part.LINK, Part.STATION),
-    "streams, to find what is due": (Part.STREAMS, Part.TABLE, Part.MESSAGE),
+    "streams, to find what is due": (Part.STREAMS, Part.TABLE, Part.MESSAGE, Part.ENDING),
     "frames, from the state to the port": (Part.FRAME, Part.BYTE, Part.VALUE),
     "messages that arrive": (Part.HEARD,),
     "readings, with conversions": (Part.COMPONENT, Part.READING, Part.SAMPLE, Part.CONVERSION),

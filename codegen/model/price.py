@@ -55,6 +55,19 @@ def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range
     return _frame_sizes(message)[instance]
 
 
+def sent_sizes(systems: Iterable[System]) -> dict[str, Range]:
+    """By name the bytes of the frames of each message that any program sends."""
+    sent: dict[str, Range] = {}
+    for system in systems:
+        protocol = system.spec.project.protocol
+        for message in system.messages:
+            sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
+            name = message.wire.name
+            sizes += [sent[name]] if name in sent else []
+            sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
+    return sent
+
+
 @once
 def _frame_sizes(message: PopulatedMessage) -> tuple[Range, ...]:
     """The same in MAVLink 2, about each instance."""

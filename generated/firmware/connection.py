@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 6c4233bf03ca590b
+# Inputs: ef0ea3b8d282ecc4
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -26,6 +26,7 @@ _LOOK_MS = const(100)  # no later the streams and the port have a turn
 _ARRIVED = const(0)  # what comes first in a pass: what arrived,
 _STREAMS = const(1)  # or streams, and nothing is taken in,
 _OTHERS = const(2)  # or what else waits, and then streams
+_WORKED = const(15)  # where the state of a link has what is limited in a pass: frames_plain says more
 _HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
@@ -38,8 +39,9 @@ class Connection:
     that, to be done in the next pass. It raises nothing: a fault ends the part of the pass that it is in. A pass with
     nothing to do finds that out from few variables.
 
-    A pass takes in and sends vehicle.MESSAGES messages, all stations together. What had to wait comes first in the next
-    one: streams before what arrives, after them what else waits, and then what arrives again.
+    A pass takes in and sends vehicle.MESSAGES messages, all stations together. Where all of them arrived, what is to be
+    sent comes first in the next one, and so does what had to wait: streams before what arrives, after them what else
+    waits, and then what arrives again.
 
     `port` reads and writes bytes (see ports), `link` makes frames of messages and back: it writes to `port`, and has
     been given services.receivable() as the messages that it receives. `make_streams` returns the streams of a station,
@@ -67,7 +69,6 @@ class Connection:
         self.component_id = frame[at + 1]
         self._log = vehicle.texts
         self._budget = [0, 0]  # messages that this pass may still take in and send, and those that were left out
-        self._last = None  # the station that had the end of them
         self._make_streams = make_streams
         self._ends = getattr(port, "ends", None)
         if self._ends is None:
@@ -101,6 +102,7 @@ class Connection:
         diff = ticks_diff
         log = self._log
         budget = self._budget
+        most = vehicle.MESSAGES
         buffered = self.link._state  # frames_plain says what it holds
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
@@ -119,67 +121,85 @@ class Connection:
                     or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
                 ):
                     self._is_idle = True  # unless something is left
-                    budget[0] = vehicle.MESSAGES
+                    budget[0] = most
                     turn = first
                     first = _ARRIVED
                     if is_left and turn == _ARRIVED:
-                        self.inbox.begin()
-                        for _ in range(_MESSAGES):
-                            if not is_left or budget[0] <= 0:
-                                break
+                        buffered[_WORKED] = taken = 0
+                        while is_left and taken < _MESSAGES and budget[0] > 0:
+                            taken += 1
                             budget[0] -= 1
                             try:
-                                self._take_in(now_ms)
+                                message = self.inbox.next(now_ms)
+                                if message is not None and self._is_answered(message, now_ms):
+                                    self.services.handle(message)
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
                             for _ in look(0):
                                 is_left = True
-                    is_more = is_left
-                    self._last = None
+                        if budget[0] <= 0:  # what is to be sent comes first in the next pass
+                            first = _STREAMS
+                            next_ms = now_ms
+                            now_ms = yield True
+                            continue
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
                     for station in self.stations:
-                        wait_ms = self._wait_ms(station, now_ms)
+                        if (
+                            station.waiting
+                            or station.text != text
+                            or station.said is not None
+                            or station.parameter is not None
+                        ):
+                            wait_ms = 0
+                        else:
+                            wait_ms = station.streams.wait_ms(now_ms)
                         if not wait_ms:
                             if station is not self.station:
                                 self.turn_to(station)
-                            for step in range(2):
-                                if (step == 0) != (turn == _OTHERS):
-                                    try:
-                                        station.streams.run(now_ms)
-                                    except Exception as error:
-                                        self._note(error, now_ms)
-                                    continue
+                            if turn != _OTHERS:
                                 try:
-                                    if budget[0] > 0 and station.waiting:
-                                        self._send_waiting(station.waiting)
-                                    if budget[0] > 0 and self.port.is_up:
-                                        station.streams.announce()
+                                    station.streams.run(now_ms)
                                 except Exception as error:
                                     self._note(error, now_ms)
+                            try:
+                                if budget[0] > 0 and station.waiting:
+                                    self._send_waiting(station.waiting)
+                                if budget[0] > 0 and self.port.is_up:
+                                    station.streams.announce()
+                            except Exception as error:
+                                self._note(error, now_ms)
+                            try:
+                                if budget[0] > 0:
+                                    self.services.run()
+                                if budget[0] > 0:
+                                    self._texts.run(station)
+                            except Exception as error:
+                                self._note(error, now_ms)
+                            if turn == _OTHERS:
                                 try:
-                                    if budget[0] > 0:
-                                        self.services.run()
-                                    if budget[0] > 0:
-                                        self._texts.run(station)
+                                    station.streams.run(now_ms)
                                 except Exception as error:
                                     self._note(error, now_ms)
-                            if self._last is None and budget[0] <= 0:
-                                self._last = station
+                            if budget[0] <= 0:
+                                break
                             wait_ms = self._wait_ms(station, now_ms)
-                            if not wait_ms and budget[0] <= 0:
-                                is_more = True
-                                if turn == _ARRIVED and station.streams.has_waited:
-                                    first = _STREAMS
-                                elif turn != _OTHERS and first == _ARRIVED:
-                                    first = _OTHERS
                         if wait_ms < least_ms:  # noqa: PLR1730  min() takes longer
                             least_ms = wait_ms
-                    if self._end_pass(now_ms):
-                        least_ms = 0
-                    next_ms = ticks_add(now_ms, least_ms)
+                    if budget[0] > 0:
+                        if self._end_pass(now_ms):
+                            least_ms = 0
+                        next_ms = ticks_add(now_ms, least_ms)
+                        is_more = is_left
+                    else:  # whether anything is left is found out in the next pass
+                        if self._pass_on(now_ms) and turn == _ARRIVED:
+                            first = _STREAMS
+                        elif turn != _OTHERS:
+                            first = _OTHERS
+                        next_ms = now_ms
+                        is_more = True
                 now_ms = yield is_more
         except BaseException:
             self._begin(vehicle)
@@ -242,21 +262,22 @@ class Connection:
         station.waiting.append(reply)
         self._is_idle = False
 
-    def _take_in(self, now_ms):
-        message = self.inbox.next(now_ms)
-        if message is not None and (self._stations is None or self._is_answered(message, now_ms)):
-            self.services.handle(message)
-
     def _is_answered(self, message, now_ms):
-        """Turn to who has sent a message; return whether there is a place for it. No vehicle is a station."""
+        """Turn to who has sent a message; return whether it is not its own, and there is a place for who it is of."""
         sent = message._image  # frames_plain says what it holds
         if sent[7] == self.system_id and sent[8] == self.component_id:
             return False
-        if (
+        if self._stations is None:
+            return True
+        if (  # no vehicle is a station
             message.ID == _HEARTBEAT
             and message.wire[_TYPE] != _MAV_TYPE_GCS
             and message.wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID
         ):
+            return True
+        station = self.station
+        if station.is_heard and station.address == self._ends[1] and station.address is self._ends[0]:
+            station.heard_ms = now_ms  # most often it is the one at hand
             return True
         station = self._stations.hear(self._ends[1], now_ms)
         if station is None:
@@ -278,8 +299,6 @@ class Connection:
 
     def _end_pass(self, now_ms):
         """End a pass in which there was something to do; return whether the port has more."""
-        if self._last is not None:
-            self._end_with(self._last)  # next time others have their share first
         if not 0 <= ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
             self._forget(now_ms)
         return self.port.poll(now_ms)
@@ -294,9 +313,17 @@ class Connection:
         if self._stations is not None:
             self._stations.forget_silent(now_ms)
 
-    def _end_with(self, station):
-        while self.stations[-1] is not station:
-            self.stations.append(self.stations.pop(0))
+    def _pass_on(self, now_ms):
+        """Let others than the station at hand have their share first next time; return whether streams may wait."""
+        stations = self.stations
+        if len(stations) == 1:
+            return self.streams.has_waited
+        while stations[-1] is not self.station:
+            stations.append(stations.pop(0))
+        for station in stations:
+            if station is not self.station and not station.streams.wait_ms(now_ms):
+                station.streams.has_waited = True
+        return True
 
     def _send_waiting(self, waiting):
         while waiting and self._budget[0] > 0:

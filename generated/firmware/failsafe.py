@@ -3,8 +3,8 @@
 # Inputs: d49327ebdbf5fec0
 """Failsafes: what is done when a value stays beyond a threshold."""
 
-import time
 from array import array
+from time import ticks_diff, ticks_ms
 
 from micropython import const
 
@@ -13,9 +13,9 @@ _MAV_SEVERITY_INFO = const(6)
 _MAV_SEVERITY_WARNING = const(4)
 
 try:
-    from scan_viper import holding
+    from scan_viper import holding, watch
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
-    from scan_plain import holding
+    from scan_plain import holding, watch
 
 OK = 0  # no level
 _HEALTH = (
@@ -23,9 +23,15 @@ _HEALTH = (
     (_MAV_SEVERITY_WARNING, "warning"),
     (_MAV_SEVERITY_WARNING, "unhealthy"),  # the last level
 )
-_LONGEST_MS = const(1 << 24)  # how long a condition holds is not counted further
-_NOT = const(-1)  # it does not hold
+_NOT = const(-1)  # it does not hold, or never counts
 _UNKNOWN = const(-1073741824)  # as in words
+
+# Where the rows that are watched have what; scan_plain says more.
+_UP = const(2)
+_DUE = const(3)
+_WORST = const(4)
+_HEAD = const(9)
+_ROW = const(7)
 
 # Where a condition has what.
 _PLACE = const(0)
@@ -38,7 +44,6 @@ _WHY = const(6)
 _ACTION = const(7)
 _OFF = const(0)  # of all
 _ARMED = const(0)  # among the words of the vehicle
-_COUNT = const(6)
 _TIMED_FROM = const(2)
 _WATCHED_AT = const(0)
 _SWITCH_AT = const(13)
@@ -75,126 +80,92 @@ class Failsafe:
     """Watches one thing: how long each condition of its levels holds without a break.
 
     `title` is what texts call it, `level` the highest it reached: it stays until the next start and only rises.
+    `is_against` arming: whether a value or a parameter was, beside the level, at the last update; True before.
     A value that is unknown, or not believed, neither restarts a time nor lets it go on.
     """
 
     def __init__(self, vehicle, component, title, conditions):
         self.title = title
         self.level = OK
+        self.is_against = True
         self._vehicle = vehicle
+        self._parameters = vehicle.parameters
         self._conditions = conditions
         self._component = component
         self._vehicle_words = vehicle.state.vehicle.words
         self._reached = None  # the condition that led to the level
-        self._held_ms = array("i", [_NOT] * len(conditions))
-        self._is_counting = False  # whether any of them holds, and is timed
         self._words = component.words
-        self._rows = array("i", [len(conditions)] + [0] * (3 * len(conditions)))  # scan_plain says what
+        now_ms = ticks_ms() & 0x3FFFFFFF
+        head = (len(conditions), _TIMED_FROM, OK, _NOT, OK, now_ms, _WATCHED_AT, 2, _HEALTH_AT)
+        self._rows = array("i", head + (0, 0, 0, 0, _NOT, _NOT, 0) * len(conditions))
         self._follow()
-        self._updated_ms = time.ticks_ms()
         self._told_ms = None  # when a change of health was logged
         self._told = OK
 
     def update(self, now_ms):
-        """Look at the latest value; return the level that is reached just now, else 0. Call it after each reading."""
-        if not self._component.words[_SWITCH_AT]:
+        """Look at the value; return the level that is reached just now, else 0. Call it after each reading."""
+        if not self._words[_SWITCH_AT]:
+            self.is_against = False
             return OK
-        passed_ms = time.ticks_diff(now_ms, self._updated_ms)
-        self._updated_ms = now_ms
-        held = self._holding() >> _TIMED_FROM
-        self._set_health(held, now_ms)
-        due = self._overdue(held, passed_ms) if held or self._is_counting else None
+        if self._changes != self._parameters.changes:
+            self._follow()
+        rows = self._rows
+        found = watch(self._words, rows, now_ms, 1 if self._vehicle_words[_ARMED] else 0)
+        self.is_against = found != 0 or self._mixed is not None
+        if rows[_WORST] != self._told or self._told_ms is not None:
+            self._tell_health(rows[_WORST], now_ms)
+        due = None if rows[_DUE] < 0 else self._conditions[rows[_DUE]]
         if due and due[_LEVEL] > self.level:
             return self._reach(due)
         return OK
 
-    def _overdue(self, held, passed_ms):
-        """Count on; return the last condition that holds for long enough, else None. `held` has a bit for each."""
-        if not self._vehicle_words[_ARMED]:
-            if self._is_counting:
-                self._is_counting = False
-                for index in range(len(self._held_ms)):
-                    self._held_ms[index] = _NOT
-            return None
-        self._is_counting = False
-        due = None
-        for index in range(_TIMED_FROM, _COUNT):
-            if held & 1 or self._held_ms[index] != _NOT:
-                due = self._look(index, held & 1, passed_ms) or due
-            held >>= 1
-        return due
-
-    def _look(self, index, holds, passed_ms):
-        """Count how long a condition holds; return it if that is long enough, else None."""
-        condition = self._conditions[index]
-        if self._component.words[condition[_PLACE]] <= condition[_FLOOR]:
-            if self._held_ms[index] != _NOT:
-                self._is_counting = True
-            return None
-        if not holds:
-            self._held_ms[index] = _NOT
-            return None
-        self._is_counting = True
-        held_ms = self._held_ms[index]
-        if held_ms == _NOT:
-            held_ms = 0
-        elif held_ms < _LONGEST_MS:
-            held_ms += passed_ms
-        self._held_ms[index] = held_ms
-        return condition if self._is_due(condition, held_ms) else None
-
-    def _is_due(self, condition, held_ms):
-        limit_ms = condition[_MS]
-        if condition[_AFTER] is not None:
-            limit_ms *= getattr(self._vehicle.parameters, condition[_AFTER])
-            if limit_ms == 0:  # switched off
-                return False
-        return held_ms >= limit_ms
-
-    def _holding(self):
-        """Return which conditions hold, a bit for each; not while the value is unknown."""
-        if self._changes != self._vehicle.parameters.changes:
-            self._follow()
-        return holding(self._words, self._rows)
-
     def _follow(self):
-        """Take over what parameters make of the limits."""
-        self._changes = self._vehicle.parameters.changes
+        """Take over what parameters make of the limits and times."""
+        self._changes = self._parameters.changes
         rows = self._rows
         for index in range(len(self._conditions)):
             condition = self._conditions[index]
-            at = 3 * index + 1
+            at = _ROW * index + _HEAD
+            rows[at + 4] = self._after_ms(condition)
+            rows[at + 6] = condition[_LEVEL]
             rows[at] = condition[_PLACE]
             limit = self._limit(condition)
             rows[at + 1] = 0 if limit is None else -1
             rows[at + 2] = limit or 0
+            rows[at + 3] = condition[_FLOOR]
         self._mixed = self._mixed_up()
 
     def _limit(self, condition):
         """Return the limit of a condition, None for one that is switched off."""
-        limit = getattr(self._vehicle.parameters, condition[_LIMIT])
+        limit = getattr(self._parameters, condition[_LIMIT])
         if limit == _OFF:  # switched off
             return None
         return limit
 
+    def _after_ms(self, condition):
+        """Return for how long a condition has to hold, -1 for one that is switched off."""
+        if condition[_AFTER] is None:
+            return condition[_MS]
+        return getattr(self._parameters, condition[_AFTER]) * condition[_MS] or _NOT  # 0 switches it off
+
     def _reach(self, condition):
         level = condition[_LEVEL]
-        self.level = level
+        self.level = self._rows[_UP] = level
         self._reached = condition
-        self._component.words[_LEVEL_AT] = level
+        self._words[_LEVEL_AT] = level
         word = ("low", "critical")[level - 1]
         self._vehicle.texts.say(_MAV_SEVERITY_WARNING, _battery_text(self.title, self._component, word))
         return level
 
     def action(self):
         """Return the action of the level that was reached, 0 for none."""
-        return getattr(self._vehicle.parameters, self._reached[_ACTION]) if self.level else 0
+        return getattr(self._parameters, self._reached[_ACTION]) if self.level else 0
 
     def problem(self):
         """Return why the vehicle must not be armed, as words to put behind the title, or None."""
-        if not self._component.words[_SWITCH_AT]:
+        if not self._words[_SWITCH_AT]:
             return None
-        if self._component.words[_WATCHED_AT] == _UNKNOWN:
+        if self._words[_WATCHED_AT] == _UNKNOWN:
             return "unhealthy"
         held = self._holding()
         if held:
@@ -206,6 +177,12 @@ class Failsafe:
             return self._reached[_WHY]
         return self._mixed
 
+    def _holding(self):
+        """Return which conditions hold, a bit for each; not while the value is unknown."""
+        if self._changes != self._parameters.changes:
+            self._follow()
+        return holding(self._words, self._rows)
+
     def _mixed_up(self):
         """Return which level that is on would not be worse than the one before it, in words, or None."""
         for pair in _BATTERY_INVERTED:
@@ -215,23 +192,13 @@ class Failsafe:
 
     def _is_inverted(self, pair):
         milder, worse = self._conditions[pair[0]], self._conditions[pair[1]]
-        first = getattr(self._vehicle.parameters, milder[_LIMIT])
-        second = getattr(self._vehicle.parameters, worse[_LIMIT])
+        first = getattr(self._parameters, milder[_LIMIT])
+        second = getattr(self._parameters, worse[_LIMIT])
         return 0 < first <= second
 
-    def _last_level(self, held):
-        """Return the last level of which a condition holds."""
-        index = _COUNT - 1
-        while not held >> index & 1:
-            index -= 1
-        return self._conditions[_TIMED_FROM + index][_LEVEL]
-
-    def _set_health(self, held, now_ms):
-        health = self._last_level(held) if held else OK
-        if self._component.words[_WATCHED_AT] == _UNKNOWN:
-            health = 2
-        self._component.words[_HEALTH_AT] = health
-        if self._told_ms is not None and time.ticks_diff(now_ms, self._told_ms) >= _HEALTH_EVERY_MS:
+    def _tell_health(self, health, now_ms):
+        """Say how the value is doing, where that has changed, and not too often."""
+        if self._told_ms is not None and ticks_diff(now_ms, self._told_ms) >= _HEALTH_EVERY_MS:
             self._told_ms = None  # at once, since ticks of long ago seem to lie ahead
         if health != self._told and self._told_ms is None:
             self._told = health

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 3b56e76ffe5be9ca
+# Inputs: c43f56fe9bfffc80
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -158,12 +158,15 @@ class Scheduler:
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
-                            if not 0 < ahead_us <= job.period_us:
+                            if ahead_us <= 0 or (spare and ahead_us > job.period_us):
                                 if not left:
                                     least_us = 0
                                     break
                                 left -= 1
-                                job.take(now_us)
+                                if -job.period_us < ahead_us <= 0:
+                                    job.due_us = ticks_add(job.due_us, job.period_us)
+                                else:
+                                    job.take(now_us)
                                 try:
                                     if job.call() is again:
                                         job.due_us = ticks_add(job.due_us, -job.period_us)  # and stays on its grid

@@ -176,9 +176,9 @@ class Streams:
     def wait_ms(self, now_ms):
         """Return for how long run() and announce() have nothing to do, at most LOOK_MS."""
         ahead_ms = ticks_diff(self._next_ms, now_ms)
-        if ahead_ms > LOOK_MS or self._parameters.changes != self._changes or self._is_waiting:
+        if not 0 < ahead_ms <= LOOK_MS or self._parameters.changes != self._changes or self._is_waiting:
             return 0
-        return ahead_ms if ahead_ms > 0 else 0
+        return ahead_ms
 
     def run(self, now_ms):
         """Send what is due; call it in every pass of the main loop with ticks_ms(), unless wait_ms() is not 0."""
@@ -234,6 +234,8 @@ class Streams:
         """Let what tells about an instance be announced where a quantity of the instance has changed."""
         state = self._state
         seen = self._seen
+        if state.words[_BATTERY_SWAPS_NUMBER[0]] == seen[0] and state.words[_BATTERY_SWAPS_NUMBER[1]] == seen[1]:
+            return
         for instance in range(2):  # battery.swaps
             value = state.words[_BATTERY_SWAPS_NUMBER[instance]]
             if value != seen[instance]:

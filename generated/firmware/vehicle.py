@@ -5,7 +5,7 @@
 
 import asyncio
 import gc
-import time
+from time import ticks_diff, ticks_ms, ticks_us
 
 import machine
 import watchdog
@@ -41,6 +41,10 @@ _CREDIT_MS = const(600000)  # and as many at once as this is worth
 _LEAVE_MS = const(2000)  # a restart waits no longer for settings that keep coming
 _REMIND_S = const(30)  # from one time that what stands is said to the next
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
+
+# Where the state has what the main loop tells about the vehicle.
+_VEHICLE_READY = const(1)
+_VEHICLE_LOAD_DPCT = const(4)
 
 
 class Vehicle:
@@ -82,6 +86,7 @@ class Vehicle:
         ports = self.board.open_ports() if ports is None else ports
         self.connections = [self._connect(port) for port in ports]
         self.battery_failsafes = battery_failsafes(self)
+        self._reached = None  # the failsafe that has reached the highest level just now
 
     # What the user's code overrides.
 
@@ -143,9 +148,12 @@ class Vehicle:
         if self._has_lost:
             return False
         for failsafe in self.battery_failsafes:
-            if failsafe.problem() is not None:
+            if failsafe.level or failsafe.is_against:
                 return False
-        return self._own_problem() is None
+        try:
+            return self.check_arming() is None
+        except Exception:
+            return False
 
     def arm(self, force=False):
         """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
@@ -190,7 +198,7 @@ class Vehicle:
             return "Reboot: disarm first"
         self.disarm(force=True)
         if self.restart_ms is None:
-            self.restart_ms = time.ticks_ms()
+            self.restart_ms = ticks_ms()
             self._failed_ms = None  # one more attempt to save
         return None
 
@@ -216,16 +224,19 @@ class Vehicle:
     def _watch_battery(self):
         self.state.update_battery(self.board)
         self._check(self.battery_failsafes)
-        self.state.vehicle.ready = False  # a check that fails does not leave an old answer
-        self.state.vehicle.ready = self._is_ready()
-        self.state.vehicle.load_dpct = self.scheduler.load
+        words = self.state.vehicle.words
+        words[_VEHICLE_READY] = 0  # a check that fails does not leave an old answer
+        words[_VEHICLE_READY] = 1 if self._is_ready() else 0
+        words[_VEHICLE_LOAD_DPCT] = self.scheduler.load
 
     def _check(self, failsafes):
         """Do what the highest level asks for that is reached just now, unless a higher one was reached before."""
-        acting = self._acting(failsafes, self._highest(failsafes) or 1)
-        if acting is not None:
-            self._set_status()
-            self._act(acting.action())
+        now_ms = ticks_ms()
+        for failsafe in failsafes:
+            if failsafe.update(now_ms):
+                self._note_reached(failsafe)
+        if self._reached is not None:
+            self._follow_reached(failsafes)
 
     def _highest(self, failsafes):
         highest = 0
@@ -234,16 +245,19 @@ class Vehicle:
                 highest = failsafe.level
         return highest
 
-    def _acting(self, failsafes, least):
-        acting = None
-        for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap
-            if failsafes[index].update(time.ticks_ms()) >= least:
-                acting = failsafes[index]
-                least = acting.level + 1
-        return acting
+    def _note_reached(self, failsafe):
+        if self._reached is None or failsafe.level > self._reached.level:
+            self._reached = failsafe
+
+    def _follow_reached(self, failsafes):
+        acting = self._reached
+        self._reached = None
+        if acting.level >= self._highest(failsafes):
+            self._set_status()
+            self._act(acting.action())
 
     def _communicate(self):
-        now_ms = time.ticks_ms()
+        now_ms = ticks_ms()
         is_left = False
         for connection in self.connections:
             if connection.run(now_ms):
@@ -337,7 +351,7 @@ class Vehicle:
         self._unsettled_ms = 0 if changes == self._seen else self._unsettled_ms + _SAVE_MS
         self._seen = changes
         if self._failed_ms is not None:
-            if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
+            if ticks_diff(ticks_ms(), self._failed_ms) < REPORT_US // 1000:
                 return False
             self._failed_ms = None
         if changes == self._saved:
@@ -371,16 +385,16 @@ class Vehicle:
             self._stored_problem = None
             self._has_lost = False
         else:
-            self._failed_ms = time.ticks_ms()  # it is tried again
+            self._failed_ms = ticks_ms()  # it is tried again
             self.texts("error: parameters are not saved:", problem)
         if longest_us > STEP_LIMIT_US:
             self.texts("warning: a step of a save took us:", longest_us)
 
     def _save_step(self):
         """Do one step of a save; return how many microseconds it took."""
-        started_us = time.ticks_us()
+        started_us = ticks_us()
         self.storage.step()
-        return time.ticks_diff(time.ticks_us(), started_us)
+        return ticks_diff(ticks_us(), started_us)
 
     def _may_save(self):
         if not self.is_armed:
@@ -394,6 +408,6 @@ class Vehicle:
     def _is_leaving(self):
         if self.restart_ms is None:
             return False
-        waited_ms = time.ticks_diff(time.ticks_ms(), self.restart_ms)
+        waited_ms = ticks_diff(ticks_ms(), self.restart_ms)
         is_saved = self.parameters.changes == self._saved or self._failed_ms is not None
         return waited_ms >= (_FAREWELL_MS if is_saved else _LEAVE_MS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 33ce6c4777f8f6f9
+# Inputs: 0bbafd51e6da0161
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -110,7 +110,7 @@ def absent_files_give_defaults():
 
 
 def damaged_files_give_defaults_and_a_warning():
-    """Any changed byte is noticed with one warning: defaults, or beside a whole slot its values."""
+    """Any changed byte is noticed with one warning: defaults, also beside rubbish; beside a whole slot its values."""
     craft = new_craft()
     _set_all(craft)
     save(craft)
@@ -118,14 +118,14 @@ def damaged_files_give_defaults_and_a_warning():
     whole = craft.flash.files[name]
     for at in range(len(whole)):
         damaged = whole[:at] + bytes([whole[at] ^ 0x10]) + whole[at + 1 :]
-        for other in ({}, {FILES[1] if name == FILES[0] else FILES[0]: b"rubbish"}):
-            flash = Flash()
-            flash.files.update({name: damaged})
-            flash.files.update(other)
-            again = Start(flash)
-            assert _values(again) == _defaults(), at
-            warnings = [text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]
-            assert len(warnings) == 1, (at, warnings)
+        flash = Flash()
+        flash.files.update({name: damaged})
+        if at % 2:
+            flash.files.update({FILES[1] if name == FILES[0] else FILES[0]: b"rubbish"})
+        again = Start(flash)
+        assert _values(again) == _defaults(), at
+        warnings = [text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]
+        assert len(warnings) == 1, (at, warnings)
         if at % 8 == 0:
             flash.files.update({FILES[0]: whole, FILES[1]: damaged})
             again = Start(flash)

@@ -3,6 +3,7 @@
 import ast
 import importlib
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -106,6 +107,9 @@ MODULES = sorted(
     if path.parent.name not in ON_THE_BOARD or not path.is_relative_to(PACKAGE / "sources")
 )
 
+parsed = cache(ast.parse)
+"""Several tests look at each module."""
+
 
 def name_of(path: Path) -> str:
     """The dotted name of a module below the package, without the package: ``emit.plan``."""
@@ -118,7 +122,7 @@ def part_of(name: str) -> str:
 
 def imported(text: str, name: str, *, is_package: bool = False) -> set[str]:
     """The parts of codegen that a module imports, at its top or anywhere in it."""
-    return {part_of(found) for found in _imported_names(ast.parse(text), name, is_package)} - {""}
+    return {part_of(found) for found in _imported_names(parsed(text), name, is_package)} - {""}
 
 
 def _imported_names(tree: ast.AST, name: str, is_package: bool) -> Iterator[str]:
@@ -141,7 +145,7 @@ def _imported_names(tree: ast.AST, name: str, is_package: bool) -> Iterator[str]
 def outcries(text: str) -> list[str]:
     """The places where a module prints, reads the keyboard, ends the program, or takes a stream to do so."""
     found = []
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(parsed(text)):
         match node:
             case ast.Call(func=ast.Name(id="print" | "input" | "exit" | "quit" | "breakpoint" as called)):
                 found.append(f"{node.lineno}: {called}()")
@@ -192,7 +196,7 @@ def test_no_stage_knows_a_kind_of_answer(path: Path) -> None:
     name = name_of(path)
     if part_of(name) != "answers":
         used = {
-            found for found in _imported_names(ast.parse(path.read_text()), name, False) if part_of(found) == "answers"
+            found for found in _imported_names(parsed(path.read_text()), name, False) if part_of(found) == "answers"
         }
         assert used <= KNOW_KINDS.get(name, set())
 
@@ -231,7 +235,7 @@ def test_a_module_is_called_what_it_is_about(path: Path) -> None:
 @held_by_every_module
 def test_frozen_classes_are_those_that_are_made_soon(path: Path) -> None:
     """Those of the standard library would take half the time of all imports: see codegen/frozen.py."""
-    tree = ast.parse(path.read_text())
+    tree = parsed(path.read_text())
     imports = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module == "dataclasses"]
     takes_another = any(alias.name == "dataclass" for node in imports for alias in node.names)
     assert name_of(path) == "frozen" or not (takes_another and "(frozen=True" in path.read_text())

@@ -30,9 +30,10 @@ ALLOWED = {
         for name in (
             *("codegen/targets/pages/program.py", "templates/pages/program.html.j2"),
             *("codegen/claims/cast.py", "codegen/claims/field_notes.py", "codegen/claims/statements/entries.py"),
-            *("codegen/claims/statements/spans.py", "codegen/claims/number_columns.py", "codegen/claims/parameters.py"),
-            *("codegen/claims/statements/tables.py", "codegen/claims/statements/types.py"),
-            *("codegen/claims/statements/meaning.py", "codegen/claims/worked/examples.py"),
+            *("codegen/claims/statements/spans.py", "codegen/claims/number_columns.py"),
+            *("codegen/claims/own/parameters.py", "codegen/claims/statements/lengths.py"),
+            *("codegen/claims/statements/tables.py",),
+            *("codegen/claims/statements/meaning.py", "codegen/claims/own/worked/examples.py"),
             *("codegen/explain/story.py", "codegen/explain/receptions.py", "codegen/explain/text.py"),
             *("codegen/importing/answer.py", "codegen/importing/columns.py", "codegen/importing/comparison.py"),
             *("codegen/importing/declared.py", "codegen/importing/number.py", "codegen/importing/proposal.py"),

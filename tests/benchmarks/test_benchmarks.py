@@ -61,6 +61,7 @@ KEYS = {
         "build_edited_over_mavgen",
         "check_over_mavgen",
         "check_edited_over_mavgen",
+        "check_table_over_mavgen",
         "check_first_over_mavgen",
         "diff_over_mavgen",
         "diff_first_over_mavgen",

@@ -173,9 +173,9 @@ def test_a_document_is_read_again_only_where_something_changed(
     read: list[str] = []
     found_claims = documents.found_claims
 
-    def noted(text: str, path: str, reference: Any, files: Files) -> Any:
+    def noted(text: str, path: str, reference: Any, files: Files, known: Any) -> Any:
         read.append(Path(path).name)
-        return found_claims(text, path, reference, files)
+        return found_claims(text, path, reference, files, known)
 
     monkeypatch.setattr(documents, "found_claims", noted)
     check()
@@ -187,6 +187,31 @@ def test_a_document_is_read_again_only_where_something_changed(
     file.write_text(file.read_text() + "\nMore.\n")
     check()
     assert read == [file.name]
+
+
+def test_an_edit_of_the_specification_compares_no_statement_about_messages(
+    project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only what documents say of the project is compared again; an edit of a draft concerns all the rest, too."""
+    read: list[str] = []
+    of_dialects = documents.of_dialects
+
+    def noted(text: str, path: str, reference: Any, files: Files) -> Any:
+        read.append(Path(path).name)
+        return of_dialects(text, path, reference, files)
+
+    monkeypatch.setattr(documents, "of_dialects", noted)
+    check()
+    assert len(read) == len(set(read)) > 15
+    read.clear()
+    parameters = project / "specs" / "parameters.yaml"
+    parameters.write_text(parameters.read_text().replace("default: 3.95", "default: 4.05"))
+    assert [finding for finding in check() if finding["rule"] == "claim-parameter"]
+    assert read == []
+    path, old, new = EDITS["a draft that is listed"]
+    (project / path).write_text((project / path).read_text().replace(old, new))
+    check()
+    assert len(read) > 15
 
 
 @pytest.mark.usefixtures("project")
@@ -201,7 +226,7 @@ def test_another_codegen_looks_again(check: Check, monkeypatch: pytest.MonkeyPat
 def test_what_is_found_may_name_files_as_they_are_called_from_here(
     project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def found(_text: str, path: str, _reference: object, _files: object) -> list[Diagnostic]:
+    def found(_text: str, path: str, *_: object) -> list[Diagnostic]:
         return [Diagnostic(Place(path), Rule("claim-anything", ""), shown_path(path))]
 
     monkeypatch.setattr(documents, "found_claims", found)

@@ -220,8 +220,8 @@ def test_memory(service_folders: tuple[Path, ...]) -> None:
 
 
 STEADY = {
-    "connection": {"turn_to", "_take_in", "_is_answered", "_wait_ms", "_end_pass", "_send_waiting", "_note", "send"},
-    "inbox": {"begin", "_is_given_up"},
+    "connection": {"turn_to", "_is_answered", "_wait_ms", "_end_pass", "_send_waiting", "_note", "send"},
+    "inbox": {"_is_given_up"},
     "stations": {"forget_silent", "_find"},
     "station": {"run"},
     "services": {"run", "handle"},

@@ -91,7 +91,7 @@ values = st.integers(-SMALL_INT_MAX, SMALL_INT_MAX) | st.builds(
 ties = st.tuples(st.integers(1 << 24, (1 << 25) - 1).map(lambda n: n | 1), st.integers(-50, 5), st.integers(-1, 2))
 
 
-@settings(max_examples=2000, deadline=None)
+@settings(max_examples=600, deadline=None)
 @given(st.sampled_from(FACTORS), values)
 @example(Fraction(1), SMALL_INT_MAX)
 @example(Fraction(1), -SMALL_INT_MAX)
@@ -112,7 +112,7 @@ def test_every_factor_over_all_steps(plain: ModuleType, factor: Fraction, steps:
     assert written == struct.pack("<f", float(steps * factor))
 
 
-@settings(max_examples=2000, deadline=None)
+@settings(max_examples=600, deadline=None)
 @given(st.integers(1, FLOAT_DIVISOR_MAX) | st.sampled_from([factor.denominator for factor in FACTORS]), ties)
 def test_ties_and_what_lies_beside_them(plain: ModuleType, divisor: int, tie: tuple[int, int, int]) -> None:
     """Where rounding is decided by the last of all digits."""
@@ -188,7 +188,7 @@ def viper() -> ModuleType:
     return module
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=400, deadline=None)
 @given(st.integers(1, FLOAT_DIVISOR_MAX) | st.sampled_from([factor.denominator for factor in FACTORS]), values)
 @example(FLOAT_DIVISOR_MAX, SMALL_INT_MAX)
 @example(1 << 15, -SMALL_INT_MAX)

@@ -21,7 +21,7 @@ MIXED = oracle.described("MIXED", WORDS, 0x1CE, base_length=55)
 LOW = MIXED | {"NAME": "LOW", "ID": 206}
 LAYOUT = oracle.layout(MIXED)
 MAY_BE_LIVE = [name for name, (code, _, _) in LAYOUT.items() if code in "BHIbhi"]
-SETTINGS = settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+SETTINGS = settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def elements(name: str, description: dict[str, Any] = MIXED) -> list[tuple[str, int]]:

@@ -7,21 +7,57 @@ which messages a part may be about; the other modules each know what is said of 
 from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements import entries, facts, messages, nouns, sizes, tables, types, units, unknown
-from codegen.claims.statements.spans import Span, spans
+from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
+from codegen.claims.statements import (
+    absent,
+    amounts,
+    commands,
+    entries,
+    facts,
+    lengths,
+    limits,
+    messages,
+    nouns,
+    order,
+    sizes,
+    tables,
+    types,
+    units,
+    unknown,
+)
+from codegen.claims.statements.spans import Span, head_of, spans
 from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
-    (types.check, "FP", "TN"),
+    (types.check, "FP", "T"),
+    (lengths.check, "FP", ""),
     (units.check, "FP", "UN"),
     (unknown.check, "FP", "NS"),
+    (absent.check, "FP", "NS"),
+    (amounts.check, "FP", "Q"),
+    (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
+    (order.check, "FP", ""),
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
-    (types.sized, "FP", "N"),
+    (lengths.sized, "FP", "N"),
 )
 """What is looked for, and the terms without which nothing is: one of the first, and one of the second."""
+
+
+def _is_aside(span: Span, found: Diagnostic) -> bool:
+    """Whether the sentence of a finding is about other things than the messages of the dialect."""
+    if span.is_code and not span.is_comment:
+        return False
+    offset = next((at for at in span.sentence.offsets if span.place(at) == found.place), None)
+    if offset is None:
+        return False
+    if span.kind is PassageKind.ROW:
+        return is_own_column(head_of(span, offset))
+    low, high = span.bounds(offset)
+    return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
@@ -31,7 +67,8 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         letters = {term.letter for term in span.sentence.terms.values()}
         for find, names, facts_of in _CHECKS:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
-                yield from find(reading, span)
+                yield from (found for found in find(reading, span) if not _is_aside(span, found))
     yield from tables.check(reading, parts)
+    yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)

@@ -4,12 +4,14 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
+from codegen.claims import ruled_out
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, REPLACED, SUPPOSED
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
-from codegen.claims.statements.spans import Span, about
-from codegen.claims.statements.units import head_of
+from codegen.claims.statements.spans import Span, head_of
+from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -36,16 +38,20 @@ _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
         r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
-        r"| mask)*(?: of)? )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
+        r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
+        r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
     re.compile(
-        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for"
-        r"|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
+        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
+        r"|this is"
+        r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
     ),
 )
 _AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
-_NOT = re.compile(r"\bnot\b|n't\b|\binstead\b|\bwrong|\bwould\b|\bour\b|\bown\b|\bfirst\b|\bversion\b|\bper\b")
+_NOT = ruled_out.words(
+    DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"
+)
 _FEWEST = 2
 _VALUE_HEAD = re.compile(
     r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
@@ -257,7 +263,8 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
         or stated is None
         or stated == own
         or re.search(
-            r"\b(?:component|system|id|param\w*|than|after|about|least|most|up to|channel|instance|see|section"
+            r"\b(?:component|system|(?<!command )id|param\w*|than|after|about|least|most|up to|channel|instance"
+            r"|see|section"
             r"|chapter|not) ?$|[+*<>-] ?$",
             before[:-1] if before.endswith(" ") else before,
         )

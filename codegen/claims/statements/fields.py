@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements.sentence import NamedField, StatedType, Term
-from codegen.claims.statements.spans import About, Span, about, is_data
+from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField

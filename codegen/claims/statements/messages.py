@@ -5,12 +5,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import DENIED, OWN, PAST, REPLACED, words
 from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span, subjects
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.model.price import HEAD_V2
 
 _ID = re.compile(
     r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message"
@@ -32,9 +35,24 @@ _HELD = re.compile(
     r"|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
 )
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
+_PLAIN = re.compile(
+    r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has (?:the )?number) (?:number |no\.? |id"
+    r" )?#?(?P<number>N)"
+    r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
+    r"|^[\s*-]*# ?(?P<first>N):? (?P<last>M)(?=\s*$)"
+    r"|^[\s*-]*(?P<own>M): ?# ?(?P<behind>N)(?=\s*$)|(?P<held>M) \[(?P<inside>N)\]|(?P<numbered>M), (?:number"
+    r"|no\.?|msg|message) (?P<nth>N)"
+    r"|\b(?:subscribe[sd]? to|listens? (?:to|for)|filters? (?:on|for)|asks? for|waits? for|requests?) (?:message "
+    r"|id |#)*(?P<heard>N) \((?P<hearing>M)\)"
+    r"|\bparam ?(?:N|one|\d)(?: must be| is| to| =|:|=)* ?(?P<set>N)(?: \(| for| means| of| asks for)+ (?:the"
+    r" )?(?P<asked>M))"
+    r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
+)
+_OF_RATE = re.compile(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
 _LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
 _CRC = re.compile(
-    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc)\b(?: (?:byte|of"
+    r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra"
+    r" byte)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
     r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
     r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
@@ -66,10 +84,41 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if re.search(r"\b(?:ids?|messages?|numbers?)\b", lead) and not _OTHER.search(lead):
             message = reading.messages[str(span.sentence.term(found.end() - 2).value)]
             yield from _id(reading, span, found.start(), (message,))
+    yield from _plain(reading, span)
     for found in _LISTED.finditer(text):
         yield from _listed(reading, span, *found.span("numbers"))
     for found in _ID.finditer(text):
         yield from _worded(reading, span, found)
+
+
+def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "RADIO_STATUS is 109, RADIO is 166", "Message: ODOMETRY, 331.", "param1 = 33 (GLOBAL_POSITION_INT)"."""
+    text = span.text
+    for found in _PLAIN.finditer(text) if not span.is_code or span.is_comment else ():
+        named = next(group for group in _TOLD if found[group])
+        told = _TOLD[named]
+        low, high = span.bounds(found.start())
+        is_else = (
+            _OF_RATE.search(text, low, high)
+            or _UNSURE.search(text, low, high)
+            or _OTHER.search(text, low, found.start())
+        )
+        message = reading.messages[str(span.sentence.term(found.start(named)).value)]
+        value = number(span.sentence.term(found.start(told)))
+        sizes = {message.base_length, message.length, message.length + HEAD_V2, message.crc_extra}
+        if named == "asked" and not _IS_ASKED.search(span.source_text(0, len(text))):
+            continue
+        if is_else is None and (value not in sizes or named in ("called", "asked", "numbered", "hearing")):
+            yield from _id(reading, span, found.start(told), (message,), is_sure=named not in ("lead", "last"))
+
+
+_TOLD = {
+    "lead": "number", "called": "then", "last": "first", "asked": "set", "own": "behind", "numbered": "nth",
+    "held": "inside",
+    "hearing": "heard",
+}  # fmt: skip
+"""The groups of a message, and those of its number."""
+_IS_ASKED = re.compile(r"MESSAGE_INTERVAL|REQUEST_MESSAGE|\bparam ?1\b|\brequest", re.IGNORECASE)
 
 
 def _listed(reading: Reading, span: Span, start: int, end: int) -> Iterator[Diagnostic]:
@@ -100,7 +149,9 @@ def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Di
         yield from _id(reading, span, offset, messages[:1] if own else messages, is_sure=is_sure)
 
 
-_UNSURE = re.compile(r"\b(?:not|n't|instead|was|old|our|free|private|unused|other)\b")
+_UNSURE = words(
+    DENIED[:1], REPLACED[:1], PAST[:1], r"\bold\b", OWN[:1], r"\bfree\b", r"\bprivate\b", r"\bunused\b", r"\bother\b"
+)
 
 
 def _has_id(message: WireMessage) -> bool:
@@ -139,7 +190,8 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         offset = found.start("number") if found["number"] else found.start("first")
         low, _ = span.bounds(offset)
         is_extra = "extra" in found[0] or "seed" in found[0]
-        if (not is_extra and not span.is_code) or re.search(
+        is_listed = span.kind is PassageKind.ITEM and any(span.named(0, offset))
+        if (not is_extra and not span.is_code and not is_listed) or re.search(
             r"\b(?:not|n't|instead|was|old|our|other|wrong)\b", text[low:offset]
         ):
             continue

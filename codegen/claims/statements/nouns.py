@@ -5,10 +5,11 @@ from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
+from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span, subjects
-from codegen.claims.statements.units import has_unit
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage

@@ -6,10 +6,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span, subjects
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -18,12 +20,13 @@ from codegen.model.price import HEAD_V1, HEAD_V2
 
 _BYTES = re.compile(
     r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message"
-    r"|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|M))|for each|behind|before|more|at the"
+    r"|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|air|M))|for each|behind|before|more|at the"
     r"|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
 )
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
     r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
+    r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
 )
 _LENGTHS = re.compile(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
@@ -31,13 +34,40 @@ _LENGTHS = re.compile(
     r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F"
     r"|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
+_WITH = (
+    r"(?:with|including|incl\.?|plus) (?:the |all |its |all its )*(?:extensions?|extension fields?|everything|them|F)\b"
+)
+_PAIRS = (
+    re.compile(
+        r"(?P<first>N) bytes?(?: (?:base|in base|as base|payload|of payload|without(?: (?:the |its )?extensions)?))?"
+        rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}"
+    ),
+    re.compile(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
+    re.compile(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
+    re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
+    re.compile(
+        r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
+        r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2"
+        r"|mavlink N)"
+    ),
+)
+"""The size of a message without its extensions, and with them."""
+_FRAMED = re.compile(
+    r"(?P<first>N) bytes?(?: (?:of )?payload| base)?(?:,|;| and| or| \(|:)+ ?(?P<then>N)(?: bytes?)? (?:in|as|per"
+    r"|for|on|with)"
+    r" (?:the |a |an |one |each |whole |full |its )*(?:v2 |mavlink N )?(?:frame|packet|wire|link|header|air)\b"
+)
+"""The payload, and the whole frame."""
 _SHORT = re.compile(
     r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
-    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
-    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete"
+    r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the"
+    r" )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
+    r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?!"
+    r" (?:M|v2|frame|payload|packet))"
 )
 _KINDS = re.compile(
-    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size)|^base\b|without (?:the )?header)"
+    r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
+    r" )?header)"
     r"|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
     r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
@@ -45,30 +75,38 @@ _OF_ELSE = re.compile(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
     r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string"
-    r"|field|each|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
+    r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
-    r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|carr(?:y"
+    r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|(?<!M"
+    r" )(?<!mavlink N )carr(?:y"
     r"|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
 _BESIDE = re.compile(
     r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat"
-    r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
+    r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:in|with|under|for) (?:v1|v2|mavlink"
+    r" N))?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
     r"|exactly|just|a|an|length|size|total|whole|the|in|itself|still|then"
-    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|comes?|counts?|uses?"
+    r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|weighs?|=|comes?|counts?|uses?|carries|each"
     r"|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
 )
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
 _BEHIND = re.compile(
-    r"(?: |-)?(?:long |of )?(?:the )?(?P<payload>payload)"
-    r"|(?: |-)?(?:long )?(?:(?:on|in) (?:the|a) (?:wire|link|line|frame|packet)|(?P<frame>frames?|packets?))"
+    r"(?: |-)?(?:long |of |in )?(?:the )?(?P<payload>payload|base\b)"
+    r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|a)(?: whole| v2)? (?:wire|link|line|frame|packet)|(?:of air )?per"
+    r" frame|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
-_CALCULATED = re.compile(r"[=+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
+_FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
+"""A field that a size is said of, whose message stands behind it."""
+_CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
-_HYPOTHETICAL = re.compile(r"\?|\bnot\b|n't|\bdraft\b|\binstead|\bwas\b|\bwould\b|\bour\b|\bown\b|\bif\b")
+_HYPOTHETICAL = words(
+    ASKED, DENIED[:2], PROPOSED, REPLACED[:1], PAST[:1], OWN[:1], r"\bown\b", r"\bif\b",
+    r"\bwould\b(?! (?:be|have|take|need) )", r"\b(?:another|more|second|new|extra|added|adding)\b.*\bwould\b",
+)  # fmt: skip
 _BEGINS = re.compile(r"[\W]*(?:message|msg|id|M|number)?[ :=(]*(?:N\)?)?,? ?")
 _ABOUT = re.compile(
     r"(?:\babout|\broughly|\baround|\bca\.?|\bapproximately|\bapprox\.?|\bnearly|\balmost|\bsome|~|\u2248) ?$"
@@ -84,14 +122,16 @@ _UNSIGNED = re.compile(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
 class _Size:
     """A number of bytes at ``offset`` of the short text of ``span``, with its words up to ``end``.
 
-    ``is_doubled``: it follows another size of the same message, as that with extensions does.
+    ``first`` is another size of the same message that it follows, as that with extensions does; ``is_frame`` says that
+    it is that of a frame.
     """
 
     span: Span
     offset: int
     end: int
     words: str
-    is_doubled: bool = False
+    first: Fraction | None = None
+    is_frame: bool = False
 
     @property
     def before(self) -> str:
@@ -139,7 +179,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         value = number(span.sentence.term(size.offset))
         if value is None or not messages or isinstance(value, float):
             continue
-        possible = {each for message in messages for each in _possible(message, kind, size.sentence, _versions(size))}
+        possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
         if not any(abs(Fraction(value) - each) <= off * each for each in possible):
             yield _finding(reading, size, messages[0], kind)
@@ -147,24 +187,39 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 def _stated(span: Span) -> Iterator[_Size]:
     """The numbers of bytes of a part."""
-    doubled = {
-        each.start("then") if each["then"] else each.start("last"): each.end() for each in _LENGTHS.finditer(span.text)
+    paired = {
+        each.start("then"): _Size(span, each.start("then"), each.end(), "size", _first(span, each.start("first")))
+        for form in _PAIRS
+        for each in form.finditer(span.text)
     }
-    yield from (_Size(span, at, end, "size", is_doubled=True) for at, end in doubled.items())
+    for each in _LENGTHS.finditer(span.text):
+        at = each.start("then") if each["then"] else each.start("last")
+        paired.setdefault(at, _Size(span, at, each.end(), "size", _first(span, each.start())))
+    for each in _FRAMED.finditer(span.text):
+        at = each.start("then")
+        paired[at] = _Size(span, at, each.end(), "frame", _first(span, each.start("first")), is_frame=True)
+    yield from paired.values()
     for each in _BYTES.finditer(span.text):
-        if each.start() not in doubled:
+        if each.start() not in paired:
             yield _Size(span, each.start(), each.end(), each[0])
     for each in _LENGTH.finditer(span.text):
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
-        if each.start("number") not in doubled and not is_of_frame:
-            yield _Size(span, each.start("number"), each.end(), each[0])
+        at = each.start("number") if each["number"] else each.start("sizeof")
+        is_argument = span.is_code and not span.is_comment and re.search(r", ?$", each[0][:-1]) is not None
+        if at not in paired and not is_of_frame and not is_argument:
+            yield _Size(span, at, each.end(), each[0])
+
+
+def _first(span: Span, offset: int) -> Fraction | None:
+    value = number(span.sentence.term(offset))
+    return None if value is None or isinstance(value, float) else Fraction(value)
 
 
 def _kind(size: _Size) -> str | None:
     """Whether a payload, a frame or either is meant; None where it may be the size of something else."""
-    if size.is_doubled or _EACH.match(size.behind):
-        return "message"
-    if size.span.text.lstrip().startswith("}"):
+    if size.first is not None or _EACH.match(size.behind):
+        return "frame" if size.is_frame else "message"
+    if size.span.text.lstrip().startswith("}") or "sizeof" in size.words:
         return "payload"
     kinds = [found.lastgroup or "" for found in _KINDS.finditer(size.before + size.words)]
     behind = _BEHIND.match(size.behind)
@@ -174,7 +229,7 @@ def _kind(size: _Size) -> str | None:
         low, _ = size.span.bounds(size.offset)
         is_word = size.span.sentence.term(size.offset).written.isalpha()
         return None if not size.is_first or is_word or re.search(r"[FP]|\?", size.span.text[:low]) else "message"
-    kind = "message" if {"payload", "frame"} <= set(kinds) else kinds[-1]
+    kind = "message" if {"payload", "frame"} <= set(kinds) else "payload" if "payload" in kinds else kinds[-1]
     is_beside = size.is_first or _BESIDE.search(size.before + size.span.text[size.offset : size.end])
     return None if kind == "message" and not is_beside else kind
 
@@ -182,11 +237,15 @@ def _kind(size: _Size) -> str | None:
 def _is_claim(size: _Size) -> bool:
     """Whether the sentence says how large a message is, and not a part of it, or what would be."""
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
+    if "sizeof" in size.words:
+        return True
+    if _FIELD_OF.search(before):
+        return False
     if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
-        return size.is_doubled
+        return size.first is not None
     if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
         return False
-    return size.is_doubled or _GOES_ON.match(size.behind) is None
+    return size.first is not None or _GOES_ON.match(size.behind) is None
 
 
 def _is_amount(size: _Size) -> bool:
@@ -228,12 +287,27 @@ def _versions(size: _Size) -> set[object]:
     return found or {number(span.sentence.term(at.end() - 1)) for at in _VERSION.finditer(span.text[:low])}
 
 
+def _meant(message: WireMessage, kind: str, size: _Size) -> set[int]:
+    """The sizes that a message may have where another one stands before it."""
+    possible = _possible(message, kind, size.sentence, _versions(size))
+    if size.first is None:
+        return possible
+    if size.is_frame:
+        frames = {HEAD_V2 + message.base_length, HEAD_V2 + message.length, HEAD_V1 + message.base_length}
+        return frames | {each + SIGNATURE for each in frames}
+    extra = message.length - message.base_length
+    return (
+        {int(size.first) + extra} if size.first - message.base_length in (0, HEAD_V2, HEAD_V2 + SIGNATURE) else possible
+    )
+
+
 def _possible(message: WireMessage, kind: str, sentence: str, versions: Collection[object]) -> set[int]:
     """The sizes of a message in a sense that the words leave open."""
     base, is_first = message.base_length, versions == {1}
-    payloads = (
-        {base} if is_first or (_BASE.search(sentence) and not _EXTENDED.search(sentence)) else {base, message.length}
-    )
+    is_base, is_extended = _BASE.search(sentence) is not None, _EXTENDED.search(sentence) is not None
+    payloads = {base} if is_first or (is_base and not is_extended) else {base, message.length}
+    is_only = is_extended and not is_base and not is_first and sentence.count("N") == 1
+    payloads = {message.length} if is_only else payloads
     frames = set() if is_first else {HEAD_V2 + each for each in payloads}
     frames |= {HEAD_V1 + base} if versions != {2} else set()
     frames |= set() if _UNSIGNED.search(sentence) else {each + SIGNATURE for each in frames}

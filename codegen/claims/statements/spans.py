@@ -2,7 +2,7 @@
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from itertools import groupby
 
@@ -12,7 +12,7 @@ from codegen.claims.statements.terms import read_sentence
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
 from codegen.source import Place
 
@@ -27,8 +27,11 @@ _BREAK = re.compile(
 )
 _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
 _FIELDS = re.compile(
-    r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)|float)\b"
+    r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)(?:_t)?|float)\b"
 )
+_KEYED = re.compile(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
+_DEFINED = re.compile(r"[FP](?:,? (?:and )?[FP])* : ")
+"""A definition list, which is a paragraph for Markdown."""
 _LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
 _FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
 _CELL = re.compile(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
@@ -43,8 +46,6 @@ _DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
 
 _WINDOW = 400
 """How far a sentence is looked for around a place, in characters."""
-_FAR = 2000
-"""How far back messages are looked for in a passage, in characters."""
 _MOST = 20
 """So many messages that are named before a part are remembered."""
 
@@ -106,7 +107,7 @@ class Span:
 
     def end_of(self, offset: int) -> int:
         """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
-        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code:
+        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code or _DEFINED.match(self.text):
             return len(self.text)
         _, high = self.bounds(offset)
         while high < len(self.text) and _GOES_ON.match(self.text, high + 1):
@@ -133,6 +134,12 @@ class Span:
 def is_data(span: Span) -> bool:
     """Whether it is a block of JSON or YAML."""
     return span.language in _DATA
+
+
+def head_of(span: Span, offset: int) -> str:
+    """The heading of the column in which a character of a row stands."""
+    column = span.text.count("|", 0, offset) - span.text.lstrip().startswith("|")
+    return span.heads[column] if column < len(span.heads) else ""
 
 
 @once
@@ -241,7 +248,7 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
         return
     if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
         span = _block(code, topic, words)
-        if any(span.named(0, len(span.text))) or _FIELDS.search(code.text):
+        if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
             yield span
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
@@ -310,91 +317,3 @@ def _block(code: CodeBlock, topic: Topic, words: Vocabulary) -> Span:
     text = _COMMENTED.sub(lambda found: " " * len(found[0]), code.text)
     sentence = read_sentence(text, 0, len(text), ((0, len(text)),), words)
     return Span(sentence, PassageKind.ITEM, topic, _places(code.lines), code.language, is_code=True)
-
-
-@dataclass(frozen=True, slots=True)
-class About:
-    """A field that a statement is about: the nearest message that has it, and others that it may be meant of."""
-
-    message: WireMessage
-    field: WireField
-    others: tuple[WireField, ...]
-    is_sure: bool
-
-    @property
-    def name(self) -> str:
-        """``MESSAGE.field``."""
-        return f"{self.message.name}.{self.field.name}"
-
-    def is_wrong(self, fits: Callable[[WireField], bool]) -> bool:
-        """Whether something is true of none of the fields that may be meant."""
-        return not fits(self.field) and not any(fits(other) for other in self.others)
-
-
-_OF = re.compile(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>M)\b")
-
-
-def about(reading: Reading, span: Span, offset: int) -> About | None:
-    """The field whose name stands at an offset."""
-    value = span.sentence.term(offset).value
-    assert isinstance(value, NamedField)
-    if value.message is not None:
-        return _about(value.name, [reading.messages[value.message]], [], is_sure=True)
-    of = _OF.match(span.text, offset + 1)
-    if of is not None:
-        return _about(
-            value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True
-        )
-    low, high = span.bounds(offset)
-    before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
-    after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
-    if found := _about(value.name, before, [], is_sure=True):
-        return found
-    inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
-    if after and not inside and (found := _about(value.name, [*after], [*span.topic.headings], is_sure=True)):
-        return found
-    if found := _about(value.name, inside, inside, is_sure=True):
-        return found
-    topic = span.topic
-    near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
-    others = near if span.is_code else [*near, *topic.earlier]
-    first = topic.above[:1] if span.is_code else ()
-    if found := _about(value.name, [*first, *topic.headings[:1], *near], [] if first else others, is_sure=True):
-        return found
-    is_only = sum(message.field(value.name) is not None for message in topic.document) == 1
-    return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
-
-
-def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:
-    for message in messages:
-        field = message.field(name)
-        if field is not None:
-            rest = tuple(found for other in others if (found := other.field(name)) is not None)
-            return About(message, field, rest, is_sure)
-    return None
-
-
-_THAT = re.compile(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
-
-
-def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessage, ...], bool]:
-    """The messages that a statement without a name may be about, the likeliest first, and whether that is sure."""
-    low, high = span.bounds(offset)
-    own = [reading.messages[name] for at, name in span.named(low, high)]
-    before = [reading.messages[name] for at, name in span.named(low, offset)][::-1]
-    if own and (before or not _THAT.search(span.text, low, offset)):
-        return _each((*before, *own)), True
-    inside = [reading.messages[name] for _, name in span.named(max(low - _FAR, 0), low)][::-1]
-    if inside:
-        return _each(inside), True
-    topic = span.topic
-    if span.is_code and topic.above:
-        return topic.above[:1], True
-    near = _each((*topic.above, *topic.headings, *topic.earlier))
-    if near:
-        return near, len(near) == 1 or len(topic.headings) == 1
-    return (topic.document, True) if len(topic.document) == 1 else ((), False)
-
-
-def _each(messages: Iterable[WireMessage]) -> tuple[WireMessage, ...]:
-    return tuple({message.name: message for message in messages}.values())

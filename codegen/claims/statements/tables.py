@@ -6,11 +6,14 @@ from fractions import Fraction
 from functools import partial
 from itertools import groupby
 
+from codegen.claims.rate import RULE as BANDWIDTH
+from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
-from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, OFFSET, SENTINEL, SIZE
+from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import About, Span, about
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic, Rule
@@ -18,6 +21,7 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.model.units.unit import Unit
 
 _ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
 _CRC = re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
@@ -74,6 +78,7 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
             for column, head in enumerate(heads):
                 yield from _messages(reading, rows[1:], column, head)
                 yield from _fields(reading, rows[1:], column, head)
+            yield from _bandwidths(reading, rows[1:], heads)
 
 
 def _row(reading: Reading, span: Span) -> _Row:
@@ -151,8 +156,90 @@ def _sizes(head: str, told: Sequence[tuple[_Row, WireMessage, int]]) -> _Sizes |
     return lambda message: set().union(*(sizes(message) for sizes in meanings.values()))
 
 
+def _bandwidths(reading: Reading, rows: Sequence[_Row], heads: Sequence[str]) -> Iterator[Diagnostic]:
+    """A column of bytes per second beside one of rates, one message in each row.
+
+    Where no row shows the size that it was computed from, they may be measured: then most rows have to be right.
+    """
+    rate = next((column for column, head in enumerate(heads) if _RATE.fullmatch(head)), None)
+    total = next((column for column, head in enumerate(heads) if _TOTAL.fullmatch(head)), None)
+    if rate is None or total is None:
+        return
+    told = [each for row in rows if (each := _bandwidth(reading, row, rate, total)) is not None]
+    wrong = [each for each in told if not each.is_right]
+    is_computed = len(told) > _MOST * len(wrong)
+    for each in wrong:
+        if each.is_given or is_computed:
+            message, at = each.message, each.at
+            size = each.size if each.size > message.length else each.size + HEAD_V2
+            hertz, written = float(each.hertz), each.row.span.sentence.term(at).written
+            text = f"{message.name}: {size} bytes at {hertz:g} Hz are {size * hertz:g} bytes/s, not {written}"
+            rule = as_sure(BANDWIDTH, is_sure=each.is_given)
+            yield reading.found(rule, each.row.span.place(at), f"{message.name} {hertz:g} Hz {written}", text)
+
+
+_MOST = 3
+"""So many times as many rows as are wrong are there, where a column is computed and not measured."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Bandwidth:
+    """What a row says of bytes per second: ``size`` is the largest that it shows, or that of a frame."""
+
+    row: _Row
+    message: WireMessage
+    at: int
+    hertz: Fraction
+    size: int
+    is_given: bool
+    is_right: bool
+
+
+def _bandwidth(reading: Reading, row: _Row, rate: int, total: int) -> _Bandwidth | None:
+    """The bytes per second of a row."""
+    hertz, at, message = _hertz(row, rate), row.number(total), row.message
+    value = number(row.span.sentence.term(at)) if at is not None else None
+    if message is None or not hertz or at is None or value is None or message.id < 0:
+        return None
+    own = exact_sizes(message)
+    shown = [row.number(column) for column in range(len(row.cells)) if column not in (rate, total)]
+    given = {int(each) for place in shown if place is not None for each in [number(row.span.sentence.term(place)) or 0]}
+    given &= own
+    sizes = {each + more for each in given for more in (0, HEAD_V1, HEAD_V2, HEAD_V2 + SIGNATURE)} & own or own
+    sent = reading.reference.sent.get(message.name)
+    is_sent = sent is not None and sent.low * hertz <= value <= sent.high * hertz
+    is_right = is_sent or any(abs(size * hertz - Fraction(value)) < 1 for size in sizes)
+    size = max(given) if given else HEAD_V2 + message.base_length
+    return _Bandwidth(row, message, at, hertz, size, bool(given), is_right)
+
+
+def _hertz(row: _Row, column: int) -> Fraction | None:
+    """The rate of a cell, ``4`` or ``4 Hz``."""
+    at = row.number(column)
+    if at is None and column < len(row.cells):
+        found = re.compile(r"\s*(?P<rate>Q)\s*").fullmatch(row.span.text, *row.cells[column])
+        amount = row.span.sentence.term(found.start("rate")).value if found is not None else None
+        if isinstance(amount, tuple) and isinstance(amount[1], Unit) and amount[1].name == "Hz":
+            return Fraction(amount[0])
+    value = number(row.span.sentence.term(at)) if at is not None else None
+    return None if value is None or isinstance(value, float) else Fraction(value)
+
+
+_RATE = re.compile(
+    r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?"
+)
+_TOTAL = re.compile(
+    r"(?:bandwidth|load|total|throughput|traffic|data rate|cost)?(?: in)? ?[(\[,]?(?:b|bytes?)(?:/| per | a )(?:s"
+    r"|sec|second)\.?[)\]]?"
+)
+
+
 def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> Iterator[Diagnostic]:
     """A column of offsets, or of values for unknown, one field in each row."""
+    if _LENGTH.fullmatch(head):
+        yield from _lengths(reading, rows, column)
+    if _EXTENSION.fullmatch(head):
+        yield from _extensions(reading, rows, column)
     is_offset, is_sentinel = _OFFSET.fullmatch(head) is not None, _UNKNOWN.fullmatch(head) is not None
     for row in rows if is_offset or is_sentinel else ():
         one = _field(reading, row)
@@ -171,6 +258,48 @@ def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> I
         if is_sentinel and known is not None and one.is_wrong(partial(is_unknown, value=float(value))):
             text = f"{one.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, place, f"{one.name} {written}", text)
+
+
+_LENGTH = re.compile(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")
+
+
+def _lengths(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+    """A column with the number of elements of each array; bytes will do."""
+    for row in rows:
+        one, at = _field(reading, row), row.number(column)
+        value = number(row.span.sentence.term(at)) if at is not None else None
+        if one is None or at is None or value is None or not one.field.is_array:
+            continue
+        if one.is_wrong(partial(_holds, value=value)):
+            written = row.span.sentence.term(at).written
+            text = f"{one.name} has {one.field.count} elements, not {written}"
+            yield reading.found(TYPE, row.span.place(at), f"{one.name} {written} elements", text)
+
+
+def _holds(field: WireField, value: float | Fraction) -> bool:
+    return value in (field.count, field.size)
+
+
+_EXTENSION = re.compile(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 only|mavlink 2 only")
+_YES_OR_NO = re.compile(r"\s*(?:(?P<yes>yes|y|x|true|\u2713|\u2714|extension|ext)|(?P<no>no|n|false|base|-))\s*")
+
+
+def _extensions(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+    """A column that says of each field whether it is an extension."""
+    for row in rows:
+        one = _field(reading, row)
+        said = _YES_OR_NO.fullmatch(row.span.text, *row.cells[column]) if column < len(row.cells) else None
+        if one is None or said is None:
+            continue
+        is_extension = said["yes"] is not None
+        if one.is_wrong(partial(_is_of_kind, is_extension=is_extension)):
+            kind = "an extension" if one.field.definition.is_extension else "a base field"
+            place = row.span.place(row.cells[column][0] + 1)
+            yield reading.found(EXTENSION, place, f"{one.name} {is_extension}", f"{one.name} is {kind}")
+
+
+def _is_of_kind(field: WireField, *, is_extension: bool) -> bool:
+    return field.definition.is_extension is is_extension
 
 
 def _begins_at(field: WireField, offset: float | Fraction) -> bool:

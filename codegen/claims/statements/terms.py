@@ -45,7 +45,8 @@ _TERM = re.compile(
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
   | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?
-      (?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?|{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
+      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?
+      |{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
@@ -54,8 +55,8 @@ _TERM = re.compile(
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
-  | (?P<number>(?<![\w.])[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
-      |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?![\w]|\.\d))
+  | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
+      |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?:(?<=\.\d)f|(?<=\.\d\d)f|\.f)?(?![\w]|\.\d))
   | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
       |:)\s?\d{{1,3}})?)\])?(?![\w(]))
   | (?P<symbol>(?<![\w.])[%\u00b5\u00b0][A-Za-z0-9/]{{0,10}})
@@ -74,10 +75,11 @@ _SHORT_UNITS = frozenset((
 ))  # fmt: skip
 """What is a word or a name as often as a unit: only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
-    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:)[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
+    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
+    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
-    r"['\"]?\s*(?:[,.;)\]|}]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
+    r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
     r"|[-\u2013\u2014(] ?)"
 )
 
@@ -106,6 +108,8 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
         term = _term(found, codes, words, "".join(marked[-24:]), text, high)
         if term is None:
             end = found.end() if found.lastgroup in ("name", "capitals") else found.start() + 1
+            if found["name"] and "[" in found["name"]:
+                end = found.start() + found["name"].index("[")  # the number of elements of something else
             end = max(end, found.start() + 1)
             if found["name"] is None and found["capitals"] is None:
                 word = _WORD.match(text, found.start(), high)
@@ -200,7 +204,9 @@ def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
 def _is_unit_word(word: str, before: str) -> bool:
     """Whether a word stands where a unit does: "the second one" and "a few seconds" are none."""
     if word in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs"):
-        return re.search(r"\b(?:in|of|unit:?) ?$|[(\[,:|#*/=] ?$", before) is not None
+        return (
+            re.search(r"\b(?:in|of|unit:?|get|gives?|yields?|obtain|N for|N to) ?$|[(\[,:|#*/=] ?$", before) is not None
+        )
     return word != "seconds" or not re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before)
 
 
@@ -242,9 +248,15 @@ def _name(
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
         return Term("P", NamedField(name.lower()), written, start, end)
+    snake = _CAMEL.sub(r"_\1", name).lower() if is_code and name[:1].islower() and not name.islower() else ""
+    if snake in words.fields:
+        return Term("F", NamedField(snake), written, start, end)
     if written.lower() in NUMBER_WORDS and written.lower() != "one":
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
     return _camel(name, start, end, words)
+
+
+_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 
 
 def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
@@ -310,6 +322,7 @@ def _number(written: str) -> Fraction | None:
     text = written.replace(",", "").replace("\u2212", "-").replace("**", "^").replace(" ", "").lstrip("+")
     if text[:2].lower() == "0x":
         return Fraction(int(text, 16))
+    text = text.removesuffix("f").removesuffix(".")  # 100.0f of C
     if "^" in text:
         base, _, power = text.partition("^")
         return Fraction(base) ** int(power)

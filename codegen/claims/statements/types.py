@@ -1,16 +1,28 @@
-"""Types and lengths that are said of fields: "an unsigned 16-bit integer", "array of 4 floats", "takes 64 bytes"."""
+"""Types that are said of fields: "an unsigned 16-bit integer", "array of 4 floats"."""
 
 import re
 from collections.abc import Iterator
-from fractions import Fraction
-from functools import partial
 
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import (
+    CHANGED,
+    COMPARED,
+    CONDITIONAL,
+    DENIED,
+    MISTAKEN,
+    OWN,
+    PAST,
+    REPLACED,
+    SUPPOSED,
+    TEMPORARY,
+    words,
+)
 from codegen.claims.rules import TYPE, as_sure
-from codegen.claims.statements.fields import Said, claimed, made_of, named, number, said_of_fields, stated_type
+from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
 from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span, about, is_data
+from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
@@ -22,44 +34,24 @@ _IDLE = frozenset((
     "three", "named", "value", "values", "number", "numbers", "member", "data", "set", "to", "travel", "travels", "u",
     "q", "U", "N", "E",
 ))  # fmt: skip
-_NOT = re.compile(
-    r"\bnot\b|n't\b|\bno longer\b|instead|rather|unlike|\bwas\b|\bwere\b|until|\bold\b|earlier|formerly|\bcast"
-    r"|buffer|\bour\b|\bthan\b"
-    r"|against|\bchanged\b|\bconvert|\bcopied\b|\bread into\b|\bwrong\b|\bif\b|\blike\b|\bwould\b|\bcould\b"
-    r"|\bread as\b|\btaken as\b|\bfrom\b"
-    r"|\bpack(?:ed)? into\b|\bmistake|\b(?:and|while|whereas|but) (?:the|its|their) |, the \w"
-)
+_NOT = words(
+    DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, CONDITIONAL[:1], OWN[:1], TEMPORARY[:1],
+    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread (?:in|as)", r"\btaken as\b", r"\bfrom\b", r"\bpack(?:ed)? into\b",
+    r"\b(?:and|while|whereas|but) (?:the|its|their) ", r", the \w",
+)  # fmt: skip
 _BEFORE = re.compile(
     r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
     r"|named))? ?$|\bT $"
 )
 _AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
-_ELEMENTS = re.compile(
-    r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
-    r"|bytes?|octets?|channels"
-    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further"
-    r"|more|a second|each|in a|at the|are|each))"
-    r"(?P<per>(?:/| per | a )\w+)?"
-)
-_HOLDS = frozenset((
-    "is", "are", "has", "have", "hold", "holds", "take", "takes", "carries", "contain", "contains", "with", "for",
-    "an", "a", "array", "of", "up", "to", "at", "most", "all", "its", "the", "space", "room", "fixed", "length",
-    "always", "exactly", "can", "carry", "list", "lists", "text", "string", "long", "limited", "cut", "maximum",
-    "max", "field", "consists", "T", "U",
-))  # fmt: skip
-_LESS = re.compile(
-    r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"
-    r"|not|never)\b|\busually\b"
-)
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
-    """Every type and every length of a part."""
+    """Every type of a part."""
     for said in said_of_fields(span):
         yield from _type(reading, said)
         yield from _type_before(reading, said)
-        yield from _length(reading, said)
 
 
 def has_type(field: WireField, stated: StatedType) -> bool:
@@ -78,8 +70,19 @@ def has_type(field: WireField, stated: StatedType) -> bool:
 
 
 def _is_plain(gap: str) -> bool:
-    """Whether nothing stands between a name and its type but words that say so."""
-    return made_of(gap, _IDLE) and re.search(r"[;.]", gap) is None
+    """Whether nothing stands between a name and its type but words that say so, or that do not say anything else."""
+    if re.search(r"[;.|]", gap):
+        return False
+    return made_of(gap, _IDLE) or (len(gap) < _LONG_GAP and _LEADS.search(gap) is not None and not _OTHER.search(gap))
+
+
+_LONG_GAP = 70
+_LEADS = re.compile(r"(?:\b(?:is|as|are|an?|type|it is|comes|goes|arrives|travels|in|=|being|the) |[:,(=] ?)$")
+_OTHER = re.compile(
+    r"[FPEVCNQS]|\b(?:copy|copied|keep|kept|store|stored|read|cast|log|logs|logged|written|saved|turn|turned|hold|held"
+    r"|variable|local|our|we|us|by us|here|driver|sensor|register|message|struct|database|column|file|needs?|wants?"
+    r"|expects?|treat|treated|give|gives|gave|takes?|sum|count|index|length|size|prefix|each|first|last|bit|enum)\b"
+)
 
 
 def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
@@ -159,80 +162,3 @@ def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words:
         own = typed(one.field.definition)
         text = f"{one.name} is {own}, not {written}"
         yield reading.found(as_sure(TYPE, is_sure=one.is_sure), said.span.place(offset), f"{one.name} {written}", text)
-
-
-def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
-    """Elements of an array, or bytes of a number."""
-    span = said.span
-    found = _ELEMENTS.search(span.text, said.end, said.until)
-    is_all = found is not None and re.search(
-        r"\b(?:all|array (?:with|of)|up to|at most) (?:its |the )?$", span.text[said.end : found.start()]
-    )
-    one = about(reading, span, said.names[-1]) if found is not None else None
-    if found is None or one is None or len(said.names) > 1:
-        return
-    gap = span.text[said.end : found.start()]
-    before = re.search(r"(?:\bin |\bthan )$", gap)
-    is_listed = (
-        said.is_listed
-        and not re.search(r"\.\s", gap)
-        and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap)
-        and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end() :])
-    )
-    if (
-        before
-        or _LESS.search(gap)
-        or _NOT.search(gap)
-        or not ((made_of(gap, _HOLDS) and not re.search(r"[;.]", gap)) or is_listed or (is_all and one.field.is_array))
-    ):
-        return
-    value = number(span.sentence.term(found.start()))
-    what, field = found["what"], one.field
-    if value is None or found["per"]:
-        return
-    if what.startswith(("byte", "octet")):
-        is_right = lambda other: value in (other.size, other.type.size)  # noqa: E731
-        own = f"has {field.size} bytes"
-    elif field.is_array:
-        is_text = what.startswith(("char", "letter")) and field.type.name == "char"  # with or without its zero
-        is_right = lambda other: value == other.count or (is_text and value == other.count - 1)  # noqa: E731
-        own = f"has {field.count} elements"
-    else:
-        return
-    if one.is_wrong(is_right):
-        written = span.sentence.term(found.start()).written
-        text = f"{one.name} {own}, not {written}"
-        yield reading.found(
-            as_sure(TYPE, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {found[0]}", text
-        )
-
-
-_SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/| ?[NQ])")
-
-
-def _takes(field: WireField, size: float | Fraction) -> bool:
-    return field.size == size
-
-
-def sized(reading: Reading, span: Span) -> Iterator[Diagnostic]:
-    """ "2 bytes `sequence`"."""
-    for found in _SIZED.finditer(span.text):
-        one = about(reading, span, found.start("name"))
-        value = number(span.sentence.term(found.start()))
-        low, high = span.bounds(found.start())
-        is_word = span.text[found.start("name")] == "P"
-        if is_word and (one is None or one.message.name not in [name for _, name in span.named(low, high)]):
-            continue
-        if (
-            one is None
-            or value is None
-            or re.search(
-                r"\b(?:first|last|only|lower|upper|up to) $", span.text[max(found.start() - 20, 0) : found.start()]
-            )
-        ):
-            continue
-        if one.is_wrong(partial(_takes, size=value)):
-            text = f"{one.name} has {one.field.size} bytes, not {span.sentence.term(found.start()).written}"
-            yield reading.found(
-                as_sure(TYPE, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {found[0]}", text
-            )

@@ -8,17 +8,19 @@ from functools import partial
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
-from codegen.claims.statements.spans import Span, about
-from codegen.claims.unknown_value import unknown_values
+from codegen.claims.statements.spans import Span
+from codegen.claims.statements.subjects import about
+from codegen.claims.unknown_value import is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
 
-_NOTHING = (
+NOTHING = (
     r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available"
     r"|provided|measured|valid|there|used|set|present|supported|estimated)"
     r"|isn't (?:known|available)|nothing is|no (?:data|value|estimate|measurement|reading|sensor|information|info)\b"
-    r"|nobody knows|cannot be (?:measured|told|read))"
+    r"|nobody knows|cannot be (?:measured|told|read)|unused|empty|ignored?\b|does(?: not|n't) (?:tell|know|say|report)"
+    r"|(?:tells|sees|gives|reports|measures|knows) (?:nothing|none))"
 )
 _THERE = (
     r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are "
@@ -30,17 +32,17 @@ _IS = (
     r"|marker|value|sentinel)\b){0,12}"
 )
 _FORMS = (
-    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{_NOTHING}"),
+    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{NOTHING}"),
     re.compile(
-        rf"{_NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
+        rf"{NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
         rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
     ),
     re.compile(
-        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {_NOTHING}"
+        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {NOTHING}"
     ),
     re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
     re.compile(
-        rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{_NOTHING}|known|available|there is no \w+"
+        rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{NOTHING}|known|available|there is no \w+"
         rf"|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write"
         rf"|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"
     ),
@@ -48,7 +50,7 @@ _FORMS = (
         r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)"
         r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
     ),
-    re.compile(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{_NOTHING}|unused)\b"),
+    re.compile(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{NOTHING}|unused)\b"),
     re.compile(r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))"),
 )
 _NOT = re.compile(
@@ -57,7 +59,7 @@ _NOT = re.compile(
 )
 
 
-_INVALID = re.compile(rf"\b{_NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
+_INVALID = re.compile(rf"\b{NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
 _IS_VALUE = re.compile(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
 _COMMON = 1
 """Numbers up to this one stand beside a field for anything."""
@@ -74,7 +76,7 @@ def is_unknown(field: WireField, value: float) -> bool:
     known = unknown_values(field)
     if known is None:
         return True
-    if value == 0 and field.definition.enum:
+    if (value == 0 and field.definition.enum) or (value < 0 and is_negative_unknown(field)):
         return True
     return any(same_number(value, each) for each in known[0])
 
@@ -83,7 +85,7 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = [each for form in _FORMS for each in form.finditer(text, said.end, said.until)]
     head = re.search(
-        rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {_NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $",
+        rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $",
         text[max(said.before, said.start - 50) : said.start],
     )
     values = [(each.start("value"), each) for each in found]

@@ -146,7 +146,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     failsafes = failsafe_views(system, program, layout)
-    view = program_view(system, program, failsafes)
+    view = program_view(system, program, failsafes, layout)
     vehicle = specification_file(system, "vehicle.yaml")
     commands = specification_file(system, "commands.yaml")
     if program.commands:

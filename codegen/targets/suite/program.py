@@ -139,8 +139,9 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     streams = streams_view(system)
     alone = [message for message in streams.messages if message.is_alone]
     streamed = {message.id for stream in streams.streams for message in stream.messages}
+    layout = word_layout(system)
     view = ProgramSuiteView(
-        program=program_view(system, program, failsafe_views(system, program, word_layout(system))),
+        program=program_view(system, program, failsafe_views(system, program, layout), layout),
         pairs=pair_facts(system, program),
         watched=watch_facts(system, program),
         components=tuple(component for component in component_facts(system) if component.measured),

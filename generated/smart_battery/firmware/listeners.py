@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: 77b2bf0a042243cf
+# Inputs: b9e2bbce1f1bd049
 """Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
 from array import array
@@ -20,17 +20,20 @@ class Listeners:
         self._silence_ms = silence_ms
         self.names = array("H", [0] * places)
         self._heard_ms = [0] * places
+        self._last = 0  # the place of who was heard last
 
-    def hear(self, system, component, now_ms):
+    def hear(self, name, now_ms):
         """Note a HEARTBEAT; return whether it is the first of its sender, or the first after a silence.
 
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
-        name = system << 8 | component
-        place = self._place(name)
-        if place < 0:
-            return self._take_place(name, now_ms)
-        is_new = self._age_ms(place, now_ms) >= self._silence_ms
+        place = self._last
+        if self.names[place] != name:
+            place = self._place(name)
+            if place < 0:
+                return self._take_place(name, now_ms)
+            self._last = place
+        is_new = ticks_diff(now_ms, self._heard_ms[place]) >= self._silence_ms
         self._heard_ms[place] = now_ms
         return is_new
 

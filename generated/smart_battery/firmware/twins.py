@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/twins.py: do not edit.
-# Inputs: d0c7cf49ac0d5788
+# Inputs: ceab6ef0f6ddce4b
 """Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
 
 import time
@@ -26,7 +26,6 @@ class TwinWatch:
     """
 
     def __init__(self, connection, log, component, kinds, number=None, numbers=()):
-        self.begin = connection.inbox.begin
         self._inbox = connection.inbox
         self._connection = connection
         self._log = log

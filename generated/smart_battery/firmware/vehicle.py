@@ -6,7 +6,7 @@
 
 import asyncio
 import gc
-import time
+from time import ticks_diff, ticks_ms, ticks_us
 
 import machine
 import messages
@@ -91,7 +91,7 @@ class Vehicle:
     def reboot(self, force=False):  # noqa: ARG002  nothing here has to be forced
         """Save the parameters and start again soon. Nothing keeps it from that, so that it returns None."""
         if self.restart_ms is None:
-            self.restart_ms = time.ticks_ms()
+            self.restart_ms = ticks_ms()
             self._failed_ms = None  # one more attempt to save
 
     def run_pass(self):
@@ -116,7 +116,7 @@ class Vehicle:
         self.state.update_battery(self.board)
 
     def _communicate(self):
-        now_ms = time.ticks_ms()
+        now_ms = ticks_ms()
         is_left = False
         for connection in self.connections:
             if connection.run(now_ms):
@@ -192,7 +192,7 @@ class Vehicle:
         self._unsettled_ms = 0 if changes == self._seen else self._unsettled_ms + _SAVE_MS
         self._seen = changes
         if self._failed_ms is not None:
-            if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
+            if ticks_diff(ticks_ms(), self._failed_ms) < REPORT_US // 1000:
                 return False
             self._failed_ms = None
         if changes == self._saved:
@@ -225,20 +225,20 @@ class Vehicle:
             self._stored_problem = None
             self._has_lost = False
         else:
-            self._failed_ms = time.ticks_ms()  # it is tried again
+            self._failed_ms = ticks_ms()  # it is tried again
             self.texts("error: parameters are not saved:", problem)
         if longest_us > STEP_LIMIT_US:
             self.texts("warning: a step of a save took us:", longest_us)
 
     def _save_step(self):
         """Do one step of a save; return how many microseconds it took."""
-        started_us = time.ticks_us()
+        started_us = ticks_us()
         self.storage.step()
-        return time.ticks_diff(time.ticks_us(), started_us)
+        return ticks_diff(ticks_us(), started_us)
 
     def _is_leaving(self):
         if self.restart_ms is None:
             return False
-        waited_ms = time.ticks_diff(time.ticks_ms(), self.restart_ms)
+        waited_ms = ticks_diff(ticks_ms(), self.restart_ms)
         is_saved = self.parameters.changes == self._saved or self._failed_ms is not None
         return waited_ms >= (_FAREWELL_MS if is_saved else _LEAVE_MS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 17d8fc6c8c0d2901
+# Inputs: b894c8fb53e81d25
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -72,7 +72,7 @@ def _within(found, expected, frames=1):
 
 
 def rates_by_parameter():
-    """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds.
+    """Each rate, changed while the program runs, from the next pass on: so many frames in 10 seconds.
 
     All streams have rates at the same time, each another one, but for those that share a parameter.
     """
@@ -92,22 +92,22 @@ def rates_by_parameter():
                 steps = stream["default"]
             rates.append(steps * stream["numerator"] / stream["denominator"])
             craft.parameters.set(stream["parameter_name"], rates[-1])
-        found = _counted(craft, port, 20)
+        found = _counted(craft, port, 10)
         for place, stream in enumerate(streams):
             for number, _, _ in stream["messages"]:
-                expected = round(20 * rates[place]) * _frames(craft, number)
+                expected = round(10 * rates[place]) * _frames(craft, number)
                 assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], rates, found)
 
 
 def fixed_rates():
-    """What has a fixed rate, such as HEARTBEAT, keeps it for a minute."""
+    """What has a fixed rate, such as HEARTBEAT, keeps it for half a minute."""
     port = Counter()
     craft = new_craft(ports=[port])
-    found = _counted(craft, port, 60)
+    found = _counted(craft, port, 30)
     for stream in STREAMS:
         if stream["parameter"] is None:
             for number, _, _ in stream["messages"]:
-                expected = 60000 * stream["period_denominator"] // stream["period_numerator"] * _frames(craft, number)
+                expected = 30000 * stream["period_denominator"] // stream["period_numerator"] * _frames(craft, number)
                 assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], found)
 
 
@@ -115,10 +115,10 @@ def default_rates():
     """Without any setting each stream has its default rate."""
     port = Counter()
     craft = new_craft(ports=[port])
-    found = _counted(craft, port, 60)
+    found = _counted(craft, port, 30)
     for stream in _by_parameter():
         for number, _, _ in stream["messages"]:
-            expected = round(60 * stream["default"] * stream["numerator"] / stream["denominator"])
+            expected = round(30 * stream["default"] * stream["numerator"] / stream["denominator"])
             frames = _frames(craft, number)
             assert _within(found.get(number, 0), expected * frames, frames), (stream["name"], found)
 

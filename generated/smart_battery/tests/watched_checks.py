@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 22b3323afed420d7
+# Inputs: 606b179e0ccd4a6b
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -291,6 +291,14 @@ def arming_asks_for_every_condition():
                     assert refused is not None
 
 
+class _Changed:
+    """Stands for a failsafe whose level is another one now."""
+
+    def update(self, _now_ms):
+        """Return that it is."""
+        return 1
+
+
 def the_most_severe_action_holds():
     """Whichever comes first; once it is over the next one does, and what holds already is not done again."""
     needs(len(PRIORITY) > 1, "actions by their severity")
@@ -305,14 +313,14 @@ def the_most_severe_action_holds():
             one.action, other.action = (lambda: first), (lambda: second)  # noqa: B023  called in this turn
             for each in (one, other):
                 each.level = 1
-                craft._check([])
+                craft._check([_Changed()])
                 craft._check([])
             assert done == told, (first, second, done)
             one.level = 0
-            craft._check([])
+            craft._check([_Changed()])
             assert done[-1] == second, (first, second, done)
             other.level = 0
-            craft._check([])
+            craft._check([_Changed()])
             assert done[-1] == 0, (first, second, done)
 
 

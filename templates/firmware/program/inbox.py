@@ -11,6 +11,7 @@ _PATIENCE_MS = const(500)  # for the end of a frame, where a port does not know 
 # Where the state of a link has what: frames_plain says more.
 _FIRST = const(0)  # byte in the buffer that was not looked at
 _END = const(1)  # of the buffer
+_KEPT = const(12)
 _WORKED = const(15)
 _SHARE = const(16)
 
@@ -18,8 +19,8 @@ _SHARE = const(16)
 class Inbox:
     """Messages that arrive at a port.
 
-    begin() begins a pass; next(now_ms), at time.ticks_ms(), returns the next message, or None: nothing more arrived, or
-    the pass has had its share.
+    next(now_ms), at time.ticks_ms(), returns the next message, or None: nothing more arrived, or the pass has had its
+    share, which is counted in the state of the link; who begins a pass sets that to 0.
 
     A datagram, which ports with `ends` read(), has whole frames: what is not whole at its end is given up at once, so
     that nobody's bytes become part of another one's frame; a port that has keep(link) brings what several streams sent,
@@ -38,10 +39,6 @@ class Inbox:
         self._since_ms = 0  # when that was noticed
         self._read_ms = 0
         self._resume()
-
-    def begin(self):
-        """Begin a pass."""
-        self._state[_WORKED] = 0
 
     def _resume(self):
         is_whole = getattr(self._port, "ends", None) is not None
@@ -72,6 +69,7 @@ class Inbox:
                             keep(link)
                         is_open = False
                 if is_open:
+                    is_open = state[_FIRST] != state[_END] or state[_KEPT] != 0
                     now_ms = yield message
                 elif buffer is None:
                     data = port.read()

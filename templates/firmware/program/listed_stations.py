@@ -5,7 +5,6 @@ class ListedStations:
     """Stands before the inbox of a connection, and passes over what comes from other systems: `refused` counts it."""
 
     def __init__(self, inbox, systems):
-        self.begin = inbox.begin
         self.refused = 0
         self._inbox = inbox
         self._systems = systems

@@ -156,12 +156,15 @@ class Scheduler:
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
-                            if not 0 < ahead_us <= job.period_us:
+                            if ahead_us <= 0 or (spare and ahead_us > job.period_us):
                                 if not left:
                                     least_us = 0
                                     break
                                 left -= 1
-                                job.take(now_us)
+                                if -job.period_us < ahead_us <= 0:
+                                    job.due_us = ticks_add(job.due_us, job.period_us)
+                                else:
+                                    job.take(now_us)
                                 try:
                                     if job.call() is again:
                                         job.due_us = ticks_add(job.due_us, -job.period_us)  # and stays on its grid

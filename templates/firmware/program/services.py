@@ -1,7 +1,7 @@
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
-import time
+from time import ticks_ms
 
 import dialect
 import messages
@@ -67,6 +67,7 @@ class Services:
         self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
+        self._station_name = 0
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
@@ -136,15 +137,17 @@ class Services:
         return absences.Bare(number)
 
     def _hear(self, message):
-        sent = message._image
-        system, component = sent[7], sent[8]
-        now_ms = time.ticks_ms()
+        sent = message._image  # frames_plain says what it holds
+        name = sent[7] << 8 | sent[8]
+        now_ms = ticks_ms()
         if message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS:
-            self.ground_station = (system, component)
+            if name != self._station_name:
+                self._station_name = name
+                self.ground_station = (sent[7], sent[8])
             self.heard_ms = now_ms
-            if self.listeners.hear(system, component, now_ms):
+            if self.listeners.hear(name, now_ms):
                 self._vehicle.remind()
-        if self.components.hear(system, component, now_ms):
+        if self.components.hear(name, now_ms):
             self._connection.streams.connect()
 
     def _answer_ping(self, message):

@@ -24,7 +24,6 @@ class TwinWatch:
     """
 
     def __init__(self, connection, log, component, kinds, number=None, numbers=()):
-        self.begin = connection.inbox.begin
         self._inbox = connection.inbox
         self._connection = connection
         self._log = log

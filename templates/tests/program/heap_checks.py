@@ -7,7 +7,7 @@ from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
 
-STEP_US = 3200000  # between two passes, each of which has something to send
+STEP_US = 12800000  # between two passes, each of which has something to send
 DAY_US = 86400 * SECOND_US
 
 

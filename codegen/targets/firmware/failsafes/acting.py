@@ -8,22 +8,28 @@ def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
     if program.priority:
         return (
             '"""Look at them; of what all that are up ask for, the most severe holds, and is done once."""',
-            "for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap",
-            "    failsafes[index].update(time.ticks_ms())",
-            "self._set_status()",
-            "self._settle(self._most_severe())",
+            "now_ms = ticks_ms()",
+            "for failsafe in failsafes:",
+            "    if failsafe.update(now_ms):",
+            "        self._asked = None",
+            "if self._asked != self.parameters.changes:",
+            "    self._asked = self.parameters.changes",
+            "    self._set_status()",
+            "    self._settle(self._most_severe())",
         )
     return (
         '"""Do what the highest level asks for that is reached just now, unless a higher one was reached before."""',
-        "acting = self._acting(failsafes, self._highest(failsafes) or 1)",
+        "now_ms = ticks_ms()",
+        "for failsafe in failsafes:",
+        f"    if failsafe.update(now_ms){' > 0' if recovers else ''}:",
+        "        self._note_reached(failsafe)",
         *(["self._set_status()  # something may be over"] if recovers else []),
-        "if acting is not None:",
-        *([] if recovers else ["    self._set_status()"]),
-        "    self._act(acting.action())",
+        "if self._reached is not None:",
+        "    self._follow_reached(failsafes)",
     )
 
 
-def choosing_statements(program: Program, everything: str) -> tuple[str, ...]:
+def choosing_statements(program: Program, everything: str, *, recovers: bool) -> tuple[str, ...]:
     """The method that says which failsafe, or which action, it is."""
     if program.priority:
         values = ", ".join(str(action.value) for action in program.priority)
@@ -47,11 +53,14 @@ def choosing_statements(program: Program, everything: str) -> tuple[str, ...]:
             "    return False",
         )
     return (
-        "def _acting(self, failsafes, least):",
-        "    acting = None",
-        "    for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap",
-        "        if failsafes[index].update(time.ticks_ms()) >= least:",
-        "            acting = failsafes[index]",
-        "            least = acting.level + 1",
-        "    return acting",
+        "def _note_reached(self, failsafe):",
+        "    if self._reached is None or failsafe.level > self._reached.level:",
+        "        self._reached = failsafe",
+        "",
+        "def _follow_reached(self, failsafes):",
+        "    acting = self._reached",
+        "    self._reached = None",
+        "    if acting.level >= self._highest(failsafes):",
+        *([] if recovers else ["        self._set_status()"]),
+        "        self._act(acting.action())",
     )

@@ -103,7 +103,6 @@ def arguments_of(failsafe: Failsafe, layout: Layout) -> tuple[Argument, ...]:
     return (
         Argument("text", "None", f"_{failsafe.name}_text"),
         Argument("names", "()", _tuple(level.name for level in failsafe.levels)),
-        Argument("count", "0", str(len(conditions))),
         Argument("timed_from", "0", str(len(failsafe.to_arm)) if failsafe.to_arm else None),
         Argument("watched_at", "None", str(offsets[quantity.attribute]) if quantity else None),
         Argument("inverted", "()", f"_{failsafe.name.upper()}_INVERTED" if inverted_rows(failsafe) else None),

@@ -5,23 +5,14 @@ from collections.abc import Iterable
 from codegen.targets.firmware.failsafes.table import Columns
 
 _SENSE_UNKNOWN = "2  # unknown"
-"""As scan_plain has it."""
-
-
-def ignored(columns: Columns, *, has_silence: bool, has_unknown: bool) -> str:
-    """Return the expression that says whether a condition does not count, as its quantity is unknown."""
-    word = f"self._component.words[{columns('PLACE')}]"
-    floors = columns.values("FLOOR")
-    known = f"{word} == _UNKNOWN" if floors == {"_UNKNOWN"} else f"{word} <= {columns('FLOOR')}"
-    if has_unknown:  # where there is silence, too, its conditions have no sign either
-        return f"{columns('SIGN')} != 0 and {known}"
-    return guarded(has_silence, columns("PLACE"), known)
+_SENSE_SILENT = "3  # nobody is heard"
+"""As scan_plain has them."""
 
 
 def limit_lines(columns: Columns) -> Iterable[str]:
     """Yield the statements that find out what a value is compared with."""
     has_amounts, has_parameters = _kinds(columns, "LIMIT")
-    own = f"getattr(self._vehicle.parameters, {columns('LIMIT')})"
+    own = f"getattr(self._parameters, {columns('LIMIT')})"
     factor = "" if columns.same.get("FACTOR") == "1" else f" * {columns('FACTOR')}"
     offs = columns.values("OFF")
     off = [] if offs == {"None"} else [f"if limit == {columns('OFF')}:  # switched off", "    return None"]
@@ -40,27 +31,16 @@ def limit_lines(columns: Columns) -> Iterable[str]:
         yield f"    limit -= {columns('SIGN')} * {columns('SLACK')}"
 
 
-def due_lines(columns: Columns) -> Iterable[str]:
-    """Yield the statements that return the condition once it has held for long enough."""
+def after_lines(columns: Columns) -> Iterable[str]:
+    """Yield the statements that return for how many ms a condition has to hold, where that is not a plain number."""
     has_amounts, has_parameters = _kinds(columns, "AFTER")
-    if not has_amounts:
-        yield f"limit_ms = getattr(self._vehicle.parameters, {columns('AFTER')}) * {columns('MS')}"
-        yield "return condition if 0 < limit_ms <= held_ms else None  # 0 switches it off"
-    elif not has_parameters:
-        yield f"return condition if held_ms >= {columns('MS')} else None"
-    else:
-        yield "return condition if self._is_due(condition, held_ms) else None"
-
-
-def is_due_lines(columns: Columns) -> Iterable[str]:
-    """Yield the body of the method that says so, where some times are parameters and others are not."""
-    if _kinds(columns, "AFTER") == (True, True):
-        yield f"limit_ms = {columns('MS')}"
-        yield f"if {columns('AFTER')} is not None:"
-        yield f"    limit_ms *= getattr(self._vehicle.parameters, {columns('AFTER')})"
-        yield "    if limit_ms == 0:  # switched off"
-        yield "        return False"
-        yield "return held_ms >= limit_ms"
+    if not has_parameters:
+        return
+    own = f"getattr(self._parameters, {columns('AFTER')}) * {columns('MS')}"
+    if has_amounts:
+        yield f"if {columns('AFTER')} is None:"
+        yield f"    return {columns('MS')}"
+    yield f"return {own} or _NOT  # 0 switches it off"
 
 
 def _kinds(columns: Columns, column: str) -> tuple[bool, bool]:
@@ -72,7 +52,7 @@ def _kinds(columns: Columns, column: str) -> tuple[bool, bool]:
 def of_parameter(columns: Columns, condition: str) -> str:
     """Return the threshold that a parameter has, of the condition that the generated code calls so."""
     factor = "" if columns.same.get("FACTOR") == "1" else f" * {columns('FACTOR', condition)}"
-    return f"getattr(self._vehicle.parameters, {columns('LIMIT', condition)}){factor}"
+    return f"getattr(self._parameters, {columns('LIMIT', condition)}){factor}"
 
 
 def inverted(columns: Columns) -> str:
@@ -86,12 +66,18 @@ def inverted(columns: Columns) -> str:
 
 def follow_lines(columns: Columns, *, has_silence: bool, has_unknown: bool) -> Iterable[str]:
     """Yield the statements that put a condition into its row of those that scan_plain describes."""
+    place = columns("PLACE")
     signs = columns.values("SIGN") - {"0"}
+    yield f"rows[at + 4] = {'self._after_ms(condition)' if _kinds(columns, 'AFTER')[1] else columns('MS')}"
+    yield f"rows[at + 6] = {columns('LEVEL')}"
     if has_silence:
-        yield f"if {columns('PLACE')} is None:"
+        if columns.values("PLACE") == {"None"}:
+            yield f"rows[at + 1] = {_SENSE_SILENT}"
+            return
+        yield f"if {place} is None:"
+        yield f"    rows[at + 1] = {_SENSE_SILENT}"
         yield "    continue"
-    yield "at = 3 * index + 1"
-    yield f"rows[at] = {columns('PLACE')}"
+    yield f"rows[at] = {place}"
     if has_unknown and not signs:
         yield f"rows[at + 1] = {_SENSE_UNKNOWN}"
         return
@@ -102,6 +88,7 @@ def follow_lines(columns: Columns, *, has_silence: bool, has_unknown: bool) -> I
     yield "limit = self._limit(condition)"
     yield f"rows[at + 1] = 0 if limit is None else {next(iter(signs)) if len(signs) == 1 else columns('SIGN')}"
     yield "rows[at + 2] = limit or 0"
+    yield f"rows[at + 3] = {columns('FLOOR')}"
 
 
 def guarded(is_needed: bool, place: str, expression: str) -> str:

@@ -9,12 +9,10 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafes.arguments import Argument, Settled, arguments_of
 from codegen.targets.firmware.failsafes.condition import (
-    due_lines,
+    after_lines,
     follow_lines,
     guarded,
-    ignored,
     inverted,
-    is_due_lines,
     limit_lines,
     of_parameter,
 )
@@ -23,6 +21,9 @@ from codegen.targets.firmware.failsafes.text import shows, text_lines
 from codegen.targets.firmware.words import Layout
 from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
+
+_TO_TELL = "rows[_WORST] != self._told or self._told_ms is not None"
+"""Whether perhaps a text about the health of what is watched is due."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,32 +63,27 @@ class FailsafesView:
     is_off: str
     is_off_to_arm: str
     watching: str
-    is_resting: str
+    flags: str
     is_watching: tuple[str, ...]
-    is_ignored: str
     is_over: str
     is_unknown: str
     last_problem: str
     limit: tuple[str, ...]
     follow: tuple[str, ...]
     words: str
-    shift: str
     level: str
-    due: tuple[str, ...]
-    is_due: tuple[str, ...]
+    level_of_due: str
+    after: tuple[str, ...]
     is_inverted: str
     milder: str
     worse: str
     has_pairs: bool
-    timed: str
-    last: str
-    from_timed: str
     text: str
     set_level: str
-    no_health: str
-    health_at: str
+    is_to_tell: str
+    disabled: str
+    head: str
     health_every_ms: str
-    watched_at: str
     worst: str
     names: str
     inverted: str
@@ -124,12 +120,14 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     measured = {name for name, _, _ in system.measured()}
     armed = layout.blocks["vehicle"].offsets["armed"]
     watching = _watching(found)
+    levels = {len(one.levels) for one in failsafes}
+    worst = f"len({found('names')})" if len(levels) > 1 else str(levels.pop())
     return FailsafesView(
         failsafes=tuple(
             _failsafe(failsafe, one, found, columns, layout, measured, has_pairs=not pair)
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
-        imports=either_import("scan", ["holding"], machine_code=system.spec.project.machine_code) if has_values else (),
+        imports=either_import("scan", ["holding", "watch"], machine_code=system.spec.project.machine_code),
         columns=tuple(columns.constants),
         constants=(
             *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
@@ -141,42 +139,33 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         is_off=_off(found),
         is_off_to_arm=_off_to_arm(found),
         watching="self._is_watching()" if " " in watching else watching or "True",
-        is_resting=watching and f"not {'self._is_watching()' if ' ' in watching else watching}",
+        flags=_flags("self._is_watching()" if " " in watching else watching, has_silence=has_silence),
         is_watching=tuple(_is_watching(found)) if " " in watching else (),
-        is_ignored=ignored(columns, has_silence=has_silence, has_unknown=has_unknown),
         is_over="(due[_LEVEL] if due else OK) < self.level"
         + ("" if found.is_same("is_latched") else " and not self._is_latched"),
         is_unknown=guarded(
             found.only_some("watched_at"),
             found("watched_at"),
-            f"self._component.words[{found('watched_at')}] == _UNKNOWN",
+            f"self._words[{found('watched_at')}] == _UNKNOWN",
         ),
         last_problem="self._mixed" if found.has("inverted") else "None",
         limit=tuple(limit_lines(columns)) if columns.values("LIMIT") else (),
         follow=tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown)),
         words='array("i", [0]) if component is None else component.words' if has_silence else "component.words",
-        shift=f" >> {found('timed_from')}" if found.has("timed_from") else "",
         level=columns("LEVEL"),
-        due=tuple(due_lines(columns)),
-        is_due=tuple(is_due_lines(columns)),
+        level_of_due=columns("LEVEL", "due"),
+        after=tuple(after_lines(columns)),
         is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
         milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
         worse=of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
         has_pairs=not pair,
-        timed=f"range({found('timed_from')}, {found('count')})"
-        if found.has("timed_from")
-        else f"range({found('count')})",
-        last=f"{found('count')} - 1",
-        from_timed=f"{found('timed_from')} + " if found.has("timed_from") else "",
         text=found("text"),
         set_level=_set_level(found),
-        no_health=f"{found('health_at')} is None" if found.only_some("health_at") else "",
-        health_at=found("health_at"),
+        is_to_tell=f"{found('health_at')} is not None and ({_TO_TELL})" if found.only_some("health_at") else _TO_TELL,
+        disabled=_bare(_disabled(found)),
+        head=_head(found, worst),
         health_every_ms=found("health_every_ms"),
-        watched_at=found("watched_at"),
-        worst=f"len({found('names')})"
-        if len({len(one.levels) for one in failsafes}) > 1
-        else str(len(failsafes[0].levels)),
+        worst=worst,
         names=found("names"),
         inverted=found("inverted"),
         action=_action(failsafes),
@@ -291,32 +280,33 @@ def _level_words(found: Settled) -> str:
 
 def _off(found: Settled) -> str:
     place = found("switch_at")
-    return (
-        guarded(found.only_some("switch_at"), place, f"not self._component.words[{place}]")
-        if found.has("switch_at")
-        else ""
-    )
+    return guarded(found.only_some("switch_at"), place, f"not self._words[{place}]") if found.has("switch_at") else ""
 
 
 def _off_to_arm(found: Settled) -> str:
     off, disabled = _off(found), _disabled(found)
     if off and disabled:
         return f"({off}) or {disabled}"
-    return off or (disabled[1:-1] if found.only_some("enabled_by") else disabled)
+    return off or _bare(disabled)
 
 
 def _disabled(found: Settled) -> str:
     if not found.has("enabled_by"):
         return ""
-    off = f"getattr(self._vehicle.parameters, {found('enabled_by')}) == 0"
+    off = f"getattr(self._parameters, {found('enabled_by')}) == 0"
     return f"({found('enabled_by')} is not None and {off})" if found.only_some("enabled_by") else off
+
+
+def _bare(condition: str) -> str:
+    """Return a condition without the parentheses around it."""
+    return condition[1:-1] if condition.startswith("(") else condition
 
 
 def _is_watching(found: Settled) -> Iterable[str]:
     """The body of the method that says so, where it is more than one thing."""
     disabled = _disabled(found)
     if disabled:
-        yield f"if {disabled.removeprefix('(').removesuffix(')') if found.only_some('enabled_by') else disabled}:"
+        yield f"if {_bare(disabled)}:"
         yield "    return False"
     armed = "self._vehicle_words[_ARMED]"
     yield (
@@ -336,9 +326,36 @@ def _watching(found: Settled) -> str:
     return " and ".join(filter(None, (armed, enabled)))
 
 
+def _flags(watching: str, *, has_silence: bool) -> str:
+    """Return the expression that tells watch() whether times run, and whether nobody is heard."""
+    timed = f"1 if {watching} else 0" if watching else "1"
+    if not has_silence:
+        return timed
+    silent = "2 if self._is_silent else 0"
+    return f"({timed}) | ({silent})" if watching else "3 if self._is_silent else 1"
+
+
+def _head(found: Settled, worst: str) -> str:
+    """Return what the rows of conditions begin with, as scan_plain has it, in a line or one for each word."""
+
+    def place(name: str) -> str:
+        if not found.has(name):
+            return "_NOT"
+        return f"_NOT if {found(name)} is None else {found(name)}" if found.only_some(name) else found(name)
+
+    untimed = found("timed_from") if found.has("timed_from") else "0"
+    words = ["len(conditions)", untimed, "OK", "_NOT", "OK", "now_ms", place("watched_at"), worst, place("health_at")]
+    line = f"        head = ({', '.join(words)})"
+    return (
+        line
+        if len(line) <= LINE_LENGTH
+        else "\n".join(["        head = (", *(f"            {word}," for word in words), "        )"])
+    )
+
+
 def _set_level(found: Settled) -> str:
     place = found("level_at")
-    stored = f"self._component.words[{place}] = level"
+    stored = f"self._words[{place}] = level"
     return f"if {place} is not None:\n            {stored}" if found.only_some("level_at") else stored
 
 
@@ -346,12 +363,12 @@ def _action(failsafes: Sequence[Failsafe]) -> tuple[str, ...]:
     """The statements that return the action of the level that was reached."""
     chosen = [isinstance(level.action, Parameter) for failsafe in failsafes for level in failsafe.levels]
     if all(chosen):
-        return ("return getattr(self._vehicle.parameters, self._reached[_ACTION]) if self.level else 0",)
+        return ("return getattr(self._parameters, self._reached[_ACTION]) if self.level else 0",)
     if not any(chosen):
         return ("return self._reached[_ACTION] if self.level else 0",)
     return (
         "action = self._reached[_ACTION] if self.level else 0",
-        "return getattr(self._vehicle.parameters, action) if isinstance(action, str) else action",
+        "return getattr(self._parameters, action) if isinstance(action, str) else action",
     )
 
 

@@ -6,6 +6,9 @@ from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.firmware.messages.sending import SentView, WayView, ways, word
 
+_LINE = 105
+"""Characters that a condition may have."""
+
 
 @dataclass(frozen=True, slots=True)
 class WatchView:
@@ -28,7 +31,8 @@ class WatchView:
 class AnnouncementView:
     """What is sent at once: literals of the frames, (message, what sends it, instance, page), and ways to send one.
 
-    The first ``on_connection`` of the frames are for who appears on the link.
+    The first ``on_connection`` of the frames are for who appears on the link. ``unchanged`` says whether everything
+    that is watched is as it was when it was ``seen``; empty where that is more than a line.
     """
 
     frames: tuple[str, ...]
@@ -36,6 +40,12 @@ class AnnouncementView:
     ways: tuple[WayView, ...]
     watches: tuple[WatchView, ...]
     seen: tuple[str, ...]
+
+    @property
+    def unchanged(self) -> str:
+        """The expression in which every instance is compared."""
+        compared = " and ".join(f"{read} == seen[{place}]" for place, read in enumerate(self.seen))
+        return compared if len(compared) <= _LINE else ""
 
 
 def announcements(messages: tuple[SentView, ...], system: System) -> AnnouncementView | None:

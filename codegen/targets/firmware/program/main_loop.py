@@ -63,13 +63,22 @@ def _checks(failsafes: Iterable[FailsafeView]) -> Iterator[str]:
 
 def _about_itself(system: System, program: Program) -> tuple[str, ...]:
     """Return what the vehicle tells about itself as soon as everything is read and checked."""
-    can_arm = program.spec.arming is not None
+    told = own_words(system, program)
     ready = (
-        "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
-        "self.state.vehicle.ready = self._is_ready()",
+        "words[_VEHICLE_READY] = 0  # a check that fails does not leave an old answer",
+        "words[_VEHICLE_READY] = 1 if self._is_ready() else 0",
     )
-    load = "self.state.vehicle.load_dpct = self.scheduler.load"
-    return (*(ready if can_arm else ()), *([load] if can_arm or _has_load(system) else []))
+    return (
+        *(["words = self.state.vehicle.words"] if told else []),
+        *(ready if "ready" in told else ()),
+        *(["words[_VEHICLE_LOAD_DPCT] = self.scheduler.load"] if "load_dpct" in told else []),
+    )
+
+
+def own_words(system: System, program: Program) -> set[str]:
+    """Return the words of the vehicle that the main loop itself sets, not through their attributes, which take long."""
+    can_arm = program.spec.arming is not None
+    return {*(["ready"] if can_arm else []), *(["load_dpct"] if can_arm or _has_load(system) else [])}
 
 
 def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:

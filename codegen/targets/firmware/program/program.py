@@ -13,12 +13,18 @@ from codegen.targets.firmware.failsafes.failsafe import FailsafesView, FailsafeV
 from codegen.targets.firmware.messages.receiving import call_name, received_beside
 from codegen.targets.firmware.messages.sending import number_at
 from codegen.targets.firmware.program.commands import MethodView, ModeView, method_views, mode_statements, mode_views
-from codegen.targets.firmware.program.main_loop import CallView, JobView, call_views, job_views
+from codegen.targets.firmware.program.main_loop import CallView, JobView, call_views, job_views, own_words
 from codegen.targets.firmware.program.watchdog import WatchdogView, watchdog_view
 from codegen.targets.firmware.program.watching import watched, watching
+from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
+_STARTS = {
+    True: ("self._in_force = 0  # the action", "self._asked = None  # parameters.changes when it was chosen"),
+    False: ("self._reached = None  # the failsafe that has reached the highest level just now",),
+}
+"""What the choice of actions begins with, with and without a priority."""
 _INDENT = " " * 8
 """Of the statements in a method."""
 
@@ -79,6 +85,7 @@ class ProgramView:
     class_name: str
     silence_ms: int
     failsafes: tuple[FailsafeView, ...]
+    words: tuple[ConstantView, ...]
     failsafe_lists: tuple[str, ...]
     checked: str
     everything: str
@@ -110,11 +117,13 @@ class ProgramView:
     cited: dict[str, str]
 
 
-def program_view(system: System, program: Program, whole: FailsafesView | None) -> ProgramView:
+def program_view(system: System, program: Program, whole: FailsafesView | None, layout: Layout) -> ProgramView:
     """The view of the whole program; ``whole`` has its failsafes."""
     failsafes = whole.failsafes if whole else ()
     jobs = job_views(system, program, failsafes)
     can_arm = program.spec.arming is not None
+    told = own_words(system, program)
+    recovers = whole is not None and whole.has_recovery
     return ProgramView(
         imports=_imports(system, program, failsafes),
         control_us=program.control_us,
@@ -133,15 +142,16 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         class_name=program.class_name,
         silence_ms=program.silence_ms,
         failsafes=failsafes,
+        words=layout.constants("vehicle", told, in_array=False) if told else (),
         failsafe_lists=(
             *_failsafe_lists(failsafes),
-            *(["self._in_force = 0  # the action"] if program.priority else []),
+            *(_STARTS[bool(program.priority)] if failsafes else ()),
         ),
         checked=_checked(failsafes),
         everything=_everything(failsafes),
         priority=tuple(action.value for action in program.priority),
-        checking=check_statements(program, recovers=whole is not None and whole.has_recovery),
-        choosing=choosing_statements(program, _everything(failsafes)),
+        checking=check_statements(program, recovers=recovers),
+        choosing=choosing_statements(program, _everything(failsafes), recovers=recovers),
         actions=tuple(_action(action, has_modes=bool(program.modes)) for action in program.actions),
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
         calls=call_views(system, program, jobs),
@@ -177,7 +187,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
 
 def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
     dialect = ["dialect"] if program.spec.arming else []
-    modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), "time", *dialect]
+    modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), *dialect]
     modules += ["watchdog"] if program.watchdog else []
     access = program.access
     names = [
@@ -203,6 +213,7 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("streams", "open_link"),
         *([] if system.system_parameter else [("streams", "SYSTEM_ID")]),
         ("texts", "Texts"),
+        *(("time", name) for name in ("ticks_diff", "ticks_ms", "ticks_us")),
         *([("twins", "watch_twins")] if system.component_parameter else []),
     ]
     if watched(system):

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.sizes import is_v1, text_start
+from codegen.claims.own.worked.examples import Examples, Statement
+from codegen.claims.own.worked.sizes import is_v1, text_start
 from codegen.diagnostics import Diagnostic
 from codegen.model.price import HEAD_V2
 

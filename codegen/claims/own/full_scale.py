@@ -4,9 +4,9 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
+from codegen.claims.own.worked.amount import amounts
+from codegen.claims.own.worked.readings import measured
 from codegen.claims.reading import Reading
-from codegen.claims.worked.amount import amounts
-from codegen.claims.worked.readings import measured
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.system import System
 from codegen.model.units.unit import Unit, decimal

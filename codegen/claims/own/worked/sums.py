@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import floor
 
-from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import unit_named
 

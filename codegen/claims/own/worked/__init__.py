@@ -2,13 +2,13 @@
 
 Each module here with a function ``check`` knows one kind of them: a pure function from the examples of a document to
 findings. A number is judged only where its row or its sentence says what it is of; all others are left alone, and
-``codegen.claims.worked.listing`` finds out which these are.
+``codegen.claims.own.worked.listing`` finds out which these are.
 """
 
 from collections.abc import Iterator
 
+from codegen.claims.own.worked.examples import read_examples
 from codegen.claims.reading import Reading
-from codegen.claims.worked.examples import read_examples
 from codegen.diagnostics import Diagnostic
 from codegen.rules.checks import checks_in
 

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.worked.amount import Amount, amounts
-from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.claims.own.worked.amount import Amount, amounts
+from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import Unit, unit_named
 

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.worked.amount import Amount, amounts, of_unit
-from codegen.claims.worked.examples import Examples, Row, Statement, Table
+from codegen.claims.own.worked.amount import Amount, amounts, of_unit
+from codegen.claims.own.worked.examples import Examples, Row, Statement, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.units.unit import Unit, unit_named

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from codegen.claims.worked.amount import Amount
-from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.claims.own.worked.amount import Amount
+from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage

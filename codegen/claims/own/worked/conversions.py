@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import prod
 
-from codegen.claims.worked.amount import Amount
-from codegen.claims.worked.examples import Examples, Statement
+from codegen.claims.own.worked.amount import Amount
+from codegen.claims.own.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.nearest_unit import worded_unit
 

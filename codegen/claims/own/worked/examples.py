@@ -6,8 +6,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.field_notes import cells
+from codegen.claims.own.worked.amount import Amount, amounts
 from codegen.claims.reading import Reading
-from codegen.claims.worked.amount import Amount, amounts
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind

@@ -5,10 +5,10 @@ from collections.abc import Container, Iterator
 from dataclasses import replace
 
 from codegen.claims import check_claims
+from codegen.claims.own.worked import check as check_examples
+from codegen.claims.own.worked.amount import Amount, amounts
+from codegen.claims.own.worked.examples import Examples, read_examples
 from codegen.claims.reading import Reading, read_document, read_parts
-from codegen.claims.worked import check as check_examples
-from codegen.claims.worked.amount import Amount, amounts
-from codegen.claims.worked.examples import Examples, read_examples
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
 from codegen.source import Place

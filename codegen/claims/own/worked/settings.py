@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.worked.amount import amounts
-from codegen.claims.worked.examples import Entry, Examples, Row, Table
+from codegen.claims.own.worked.amount import amounts
+from codegen.claims.own.worked.examples import Entry, Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.vehicle import Parameter

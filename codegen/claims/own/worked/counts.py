@@ -4,9 +4,9 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from codegen.claims.worked.amount import Amount, amounts, of_unit
-from codegen.claims.worked.examples import Examples, Row, Statement, Table
-from codegen.claims.worked.readings import Measured, factor_names, measured
+from codegen.claims.own.worked.amount import Amount, amounts, of_unit
+from codegen.claims.own.worked.examples import Examples, Row, Statement, Table
+from codegen.claims.own.worked.readings import Measured, factor_names, measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.units.unit import Unit

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.answers.answer import Answer

@@ -6,10 +6,10 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
+from codegen.claims.own.worked.amount import Amount, of_unit
+from codegen.claims.own.worked.examples import Examples, Statement
+from codegen.claims.own.worked.sizes import Frame, is_v1, possible_frames, stated_frames
 from codegen.claims.reading import Mention
-from codegen.claims.worked.amount import Amount, of_unit
-from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.sizes import Frame, is_v1, possible_frames, stated_frames
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.price import BITS_OF_A_BYTE, HEAD_V1, HEAD_V2, frame_size

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import islice
 
-from codegen.claims.worked.amount import Amount, amounts
-from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.readings import measured
+from codegen.claims.own.worked.amount import Amount, amounts
+from codegen.claims.own.worked.examples import Examples, Statement
+from codegen.claims.own.worked.readings import measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.expression import expression_before
 from codegen.load.prose import Passage

@@ -1,0 +1,119 @@
+"""The names that a document may mean, and which of them a name is like that is none."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from difflib import get_close_matches
+
+from codegen.claims.reading import Reading
+from codegen.frozen import dataclass
+from codegen.model.dialect.dialect import WireMessage
+
+UPPER = re.compile(
+    r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\((?!(?:id:? |ID |message |msg )?#?\d))"
+)
+"""Names in capitals of several words, that are no paths, calls or patterns."""
+SHORT = 3
+FAMILY = 5
+"""Names that begin alike: then what they begin with is their family, and no misspelling of one of them."""
+_ALIKE = 0.72
+_SAME = 0.8
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """All names that a document may mean: ``messages`` by name, ``known`` names of anything else in the dialects.
+
+    ``fields`` has those of all messages that the document names: what one of them has is no misspelling. Nor is a new
+    name of a message with a successor (``followed``), whose field it may be. ``entries`` are by the beginning that all
+    of an enum share.
+    """
+
+    messages: Mapping[str, WireMessage]
+    known: Collection[str]
+    fields: Collection[str]
+    followed: Collection[str]
+    entries: Mapping[str, Sequence[str]]
+
+
+def names_of(reading: Reading) -> Names:
+    enums = reading.enums
+    known = {entry.name for enum in enums.values() for entry in enum.entries} | set(enums)
+    known |= {each.name for each in reading.reference.listed}
+    known |= {entry.name.removeprefix(f"{name}_") for name, enum in enums.items() for entry in enum.entries}
+    named = dict.fromkeys(name for _, name in reading.sightings)
+    entries = {f"{name}_": [entry.name for entry in enum.entries] for name, enum in enums.items()}
+    return Names(
+        messages=reading.messages,
+        known=known,
+        fields={field.name for name in named for field in reading.messages[name].fields},
+        followed=set(_followed(reading)),
+        entries={start: found for start, found in entries.items() if found and found[0].startswith(start)},
+    )
+
+
+def _followed(reading: Reading) -> Iterator[str]:
+    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
+    for passage in reading.prose.passages:
+        for found in UPPER.finditer(passage.text):
+            words = found[0].split("_") if found[0] not in reading.messages else []
+            yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
+
+
+def near_message(name: str, names: Names) -> str | None:
+    """The message that a name was meant for; None for what may be a message of its own."""
+    joined = name.replace("_", "")
+    if "_" not in name:
+        same = (known for known in names.messages if "_" in known and known.replace("_", "") == joined)
+        alone = [known for known in names.messages if "_" not in known and len(known) > SHORT]
+        return next(same, None) or next(iter(get_close_matches(name, alone, n=1, cutoff=_SAME)), None)
+    *front, last = name.split("_")
+    turned = [known for known in names.messages if sorted(known.split("_")) == sorted(name.split("_"))]
+    if len(turned) == 1:
+        return turned[0]
+    kin = []
+    for known in names.messages:
+        *own_front, own_last = known.split("_")
+        if known.replace("_", "") == joined:
+            return known
+        shorter, longer = sorted((last, own_last), key=len)
+        if own_front == front and len(shorter) > 2 and longer.startswith(shorter):
+            return known
+        first, own_first = name.partition("_")[0], known.partition("_")[0]
+        if first == own_first or (
+            min(len(own_first), len(first)) > 2 and (own_first.startswith(first) or first.startswith(own_first))
+        ):
+            kin.append(known)
+    begun = [known for known in kin if known.startswith(f"{name}_")]
+    if len(begun) >= FAMILY:
+        return None
+    if begun:
+        return begun[0]
+    others = [known for known in kin if not name.startswith(f"{known}_")]  # or it is a successor
+    return next(iter(get_close_matches(name, others, n=1, cutoff=_SAME)), None)
+
+
+def is_unknown(name: str, names: Names) -> bool:
+    return name not in names.messages and name not in names.known and not entry_start(name, names)
+
+
+def entry_start(name: str, names: Names) -> str:
+    """The beginning of the names of an enum's entries that a name has; the longest; empty for none."""
+    words = name.split("_")
+    starts = ("_".join(words[:end]) + "_" for end in range(len(words) - 1, 0, -1))
+    return next((start for start in starts if start in names.entries), "")
+
+
+def is_successor(name: str, names: Names) -> bool:
+    """Whether a name goes on where that of a message ends, or is the beginning of several: a new one, or a family."""
+    words = name.split("_")
+    return any("_".join(words[:end]) in names.messages for end in range(1, len(words))) or any(
+        known.startswith(f"{name}_") for known in names.messages
+    )
+
+
+def near_fields(name: str, message: WireMessage) -> list[str]:
+    """The field that a name is like, letter by letter or in all its words."""
+    own = [field.name for field in message.fields]
+    near = get_close_matches(name, own, n=1, cutoff=_ALIKE)
+    words = set(name.split("_"))
+    return near or [each for each in own if len(words) > 1 and words == set(each.split("_"))][:1]

@@ -1,0 +1,45 @@
+"""Units as they are meant of a field: whether a stated one is that of the dialect."""
+
+import re
+
+from codegen.model.dialect.dialect import WireField
+from codegen.model.units.unit import Unit, unit_named
+
+
+def of_field(unit: Unit, field: WireField) -> Unit:
+    """The unit as the words for it are meant of a field: degrees of a temperature are degrees Celsius."""
+    own = Unit.parse(field.definition.units)
+    if own is not None and own.dimension == unit_named("degC").dimension and unit.name.startswith(("deg", "C")):
+        return Unit(
+            unit.name,
+            own.dimension,
+            unit.scale / (1 if unit.name.startswith("deg") else unit_named("C").scale),
+            0,
+            unit_named("degC").zero,
+        )
+    if own is not None and own.dimension == unit_named("gauss").dimension and unit.name in ("G", "mG"):
+        return unit_named("gauss" if unit.name == "G" else "mgauss")
+    return unit
+
+
+def is_same_unit(one: Unit, other: Unit) -> bool:
+    """Whether numbers in either are the same."""
+    return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
+
+
+_UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
+
+
+def has_unit(field: WireField, unit: Unit) -> bool:
+    """Whether a unit is that of a field; also where either has none to compare."""
+    own = Unit.parse(field.definition.units)
+    stated = of_field(unit, field)
+    if own is None and stated.dimension and _UNITLESS.search(field.definition.description):
+        return False
+    if own is None or not stated.dimension:
+        return True
+    if field.multiplier != 1:
+        finer = Unit(own.name, own.dimension, own.scale * field.multiplier, own.pi, own.zero)
+        if is_same_unit(stated, finer):
+            return True
+    return is_same_unit(stated, own)

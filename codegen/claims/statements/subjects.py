@@ -1,0 +1,101 @@
+"""The fields and the messages that a statement is about: those that stand beside it, above it, or in the headings."""
+
+import re
+from collections.abc import Callable, Iterable
+
+from codegen.claims.reading import Reading
+from codegen.claims.statements.sentence import NamedField
+from codegen.claims.statements.spans import Span
+from codegen.frozen import dataclass
+from codegen.model.dialect.dialect import WireField, WireMessage
+
+_FAR = 2000
+"""How far back messages are looked for in a passage, in characters."""
+
+
+@dataclass(frozen=True, slots=True)
+class About:
+    """A field that a statement is about: the nearest message that has it, and others that it may be meant of."""
+
+    message: WireMessage
+    field: WireField
+    others: tuple[WireField, ...]
+    is_sure: bool
+
+    @property
+    def name(self) -> str:
+        """``MESSAGE.field``."""
+        return f"{self.message.name}.{self.field.name}"
+
+    def is_wrong(self, fits: Callable[[WireField], bool]) -> bool:
+        """Whether something is true of none of the fields that may be meant."""
+        return not fits(self.field) and not any(fits(other) for other in self.others)
+
+
+_OF = re.compile(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>M)\b")
+
+
+def about(reading: Reading, span: Span, offset: int) -> About | None:
+    """The field whose name stands at an offset."""
+    value = span.sentence.term(offset).value
+    assert isinstance(value, NamedField)
+    if value.message is not None:
+        return _about(value.name, [reading.messages[value.message]], [], is_sure=True)
+    of = _OF.match(span.text, offset + 1)
+    if of is not None:
+        return _about(
+            value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True
+        )
+    low, high = span.bounds(offset)
+    before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
+    after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
+    if found := _about(value.name, before, [], is_sure=True):
+        return found
+    inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
+    if after and not inside and (found := _about(value.name, [*after], [*span.topic.headings], is_sure=True)):
+        return found
+    if found := _about(value.name, inside, inside, is_sure=True):
+        return found
+    topic = span.topic
+    near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
+    others = near if span.is_code else [*near, *topic.earlier]
+    first = topic.above[:1] if span.is_code else ()
+    if found := _about(value.name, [*first, *topic.headings[:1], *near], [] if first else others, is_sure=True):
+        return found
+    is_only = sum(message.field(value.name) is not None for message in topic.document) == 1
+    return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
+
+
+def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:
+    for message in messages:
+        field = message.field(name)
+        if field is not None:
+            rest = tuple(found for other in others if (found := other.field(name)) is not None)
+            return About(message, field, rest, is_sure)
+    return None
+
+
+_THAT = re.compile(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
+
+
+def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessage, ...], bool]:
+    """The messages that a statement without a name may be about, the likeliest first, and whether that is sure."""
+    low, high = span.bounds(offset)
+    own = [reading.messages[name] for at, name in span.named(low, high)]
+    before = [reading.messages[name] for at, name in span.named(low, offset)][::-1]
+    if own and (before or not _THAT.search(span.text, low, offset)):
+        return _each((*before, *own)), True
+    inside = [reading.messages[name] for _, name in span.named(max(low - _FAR, 0), low)][::-1]
+    if inside:
+        return _each(inside), True
+    topic = span.topic
+    if span.is_code and topic.above:
+        return topic.above[:1], True
+    near = _each((*topic.above, *topic.headings, *topic.earlier))
+    if near:
+        return near, len(near) == 1 or len(topic.headings) == 1
+    return (topic.document, True) if len(topic.document) == 1 else ((), False)
+
+
+def _each(messages: Iterable[WireMessage]) -> tuple[WireMessage, ...]:
+    return tuple({message.name: message for message in messages}.values())
