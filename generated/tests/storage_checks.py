@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: ee60abcf96db20e7
+# Inputs: 0bbafd51e6da0161
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -327,7 +327,7 @@ def save_waits_while_armed():
 
 
 def failed_save_is_tried_again():
-    """A flash that works again gets what could not be saved, without anybody setting it again."""
+    """A flash that works again gets what could not be saved, without anybody setting it again, and what comes later."""
     craft = new_craft()
     craft.flash.fail_after = 0
 
@@ -340,6 +340,11 @@ def failed_save_is_tried_again():
 
     live(craft, story)
     assert _values(new_craft(flash=craft.flash)) == _values(craft)
+    mock_time.advance_us(((1 << 29) + 60000) * 1000)  # the ticks of the failure seem to lie ahead now
+    facts = SETTABLE[0]
+    craft.parameters.set(facts["name"], facts["default"] * facts["numerator"] / facts["denominator"])
+    live(craft, _wait(1000))
+    assert _values(new_craft(flash=craft.flash)) == _values(craft), "a failure of long ago"
 
 
 def lack_of_memory_does_not_end_the_program():
