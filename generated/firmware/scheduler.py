@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: c43f56fe9bfffc80
+# Inputs: ec86d1b9afe0b863
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -127,6 +127,7 @@ class Scheduler:
         again = AGAIN
         is_failing = False
         busy_us = 0
+        is_adrift = False  # whether jobs seem to lie ahead that are not, after half a round of the ticks
         window_us = self._start()  # when the second began that `load` is measured over
         try:
             while True:
@@ -143,6 +144,7 @@ class Scheduler:
                         continue
                     self.overruns += missed
                     spare = missed if missed < _SPARE else _SPARE
+                    is_adrift = True
                     self._next_us = now_us  # perhaps it only seems to lie ahead, after half a round of the ticks
                 try:
                     control.call()
@@ -158,7 +160,7 @@ class Scheduler:
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
-                            if ahead_us <= 0 or (spare and ahead_us > job.period_us):
+                            if ahead_us <= 0 or (is_adrift and ahead_us > job.period_us):
                                 if not left:
                                     least_us = 0
                                     break
@@ -182,6 +184,8 @@ class Scheduler:
                             break
                         spare -= 1
                         left = 1
+                    if least_us:  # each had its turn
+                        is_adrift = False
                     self._next_us = ticks_add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:
                         jobs.remove(last)
