@@ -21,9 +21,6 @@ ALONE = {
 }
 """The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
 
-COMMON = "day or heap or storage or parameter or service or loop or steady or arming or link or stream or health"
-"""The scripts of the program that are about modules that every project has alike."""
-
 
 def run_suite(
     folder: Path, *tests: str, options: tuple[str, ...] = (), micropython: Path | None = None
