@@ -32,6 +32,11 @@ _DUE = const(3)
 _WORST = const(4)
 _HEAD = const(9)
 _ROW = const(7)
+_ROW_SENSE = const(1)
+_ROW_LIMIT = const(2)
+_ROW_FLOOR = const(3)
+_ROW_AFTER = const(4)
+_ROW_LEVEL = const(6)
 
 # Where a condition has what.
 _PLACE = const(0)
@@ -126,13 +131,13 @@ class Failsafe:
         for index in range(len(self._conditions)):
             condition = self._conditions[index]
             at = _ROW * index + _HEAD
-            rows[at + 4] = self._after_ms(condition)
-            rows[at + 6] = condition[_LEVEL]
+            rows[at + _ROW_AFTER] = self._after_ms(condition)
+            rows[at + _ROW_LEVEL] = condition[_LEVEL]
             rows[at] = condition[_PLACE]
             limit = self._limit(condition)
-            rows[at + 1] = 0 if limit is None else -1
-            rows[at + 2] = limit or 0
-            rows[at + 3] = condition[_FLOOR]
+            rows[at + _ROW_SENSE] = 0 if limit is None else -1
+            rows[at + _ROW_LIMIT] = limit or 0
+            rows[at + _ROW_FLOOR] = condition[_FLOOR]
         self._mixed = self._mixed_up()
 
     def _limit(self, condition):

@@ -28,9 +28,7 @@ _LINKS = frozenset((
     "produce", "carried", "display", "when", "results", "reading",
     "yields", "turns", "nothing", "than", "from",
 ))  # fmt: skip
-_NOUNS = re.compile(
-    r"\b(?:height|altitude|speed|voltage|current|temperature|angle|heading|pressure|distance|humidity)\b"
-)
+_NOUNS = re.compile(r"\b(?:height|altitude|speed|current|temperature|angle|heading|pressure|distance|humidity)\b")
 _COMPARED = re.compile(
     r"(?:\b(?:above|below|over|under|than|least|most|within|until|after|before|about|roughly|between|beyond|to|every"
     r"|near|nearly|around|up to|from|by|per|each|and|or)|[<>~\u00b1+*/x\u00d7-]|\.\.|N[UM]?) ?$"
@@ -121,9 +119,7 @@ def _bounds(span: Span, at: int) -> tuple[int, int]:
     return span.bounds(at)
 
 
-_PARAMETER = re.compile(
-    r"\b(?:param\w*|ids?|messages?|msg|command|section|version|cell|channel|index|no|item|row) ?$|# ?$"
-)
+_PARAMETER = re.compile(r"\b(?:param\w*|ids?|messages?|msg|command|section|version|channel|index|no|item|row) ?$|# ?$")
 
 
 def _is_parameter(text: str, low: int, offset: int) -> bool:

@@ -18,6 +18,8 @@ from codegen.resolve.failsafes.scope import FailsafeScope
 from codegen.resolve.failsafes.setting import SettingReader
 from codegen.resolve.failsafes.text import read_text
 
+_MOST_CONDITIONS = 30
+"""Each is a bit of a small integer where the firmware asks which hold."""
 _NOT_OF_SILENCE = ("believed_above", "hysteresis", "health", "health_every", "to_arm")
 
 
@@ -162,5 +164,9 @@ def _check_counts(failsafe: Failsafe, scope: FailsafeScope) -> None:
         if quantity is not None and quantity.maximum < count:
             message = f"{quantity.path} goes to {quantity.maximum}, and there are {count} levels"
             scope.bad(failsafe.spec, key, message)
+    conditions = len(failsafe.to_arm) + len(failsafe.conditions)
+    if conditions > _MOST_CONDITIONS:
+        message = f"it has {conditions} conditions, and at most {_MOST_CONDITIONS} are told apart"
+        scope.bad(failsafe.spec, None, message, "make two failsafes of it")
     if failsafe.level is not None and failsafe.level is failsafe.health:
         scope.bad(failsafe.spec, "health", f"{failsafe.health.path} has the level already")

@@ -8,6 +8,9 @@ _SENSE_UNKNOWN = "2  # unknown"
 _SENSE_SILENT = "3  # nobody is heard"
 """As scan_plain has them."""
 
+_IN_A_ROW = {"_ROW_SENSE": 1, "_ROW_LIMIT": 2, "_ROW_FLOOR": 3, "_ROW_AFTER": 4, "_ROW_LEVEL": 6}
+"""Where a row has what, as scan_plain has it."""
+
 
 def limit_lines(columns: Columns) -> Iterable[str]:
     """Yield the statements that find out what a value is compared with."""
@@ -68,27 +71,33 @@ def follow_lines(columns: Columns, *, has_silence: bool, has_unknown: bool) -> I
     """Yield the statements that put a condition into its row of those that scan_plain describes."""
     place = columns("PLACE")
     signs = columns.values("SIGN") - {"0"}
-    yield f"rows[at + 4] = {'self._after_ms(condition)' if _kinds(columns, 'AFTER')[1] else columns('MS')}"
-    yield f"rows[at + 6] = {columns('LEVEL')}"
+    yield f"rows[at + _ROW_AFTER] = {'self._after_ms(condition)' if _kinds(columns, 'AFTER')[1] else columns('MS')}"
+    yield f"rows[at + _ROW_LEVEL] = {columns('LEVEL')}"
     if has_silence:
         if columns.values("PLACE") == {"None"}:
-            yield f"rows[at + 1] = {_SENSE_SILENT}"
+            yield f"rows[at + _ROW_SENSE] = {_SENSE_SILENT}"
             return
         yield f"if {place} is None:"
-        yield f"    rows[at + 1] = {_SENSE_SILENT}"
+        yield f"    rows[at + _ROW_SENSE] = {_SENSE_SILENT}"
         yield "    continue"
     yield f"rows[at] = {place}"
     if has_unknown and not signs:
-        yield f"rows[at + 1] = {_SENSE_UNKNOWN}"
+        yield f"rows[at + _ROW_SENSE] = {_SENSE_UNKNOWN}"
         return
     if has_unknown:
         yield f"if {columns('SIGN')} == 0:"
-        yield f"    rows[at + 1] = {_SENSE_UNKNOWN}"
+        yield f"    rows[at + _ROW_SENSE] = {_SENSE_UNKNOWN}"
         yield "    continue"
     yield "limit = self._limit(condition)"
-    yield f"rows[at + 1] = 0 if limit is None else {next(iter(signs)) if len(signs) == 1 else columns('SIGN')}"
-    yield "rows[at + 2] = limit or 0"
-    yield f"rows[at + 3] = {columns('FLOOR')}"
+    yield f"rows[at + _ROW_SENSE] = 0 if limit is None else {next(iter(signs)) if len(signs) == 1 else columns('SIGN')}"
+    yield "rows[at + _ROW_LIMIT] = limit or 0"
+    yield f"rows[at + _ROW_FLOOR] = {columns('FLOOR')}"
+
+
+def row_constants(statements: Iterable[str]) -> Iterable[str]:
+    """Yield the lines that say where a row has what the statements put there."""
+    said = "\n".join(statements)
+    yield from (f"{name} = const({place})" for name, place in _IN_A_ROW.items() if name in said)
 
 
 def guarded(is_needed: bool, place: str, expression: str) -> str:

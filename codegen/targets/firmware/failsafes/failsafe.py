@@ -15,6 +15,7 @@ from codegen.targets.firmware.failsafes.condition import (
     inverted,
     limit_lines,
     of_parameter,
+    row_constants,
 )
 from codegen.targets.firmware.failsafes.table import Columns, condition_rows, inverted_rows, table_lines
 from codegen.targets.firmware.failsafes.text import shows, text_lines
@@ -70,6 +71,7 @@ class FailsafesView:
     last_problem: str
     limit: tuple[str, ...]
     follow: tuple[str, ...]
+    row_constants: tuple[str, ...]
     words: str
     level: str
     level_of_due: str
@@ -117,6 +119,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     columns = Columns.of(rows)
     pair = _only_pair(failsafes)
     has_recovery = found.has("is_latched")
+    follow = tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown))
     measured = {name for name, _, _ in system.measured()}
     armed = layout.blocks["vehicle"].offsets["armed"]
     watching = _watching(found)
@@ -150,7 +153,8 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         ),
         last_problem="self._mixed" if found.has("inverted") else "None",
         limit=tuple(limit_lines(columns)) if columns.values("LIMIT") else (),
-        follow=tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown)),
+        follow=follow,
+        row_constants=tuple(row_constants(follow)),
         words='array("i", [0]) if component is None else component.words' if has_silence else "component.words",
         level=columns("LEVEL"),
         level_of_due=columns("LEVEL", "due"),
