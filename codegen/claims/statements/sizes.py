@@ -31,7 +31,7 @@ _LENGTH = re.compile(
 _LENGTHS = re.compile(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
     r"|its )?(?:extensions?|F|everything|them|it)\b"
-    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F"
+    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F(?! ?N)"
     r"|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
 _WITH = (
@@ -74,7 +74,7 @@ _KINDS = re.compile(
 _OF_ELSE = re.compile(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
-    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string"
+    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name|text|string"
     r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
@@ -102,7 +102,7 @@ _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
 _CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
-_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
+_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
 _HYPOTHETICAL = words(
     ASKED, DENIED[:2], PROPOSED, REPLACED[:1], PAST[:1], OWN[:1], r"\bown\b", r"\bif\b",
     r"\bwould\b(?! (?:be|have|take|need) )", r"\b(?:another|more|second|new|extra|added|adding)\b.*\bwould\b",
@@ -271,7 +271,9 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
-    messages, _ = subjects(reading, span, size.offset)
+    messages, is_sure = subjects(reading, span, size.offset)
+    if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT:
+        return ()  # "20 bytes." answers what was asked before, which may be a field
     if len({name for _, name in near}) > 1:
         is_after_one = any(at < size.offset for at, _ in near)
         return messages[:1] if is_after_one else tuple(reading.messages[name] for _, name in near)
