@@ -182,7 +182,14 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
         if not any(abs(Fraction(value) - each) <= off * each for each in possible):
-            yield _finding(reading, size, messages[0], kind)
+            if not _is_room(size, messages[0], value):
+                yield _finding(reading, size, messages[0], kind)
+
+
+def _is_room(size: _Size, message: WireMessage, value: Fraction) -> bool:
+    """Whether a number is what the array of a message has room for: "180 bytes in one message" of data."""
+    is_held = re.match(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b", size.behind)
+    return is_held is not None and value in {field.size for field in message.fields if field.is_array}
 
 
 def _stated(span: Span) -> Iterator[_Size]:
@@ -272,7 +279,7 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
     ):
         return ()
     messages, is_sure = subjects(reading, span, size.offset)
-    if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT:
+    if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT and not span.is_code:
         return ()  # "20 bytes." answers what was asked before, which may be a field
     if len({name for _, name in near}) > 1:
         is_after_one = any(at < size.offset for at, _ in near)

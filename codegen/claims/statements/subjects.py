@@ -63,7 +63,9 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     if found := _about(value.name, [*first, *topic.headings[:1], *near], [] if first else others, is_sure=True):
         return found
     holders = sum(message.field(value.name) is not None for message in topic.document)
-    is_only = holders == 1 and not span.is_code  # a type of somebody's own may have a member of that name
+    is_only = holders == 1 and not span.is_code
+    if span.is_code and "_" not in value.name and not topic.earlier:
+        return None  # a plain word, "id" or "load", is as likely a member of somebody's own type
     return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
 
 

@@ -98,6 +98,10 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
+_OF_ANOTHER = re.compile(r"\w[ ,]+(?:\w+ )*[a-z]{3,} = ?$")
+"""An equation of another thing that is named behind a list of fields: "x y z, covariance = 36 doubles"."""
+
+
 def _is_path(span: Span, offset: int) -> bool:
     """Whether code converts to a type, ``u32::from(x)`` or ``sum::<u32>()``, and declares nothing with it."""
     if not span.is_code or span.is_comment:
@@ -112,6 +116,8 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         gap = span.text[said.end : offset]
         behind = span.text[offset + 1 :]
+        if _OF_ANOTHER.search(gap):
+            return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
             and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
