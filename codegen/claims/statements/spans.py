@@ -176,10 +176,13 @@ def _spans(reading: Reading) -> Iterator[Span]:
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
             headings = [each for each in headings if each[0] < part.level]
             headings.append((part.level, named))
-            is_foreign = is_foreign_section = not named and _is_foreign(reading, part)
+            is_foreign = not named and _is_foreign(reading, part)
+            is_foreign_section = is_foreign and _NUMBERED.search(part.text) is not None
             earlier, above = [], ()
         elif isinstance(part, Passage) and part.kind is PassageKind.TEXT:
-            is_foreign = not named and (_is_foreign(reading, part) or (is_foreign and not headings) or is_foreign_section)
+            is_foreign = not named and (
+                _is_foreign(reading, part) or (is_foreign and not headings) or is_foreign_section
+            )
         inside = tuple(message for _, group in reversed(headings) for message in group)
         topic = (
             Topic((), (), (), ())
@@ -236,6 +239,8 @@ def _is_foreign_item(reading: Reading, part: Passage | CodeBlock) -> bool:
 
 
 _ITEM = re.compile(r"\b[Mm]essage (?P<name>[A-Z][A-Z0-9_]{2,})\b(?=[.,;:]|$)")
+_NUMBERED = re.compile(r"[(#,]\s*(?:id )?#?\d+\b")
+"""A heading with an id: its whole section is about a message, and not about a parameter."""
 _CALLED = re.compile(
     r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))"
 )

@@ -98,7 +98,7 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
-_OF_ANOTHER = re.compile(r"\w[ ,]+(?:\w+ )*[a-z]{3,} = ?$")
+_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
 """An equation of another thing that is named behind a list of fields: "x y z, covariance = 36 doubles"."""
 
 
