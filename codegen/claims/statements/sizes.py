@@ -74,7 +74,8 @@ _KINDS = re.compile(
 _OF_ELSE = re.compile(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
-    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name|text|string"
+    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name|text"
+    r"|string"
     r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
@@ -181,9 +182,9 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
-        if not any(abs(Fraction(value) - each) <= off * each for each in possible):
-            if not _is_room(size, messages[0], value):
-                yield _finding(reading, size, messages[0], kind)
+        is_right = any(abs(Fraction(value) - each) <= off * each for each in possible)
+        if not is_right and not _is_room(size, messages[0], value):
+            yield _finding(reading, size, messages[0], kind)
 
 
 def _is_room(size: _Size, message: WireMessage, value: Fraction) -> bool:
