@@ -187,7 +187,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             yield _finding(reading, size, messages[0], kind)
 
 
-def _is_room(size: _Size, message: WireMessage, value: Fraction) -> bool:
+def _is_room(size: _Size, message: WireMessage, value: int | Fraction) -> bool:
     """Whether a number is what the array of a message has room for: "180 bytes in one message" of data."""
     is_held = re.match(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b", size.behind)
     return is_held is not None and value in {field.size for field in message.fields if field.is_array}
