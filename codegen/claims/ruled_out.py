@@ -50,6 +50,7 @@ _ASIDE = words(
     r"\b(?:before|until|up to) (?:version|v\d|release)",
     r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",
     r"\bwrong(?:ly)?\b|\bmistak|\bincorrect|\ba bug\b|\brejected\b|\brefused\b|\bmislead",
+    r"\brevert(?:s|ed)?\b|\b(?:treated|interpreted|misread|assumed) [^.;]{1,40} as\b",
     r"\bwould (?:be better|be nicer|make|prefer|rather|like)\b|\bif [^,;]{1,40} were\b",
 )
 """What makes a sentence one about other things than the messages of the dialect."""

@@ -19,7 +19,9 @@ _NUMBERED = re.compile(
     r"\b(?:param(?:eter)?s?) ?(?:no\.? |number |#)?(?P<spaced>N)|\bparam(?P<joined>[1-7])\b|\bp(?P<short>[1-7])\b"
 )
 _LINK = r"(?:is|are|=|:|\||holds?|carries|has|means|gives|sets|takes|tells|stands for|to|for|\(|-|\u2013|\u2014)"
-_BEHIND = re.compile(rf"\)? ?(?:of V ?|in V ?)?,? ?{_LINK}[ |]*(?:the |an? |its )?(?P<what>[a-zPU][a-zPU /'-]{{2,40}})")
+_BEHIND = re.compile(
+    rf"\)? ?(?:of V ?|in V ?)?,? ?{_LINK}[ |]*(?:[NQ], )?(?:the |an? |its )?(?P<what>[a-zPU][a-zPU /'-]{{2,40}})"
+)
 _BEFORE = re.compile(
     r"(?:the |an? |with |: ?)(?P<what>[a-zPU][a-zPU /'-]{2,40}?)(?: \(U\)| in U)?(?: (?:is|goes|stands|belongs"
     r"|comes|sits))?"

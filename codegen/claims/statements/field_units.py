@@ -9,11 +9,12 @@ from codegen.model.units.unit import Unit, unit_named
 def of_field(unit: Unit, field: WireField) -> Unit:
     """The unit as the words for it are meant of a field: degrees of a temperature are degrees Celsius."""
     own = Unit.parse(field.definition.units)
-    if own is not None and own.dimension == unit_named("degC").dimension and unit.name.startswith(("deg", "C")):
+    is_degrees = unit.name == "C" or unit.name.startswith("deg") or unit.dimension == unit_named("deg").dimension
+    if own is not None and own.dimension == unit_named("degC").dimension and is_degrees:
         return Unit(
             unit.name,
             own.dimension,
-            unit.scale / (1 if unit.name.startswith("deg") else unit_named("C").scale),
+            unit.scale / (unit_named("C").scale if unit.name == "C" else 1),
             0,
             unit_named("degC").zero,
         )

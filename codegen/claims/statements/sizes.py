@@ -31,7 +31,7 @@ _LENGTH = re.compile(
 _LENGTHS = re.compile(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
     r"|its )?(?:extensions?|F|everything|them|it)\b"
-    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F"
+    r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F(?! ?N)"
     r"|all)(?: \w+)?,?(?: it is| they are| that is|:| is| has| are)* (?P<last>N)(?! ?(?:hz|%|[A-Za-z])))"
 )
 _WITH = (
@@ -74,7 +74,8 @@ _KINDS = re.compile(
 _OF_ELSE = re.compile(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
-    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|checksum|crc|array|buffer|chunk|name|text|string"
+    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name|text"
+    r"|string"
     r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
@@ -102,7 +103,7 @@ _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
 _CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
-_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each)? F\b")
+_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
 _HYPOTHETICAL = words(
     ASKED, DENIED[:2], PROPOSED, REPLACED[:1], PAST[:1], OWN[:1], r"\bown\b", r"\bif\b",
     r"\bwould\b(?! (?:be|have|take|need) )", r"\b(?:another|more|second|new|extra|added|adding)\b.*\bwould\b",
@@ -181,8 +182,15 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
-        if not any(abs(Fraction(value) - each) <= off * each for each in possible):
+        is_right = any(abs(Fraction(value) - each) <= off * each for each in possible)
+        if not is_right and not _is_room(size, messages[0], value):
             yield _finding(reading, size, messages[0], kind)
+
+
+def _is_room(size: _Size, message: WireMessage, value: int | Fraction) -> bool:
+    """Whether a number is what the array of a message has room for: "180 bytes in one message" of data."""
+    is_held = re.match(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b", size.behind)
+    return is_held is not None and value in {field.size for field in message.fields if field.is_array}
 
 
 def _stated(span: Span) -> Iterator[_Size]:
@@ -271,7 +279,9 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
-    messages, _ = subjects(reading, span, size.offset)
+    messages, is_sure = subjects(reading, span, size.offset)
+    if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT and not span.is_code:
+        return ()  # "20 bytes." answers what was asked before, which may be a field
     if len({name for _, name in near}) > 1:
         is_after_one = any(at < size.offset for at, _ in near)
         return messages[:1] if is_after_one else tuple(reading.messages[name] for _, name in near)

@@ -169,7 +169,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     heads: tuple[str, ...] = ()
     document = tuple(reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings))
     previous: PassageKind | None = None
-    is_foreign = False
+    is_foreign = is_foreign_section = False
     others = _other_lists(reading, words)
     for part in reading.prose.parts:
         named = _named(reading, part)
@@ -177,13 +177,16 @@ def _spans(reading: Reading) -> Iterator[Span]:
             headings = [each for each in headings if each[0] < part.level]
             headings.append((part.level, named))
             is_foreign = not named and _is_foreign(reading, part)
+            is_foreign_section = is_foreign and _NUMBERED.search(part.text) is not None
             earlier, above = [], ()
         elif isinstance(part, Passage) and part.kind is PassageKind.TEXT:
-            is_foreign = not named and (_is_foreign(reading, part) or (is_foreign and not headings[-1:]))
+            is_foreign = not named and (
+                _is_foreign(reading, part) or (is_foreign and not headings) or is_foreign_section
+            )
         inside = tuple(message for _, group in reversed(headings) for message in group)
         topic = (
             Topic((), (), (), ())
-            if is_foreign or id(part) in others
+            if is_foreign or id(part) in others or (not named and _is_foreign_item(reading, part))
             else Topic(above, inside, tuple(earlier), document)
         )
         if isinstance(part, CodeBlock):
@@ -228,6 +231,16 @@ def _is_foreign(reading: Reading, part: Passage) -> bool:
     return bool(name) and name not in known.messages and name not in known.enums and name not in known.entries
 
 
+def _is_foreign_item(reading: Reading, part: Passage | CodeBlock) -> bool:
+    """Whether an item is about a message of another kind, such as one of a log: "the log, message `IMU`"."""
+    found = _ITEM.search(part.text) if isinstance(part, Passage) and part.kind is PassageKind.ITEM else None
+    known = vocabulary(reading)
+    return found is not None and found["name"] not in known.messages and found["name"] not in known.enums
+
+
+_ITEM = re.compile(r"\b[Mm]essage (?P<name>[A-Z][A-Z0-9_]{2,})\b(?=[.,;:]|$)")
+_NUMBERED = re.compile(r"[(#,]\s*(?:id )?#?\d+\b")
+"""A heading with an id: its whole section is about a message, and not about a parameter."""
 _CALLED = re.compile(
     r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))"
 )

@@ -98,11 +98,26 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
+_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
+"""An equation of another thing that is named behind a list of fields: "x y z, covariance = 36 doubles"."""
+
+
+def _is_path(span: Span, offset: int) -> bool:
+    """Whether code converts to a type, ``u32::from(x)`` or ``sum::<u32>()``, and declares nothing with it."""
+    if not span.is_code or span.is_comment:
+        return False
+    return span.text.startswith("::", offset + 1) or span.text.endswith("::<", 0, offset)
+
+
 def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span = said.span
     for offset, term in span.sentence.within(said.end, said.until, "T"):
+        if _is_path(span, offset):
+            continue
         gap = span.text[said.end : offset]
         behind = span.text[offset + 1 :]
+        if _OF_ANOTHER.search(gap):
+            return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
             and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
@@ -137,7 +152,7 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     offset = lead.start()
     stated = stated_type(span.sentence.term(offset))
-    if _is_foreign(span, stated, offset):
+    if _is_path(span, offset) or _is_foreign(span, stated, offset):
         return
     elements = named(span.sentence.term(said.names[0])).elements
     if span.is_code and not span.is_comment and elements is not None:

@@ -105,6 +105,8 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
     """Whether what follows names is no longer about their unit."""
     if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
         return True
+    if "}" in gap and not said.span.is_code:
+        return True  # `{"yaw": 90}`, degrees: a key of somebody's own data
     is_factor = said.span.is_code and "N" in gap and "[" not in gap and not is_data(said.span)
     names_other = "M" in re.sub(r"(?:#|//|/\*) M[,:]", "", gap).replace("of M", "").replace("in M", "").replace(
         "from M", ""

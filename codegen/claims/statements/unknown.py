@@ -23,7 +23,8 @@ NOTHING = (
     r"|(?:tells|sees|gives|reports|measures|knows) (?:nothing|none))"
 )
 _THERE = (
-    r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|sensor|reading) |that is |is |are "
+    r"(?:there (?:is|are) |an? |the |it is |it's |value |field |the (?:field|value|reading) |(?:that )?the"
+    r" (?:sensor|source|sender|device|receiver|driver|estimator) |that is |is |are "
     r"|that (?:the|it) (?:is )?){0,8}"
 )
 _IS = (
