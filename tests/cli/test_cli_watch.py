@@ -108,9 +108,9 @@ def test_each_change_is_built_and_checked(project: Path, watching: Watching) -> 
 
 def test_without_a_project_it_says_how_to_begin(tmp_path: Path, run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    code, _, err = run("watch")
+    code, out, _ = run("watch")
     assert code == 2
-    assert "codegen init" in err
+    assert "codegen init" in out
     assert run("watch", "--project", "none.yaml")[0] == 2
 
 

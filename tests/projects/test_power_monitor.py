@@ -71,7 +71,7 @@ print(json.dumps({check.__name__: behaviour.outcome(check) for check in checks})
     command = [str(BIN / "micropython32"), "on_32_bits.py"]
     done = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
     found = json.loads(done.stdout)
-    assert len(found) == 10
+    assert len(found) == 11
     assert set(found.values()) == {None}, found
 
 
