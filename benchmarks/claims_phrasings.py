@@ -201,17 +201,19 @@ def _encoded(chance: random.Random) -> Fact | None:
     return _with(words, encoded, chance.choice([encoded * 10, max(encoded // 10, 1), encoded * 100]), q=shown)
 
 
-def _maximum(chance: random.Random) -> Fact | None:
-    found = _of_field(
-        chance,
-        lambda field: (
-            field.type.is_integer
-            and field.type.size in (1, 2)
-            and not field.definition.enum
-            and not field.definition.maximum
-            and not field.is_array
-        ),
+def _is_bounded_by_its_type(field: WireField) -> bool:
+    """Return whether a field is one short whole number of which the dialect states no other range."""
+    return (
+        field.type.is_integer
+        and field.type.size in (1, 2)
+        and not field.definition.enum
+        and not field.definition.maximum
+        and not field.is_array
     )
+
+
+def _maximum(chance: random.Random) -> Fact | None:
+    found = _of_field(chance, _is_bounded_by_its_type)
     if found is None:
         return None
     _, field, words = found
@@ -226,16 +228,7 @@ def _maximum(chance: random.Random) -> Fact | None:
 
 
 def _range(chance: random.Random) -> Fact | None:
-    found = _of_field(
-        chance,
-        lambda field: (
-            field.type.is_integer
-            and field.type.size in (1, 2)
-            and not field.definition.enum
-            and not field.definition.maximum
-            and not field.is_array
-        ),
-    )
+    found = _of_field(chance, _is_bounded_by_its_type)
     if found is None:
         return None
     _, field, words = found
