@@ -55,23 +55,53 @@ _VEHICLE_LOAD_DPCT = const(4)
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-# What the builders return, in their order; one for each instance, where a message is about several.
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
 _MESSAGES = (
-    messages.Heartbeat(unknown=False),
-    messages.SysStatus(unknown=False),
-    [messages.BatteryStatus(unknown=False) for _ in range(2)],
-    messages.AutopilotVersion(unknown=False),
-    messages.ProtocolVersion(unknown=False),
-    [messages.BatteryStatusV2(unknown=False) for _ in range(2)],
-    [messages.SmartBatteryInfo(unknown=False) for _ in range(2)],
-    [messages.BatteryInfo(unknown=False) for _ in range(2)],
-    [messages.BatteryCellVoltages(unknown=False) for _ in range(2)],
+    [None],
+    [None],
+    [None] * 2,
+    [None],
+    [None],
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
 )
+
+
+def _expire_battery(value, words, battery):
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
+            words[battery + _BATTERY_TREND_COUNT] = 0
+            words[battery + _BATTERY_TREND_NEWER] = 0
+            words[battery + _BATTERY_TREND_OLDER] = 0
+            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+
+def _expire_battery_current(value, words, battery):
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
+            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
+            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
+            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
+            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+
+
+def _made(kept, instance, kind):
+    message = kept[instance]
+    if message is None:
+        message = kept[instance] = kind(unknown=False)
+    return message
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _MESSAGES[0]
+    message = _made(_MESSAGES[0], 0, messages.Heartbeat)
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -119,7 +149,7 @@ def write_heartbeat(value, place, wire, words):
 
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _MESSAGES[1]
+    message = _made(_MESSAGES[1], 0, messages.SysStatus)
     write_sys_status(time.ticks_ms(), 0, message.wire, state.words, state.parameters.batt_sys_status)
     return message
 
@@ -146,24 +176,9 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
             place = 0
             battery = _BATTERY + _BATTERY_SIZE * place
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
     wire[0] = 0
@@ -283,7 +298,7 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
 
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _MESSAGES[2][instance]
+    message = _made(_MESSAGES[2], instance, messages.BatteryStatus)
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -300,24 +315,9 @@ def write_battery_status(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = words[battery + _BATTERY_CONSUMED_MAH]
@@ -502,7 +502,7 @@ def write_battery_status(value, place, wire, words, instance):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _MESSAGES[3]
+    message = _made(_MESSAGES[3], 0, messages.AutopilotVersion)
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -606,7 +606,7 @@ def write_autopilot_version(value, place, wire, words):
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _MESSAGES[4]
+    message = _made(_MESSAGES[4], 0, messages.ProtocolVersion)
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -653,7 +653,7 @@ def write_protocol_version(value, place, wire, words):
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _MESSAGES[5][instance]
+    message = _made(_MESSAGES[5], instance, messages.BatteryStatusV2)
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -670,24 +670,9 @@ def write_battery_status_v2(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = words[battery + _BATTERY_VOLTAGE_MV]
@@ -823,7 +808,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
 
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
-    message = _MESSAGES[6][instance]
+    message = _made(_MESSAGES[6], instance, messages.SmartBatteryInfo)
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -916,7 +901,7 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
 
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
-    message = _MESSAGES[7][instance]
+    message = _made(_MESSAGES[7], instance, messages.BatteryInfo)
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -1029,7 +1014,7 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
 
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _MESSAGES[8][instance]
+    message = _made(_MESSAGES[8], instance, messages.BatteryCellVoltages)
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 
@@ -1046,15 +1031,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
     # id: the battery's number (FR-00073.4)
     wire[0] = instance & 0xFF

@@ -72,6 +72,25 @@ class _Stand:
 
 _room = [0, None]
 _stand = _Stand()
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
+_MESSAGES = (
+    [None],
+    [None],
+    [None] * 2,
+    [None],
+    [None],
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
+)
+
+
+def _made(kept, instance, kind):
+    message = kept[instance]
+    if message is None:
+        message = kept[instance] = kind(unknown=False)
+    return message
 
 
 @micropython.viper
@@ -80,12 +99,9 @@ def _stand_in(message):
     return _stand
 
 
-_heartbeat = messages.Heartbeat(unknown=False)
-
-
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _heartbeat
+    message = _made(_MESSAGES[0], 0, messages.Heartbeat)
     encode_heartbeat(_stand_in(message), state)
     return message
 
@@ -187,12 +203,9 @@ def encode_heartbeat(link, state):
     return views[length]
 
 
-_sys_status = messages.SysStatus(unknown=False)
-
-
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _sys_status
+    message = _made(_MESSAGES[1], 0, messages.SysStatus)
     encode_sys_status(_stand_in(message), state)
     return message
 
@@ -387,12 +400,9 @@ def encode_sys_status(link, state):
     return views[length]
 
 
-_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(2)]
-
-
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _battery_status[instance]
+    message = _made(_MESSAGES[2], instance, messages.BatteryStatus)
     battery_status_frame(_stand_in(message), state, instance)
     return message
 
@@ -638,12 +648,9 @@ def encode_battery_status(link, state, instance=0):
     return battery_status_frame(link, state, instance)
 
 
-_autopilot_version = messages.AutopilotVersion(unknown=False)
-
-
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _autopilot_version
+    message = _made(_MESSAGES[3], 0, messages.AutopilotVersion)
     encode_autopilot_version(_stand_in(message), state)
     return message
 
@@ -748,12 +755,9 @@ def encode_autopilot_version(link, state):
     return views[length]
 
 
-_protocol_version = messages.ProtocolVersion(unknown=False)
-
-
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _protocol_version
+    message = _made(_MESSAGES[4], 0, messages.ProtocolVersion)
     encode_protocol_version(_stand_in(message), state)
     return message
 
@@ -838,12 +842,9 @@ def encode_protocol_version(link, state):
     return views[length]
 
 
-_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(2)]
-
-
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _battery_status_v2[instance]
+    message = _made(_MESSAGES[5], instance, messages.BatteryStatusV2)
     battery_status_v2_frame(_stand_in(message), state, instance)
     return message
 
@@ -1057,12 +1058,9 @@ def encode_battery_status_v2(link, state, instance=0):
     return battery_status_v2_frame(link, state, instance)
 
 
-_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(2)]
-
-
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
-    message = _smart_battery_info[instance]
+    message = _made(_MESSAGES[6], instance, messages.SmartBatteryInfo)
     smart_battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -1209,12 +1207,9 @@ def encode_smart_battery_info(link, state, instance=0):
     return smart_battery_info_frame(link, state, instance)
 
 
-_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(2)]
-
-
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
-    message = _battery_info[instance]
+    message = _made(_MESSAGES[7], instance, messages.BatteryInfo)
     battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -1371,12 +1366,9 @@ def encode_battery_info(link, state, instance=0):
     return battery_info_frame(link, state, instance)
 
 
-_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(2)]
-
-
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _battery_cell_voltages[instance]
+    message = _made(_MESSAGES[8], instance, messages.BatteryCellVoltages)
     battery_cell_voltages_frame(_stand_in(message), state, instance, page)
     return message
 

@@ -47,22 +47,37 @@ _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-# What the builders return, in their order; one for each instance, where a message is about several.
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
 _MESSAGES = (
-    messages.Heartbeat(unknown=False),
-    [messages.BatteryStatus(unknown=False) for _ in range(1)],
-    messages.AutopilotVersion(unknown=False),
-    messages.ProtocolVersion(unknown=False),
-    [messages.BatteryStatusV2(unknown=False) for _ in range(1)],
-    [messages.SmartBatteryInfo(unknown=False) for _ in range(1)],
-    [messages.BatteryInfo(unknown=False) for _ in range(1)],
-    [messages.BatteryCellVoltages(unknown=False) for _ in range(1)],
+    [None],
+    [None] * 1,
+    [None],
+    [None],
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
 )
+
+
+def _expire_battery(value, words):
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+
+def _made(kept, instance, kind):
+    message = kept[instance]
+    if message is None:
+        message = kept[instance] = kind(unknown=False)
+    return message
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00074.1."""
-    message = _MESSAGES[0]
+    message = _made(_MESSAGES[0], 0, messages.Heartbeat)
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -98,7 +113,7 @@ def write_heartbeat(value, place, wire, words):
 
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _MESSAGES[1][instance]
+    message = _made(_MESSAGES[1], instance, messages.BatteryStatus)
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -113,11 +128,7 @@ battery_status_frame = encode_battery_status
 
 def write_battery_status(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = words[_BATTERY + _BATTERY_CONSUMED_MAH]
@@ -310,7 +321,7 @@ def write_battery_status(value, place, wire, words, instance):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _MESSAGES[2]
+    message = _made(_MESSAGES[2], 0, messages.AutopilotVersion)
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -414,7 +425,7 @@ def write_autopilot_version(value, place, wire, words):
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _MESSAGES[3]
+    message = _made(_MESSAGES[3], 0, messages.ProtocolVersion)
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -461,7 +472,7 @@ def write_protocol_version(value, place, wire, words):
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _MESSAGES[4][instance]
+    message = _made(_MESSAGES[4], instance, messages.BatteryStatusV2)
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -476,11 +487,7 @@ battery_status_v2_frame = encode_battery_status_v2
 
 def write_battery_status_v2(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
@@ -615,7 +622,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
 
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00074.4."""
-    message = _MESSAGES[5][instance]
+    message = _made(_MESSAGES[5], instance, messages.SmartBatteryInfo)
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -713,7 +720,7 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
 
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00074.4."""
-    message = _MESSAGES[6][instance]
+    message = _made(_MESSAGES[6], instance, messages.BatteryInfo)
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -831,7 +838,7 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
 
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _MESSAGES[7][instance]
+    message = _made(_MESSAGES[7], instance, messages.BatteryCellVoltages)
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 
@@ -846,11 +853,7 @@ battery_cell_voltages_frame = encode_battery_cell_voltages
 
 def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # id: BATT_ID, counted on (FR-00073.4)
     value = words[_BATTERY + _BATTERY_NUMBER]
