@@ -23,7 +23,8 @@ class FunctionView:
 
     ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
     state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
-    ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be.
+    ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be. ``is_seldom``: it is on request only,
+    or due at most once a second, and small code counts more than a quick one.
     """
 
     message: str
@@ -39,6 +40,7 @@ class FunctionView:
     head: str
     write: str
     is_withheld: bool
+    is_seldom: bool
     parameters: tuple[str, ...]
     lines: tuple[str, ...]
     id_bytes: tuple[int, int, int]
@@ -71,6 +73,7 @@ class FunctionsView:
     puts_floats: bool
     puts_reals: bool
     is_withheld: bool
+    is_any_seldom: bool
     ticks: bool
 
 
@@ -110,6 +113,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         puts_floats="put_float" in uses,
         puts_reals="put_real" in uses,
         is_withheld=any(function.is_withheld for function in functions),
+        is_any_seldom=any(function.is_seldom for function in functions),
         ticks="tick" in uses,
     )
 
@@ -136,7 +140,7 @@ def _function(
 ) -> FunctionView:
     body: list[str] = []
     for answer in message.answers:
-        body += ["", *answer.statements(code)]
+        body += ["", *code.needed(answer)]
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
     before = [line for reading in expired for line in ["", *_expiring_of(reading, code, shared)]]
@@ -172,6 +176,7 @@ def _function(
         head=in_brackets(*code.head(told), ":"),
         write=in_brackets(f"    done = {call.strip()}" if withheld else call, given, ""),
         is_withheld=bool(withheld),
+        is_seldom=message.stream is None or message.stream.fastest <= 1,
         parameters=tuple(code.parameters),
         lines=tuple(part for line in lines for part in _printed(line)),
         id_bytes=(wire.id & 0xFF, wire.id >> 8 & 0xFF, wire.id >> 16),
