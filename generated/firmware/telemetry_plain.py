@@ -92,16 +92,16 @@ def _expire_battery_current(value, words, battery):
             words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
 
-def _made(kept, instance, kind):
-    message = kept[instance]
-    if message is None:
-        message = kept[instance] = kind(unknown=False)
+def _made(place, instance, kind):
+    message = _MESSAGES[place][instance] = kind(unknown=False)
     return message
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _made(_MESSAGES[0], 0, messages.Heartbeat)
+    message = _MESSAGES[0][0]
+    if message is None:
+        message = _made(0, 0, messages.Heartbeat)
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -149,7 +149,9 @@ def write_heartbeat(value, place, wire, words):
 
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _made(_MESSAGES[1], 0, messages.SysStatus)
+    message = _MESSAGES[1][0]
+    if message is None:
+        message = _made(1, 0, messages.SysStatus)
     write_sys_status(time.ticks_ms(), 0, message.wire, state.words, state.parameters.batt_sys_status)
     return message
 
@@ -274,7 +276,9 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
 
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _made(_MESSAGES[2], instance, messages.BatteryStatus)
+    message = _MESSAGES[2][instance]
+    if message is None:
+        message = _made(2, instance, messages.BatteryStatus)
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -477,7 +481,9 @@ def write_battery_status(value, place, wire, words, instance):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _made(_MESSAGES[3], 0, messages.AutopilotVersion)
+    message = _MESSAGES[3][0]
+    if message is None:
+        message = _made(3, 0, messages.AutopilotVersion)
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -529,7 +535,9 @@ def write_autopilot_version(value, place, wire, words):
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _made(_MESSAGES[4], 0, messages.ProtocolVersion)
+    message = _MESSAGES[4][0]
+    if message is None:
+        message = _made(4, 0, messages.ProtocolVersion)
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -560,7 +568,9 @@ def write_protocol_version(value, place, wire, words):
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _made(_MESSAGES[5], instance, messages.BatteryStatusV2)
+    message = _MESSAGES[5][instance]
+    if message is None:
+        message = _made(5, instance, messages.BatteryStatusV2)
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -715,7 +725,9 @@ def write_battery_status_v2(value, place, wire, words, instance):
 
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
-    message = _made(_MESSAGES[6], instance, messages.SmartBatteryInfo)
+    message = _MESSAGES[6][instance]
+    if message is None:
+        message = _made(6, instance, messages.SmartBatteryInfo)
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -808,7 +820,9 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
 
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
-    message = _made(_MESSAGES[7], instance, messages.BatteryInfo)
+    message = _MESSAGES[7][instance]
+    if message is None:
+        message = _made(7, instance, messages.BatteryInfo)
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -921,7 +935,9 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
 
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _made(_MESSAGES[8], instance, messages.BatteryCellVoltages)
+    message = _MESSAGES[8][instance]
+    if message is None:
+        message = _made(8, instance, messages.BatteryCellVoltages)
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 

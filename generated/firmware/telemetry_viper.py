@@ -86,10 +86,8 @@ _MESSAGES = (
 )
 
 
-def _made(kept, instance, kind):
-    message = kept[instance]
-    if message is None:
-        message = kept[instance] = kind(unknown=False)
+def _made(place, instance, kind):
+    message = _MESSAGES[place][instance] = kind(unknown=False)
     return message
 
 
@@ -152,7 +150,9 @@ def _finished(wire_at: int, last_word: int, crc_extra: int) -> int:
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _made(_MESSAGES[0], 0, messages.Heartbeat)
+    message = _MESSAGES[0][0]
+    if message is None:
+        message = _made(0, 0, messages.Heartbeat)
     encode_heartbeat(_stand_in(message), state)
     return message
 
@@ -256,7 +256,9 @@ def encode_heartbeat(link, state):
 
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _made(_MESSAGES[1], 0, messages.SysStatus)
+    message = _MESSAGES[1][0]
+    if message is None:
+        message = _made(1, 0, messages.SysStatus)
     encode_sys_status(_stand_in(message), state)
     return message
 
@@ -453,7 +455,9 @@ def encode_sys_status(link, state):
 
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _made(_MESSAGES[2], instance, messages.BatteryStatus)
+    message = _MESSAGES[2][instance]
+    if message is None:
+        message = _made(2, instance, messages.BatteryStatus)
     battery_status_frame(_stand_in(message), state, instance)
     return message
 
@@ -701,7 +705,9 @@ def encode_battery_status(link, state, instance=0):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _made(_MESSAGES[3], 0, messages.AutopilotVersion)
+    message = _MESSAGES[3][0]
+    if message is None:
+        message = _made(3, 0, messages.AutopilotVersion)
     encode_autopilot_version(_stand_in(message), state)
     return message
 
@@ -768,7 +774,9 @@ def encode_autopilot_version(link, state):
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _made(_MESSAGES[4], 0, messages.ProtocolVersion)
+    message = _MESSAGES[4][0]
+    if message is None:
+        message = _made(4, 0, messages.ProtocolVersion)
     encode_protocol_version(_stand_in(message), state)
     return message
 
@@ -815,7 +823,9 @@ def encode_protocol_version(link, state):
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _made(_MESSAGES[5], instance, messages.BatteryStatusV2)
+    message = _MESSAGES[5][instance]
+    if message is None:
+        message = _made(5, instance, messages.BatteryStatusV2)
     battery_status_v2_frame(_stand_in(message), state, instance)
     return message
 
@@ -1031,7 +1041,9 @@ def encode_battery_status_v2(link, state, instance=0):
 
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
-    message = _made(_MESSAGES[6], instance, messages.SmartBatteryInfo)
+    message = _MESSAGES[6][instance]
+    if message is None:
+        message = _made(6, instance, messages.SmartBatteryInfo)
     smart_battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -1139,7 +1151,9 @@ def encode_smart_battery_info(link, state, instance=0):
 
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
-    message = _made(_MESSAGES[7], instance, messages.BatteryInfo)
+    message = _MESSAGES[7][instance]
+    if message is None:
+        message = _made(7, instance, messages.BatteryInfo)
     battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -1257,7 +1271,9 @@ def encode_battery_info(link, state, instance=0):
 
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _made(_MESSAGES[8], instance, messages.BatteryCellVoltages)
+    message = _MESSAGES[8][instance]
+    if message is None:
+        message = _made(8, instance, messages.BatteryCellVoltages)
     battery_cell_voltages_frame(_stand_in(message), state, instance, page)
     return message
 
