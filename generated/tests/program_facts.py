@@ -26,6 +26,9 @@ SYSTEM_ID = 1
 COMPONENT_ID = 1
 VERSION = 2
 
+# The user's module and the class in it, which the board starts.
+USER = ("rover", "Rover")
+
 # Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
 ABSENT = ((43, 44), (44, 47), (45, 47), (40, 47), (51, 47), (117, 118), (11, 77))
 

@@ -16,9 +16,11 @@ from codegen.render.rendered import rendered
 from codegen.targets.firmware.readings.sources import GivenView, given_by
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
+from codegen.targets.source_files import source_files
 from codegen.tool.template_files import copied
 
 _FOLDER = "tests/sources"
+_DRIVERS = "tests/drivers"
 
 Pair = tuple[int | None, int | None]
 
@@ -67,6 +69,10 @@ def render_source_suite(system: System) -> dict[str, str]:
     if not system.polled:
         return {}
     files = {path.replace(_FOLDER, "tests"): text for path, text in copied_files(_FOLDER).items()}
+    brought = source_files(system, "tests")
+    if brought:
+        files |= brought
+        files |= {path.replace(_DRIVERS, "tests"): text for path, text in copied_files(_DRIVERS).items()}
     view = tuple(_facts(source, system) for source in system.polled)
     paths = [specification_file(system, f"{name}.yaml") for name in ("board", "state")]
     text = rendered(f"{_FOLDER}/source_facts.py.j2", view)

@@ -54,6 +54,9 @@ except ImportError:  # CPython, and boards: only MicroPython on a host counts th
         return 0
 
 
+HALF_TURN_MS = 1 << 29  # what is half a turn of ticks_ms() away lies ahead, as for ticks_diff()
+
+
 class Log:
     """Keeps what was logged: warnings and errors in `lines`, what is only told in `notes`."""
 
@@ -287,15 +290,13 @@ def battery_old_reading_is_unknown():
         lambda state: state.battery.expire(),
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
-            mock_time.set_ticks_us(start_us)
-            board, state, _ = fresh(3063)
-            state.update_battery(board)
-            mock_time.advance_us(1000 * 1000)
-            build(state)
-            assert state.battery.voltage_mv is not None
-            mock_time.advance_us(1000)
-            build(state)
-            assert state.battery.voltage_mv is None
+            for late_ms, is_old in ((0, False), (1, True), (HALF_TURN_MS - 1, True), (HALF_TURN_MS, False)):
+                mock_time.set_ticks_us(start_us)
+                board, state, _ = fresh(3063)
+                state.update_battery(board)
+                mock_time.advance_us((1000 + late_ms) * 1000)
+                build(state)
+                assert (state.battery.voltage_mv is None) == is_old, late_ms
     mock_time.set_ticks_us(0)
 
 

@@ -28,6 +28,9 @@ SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
 
+# The user's module and the class in it, which the board starts.
+USER = ("pack", "Pack")
+
 # Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
 ABSENT = ()
 
