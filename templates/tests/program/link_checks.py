@@ -16,7 +16,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import CONTROL_US, LINKS_US, MEASURED, PARAMETERS, STREAMS
+from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS, STREAMS
 
 import board
 from serial_port import open_uart
@@ -228,6 +228,41 @@ def boards_own_ports():
     assert [connection.faults for connection in craft.connections] == [0] * len(craft.connections)
 
 
+OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
+    "open_uart": ("uart", "name", "uart"),
+    "open_fixed_uart": ("uart", "name", "uart"),
+    "open_usb": ("usb", "name"),
+    "UdpPort": ("udp", "name", "to", "udp"),
+    "TcpServer": ("tcp_server", "name", "tcp_server"),
+    "TcpClient": ("tcp_client", "name", "to", "tcp_client"),
+}
+
+
+def ports_are_those_of_the_specification():
+    """Each link is opened in its order, and with its settings."""
+    needs(LINKS, "links")
+    opened = []
+
+    def noting(kind, names):
+        def note(*values, log=None, **settings):  # noqa: ARG001  where a port tells what goes wrong
+            settings.update(dict(zip(names, values)))  # noqa: B905  MicroPython's has no strict
+            opened.append((kind, settings))
+
+        return note
+
+    craft = new_craft()
+    true = {name: getattr(board, name) for name in OPENED if hasattr(board, name)}
+    try:
+        for name in true:
+            kind, *names = OPENED[name]
+            setattr(board, name, noting(kind, names))
+        craft.board.open_ports()
+    finally:
+        for name, opener in true.items():
+            setattr(board, name, opener)
+    assert opened == list(LINKS), opened
+
+
 CHECKS = (
     (partial_writes_keep_frames_whole, "services.links"),
     (full_buffer_drops_whole_frames, "services.links"),
@@ -237,6 +272,7 @@ CHECKS = (
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (boards_own_ports, "services.links"),
+    (ports_are_those_of_the_specification, "services.links"),
 )
 
 if __name__ == "__main__":
