@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 64df4cf3eaacf6a0
+# Inputs: 783d7677717d380d
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
@@ -230,6 +230,22 @@ def boards_own_ports():
     assert [connection.faults for connection in craft.connections] == [0] * len(craft.connections)
 
 
+def what_arrives_is_counted():
+    """Frames that are right, of messages that nobody takes, with unknown flags, and damaged ones: each once."""
+    craft = new_craft()
+    link = craft.connections[0].link
+    whole = bytes(GroundStation(Port()).link.encode(messages.Ping(unknown=False).update(time_usec=1, target_system=9)))
+    assert whole.count(b"\xfd") + whole.count(b"\xfe") == 1, "nothing in it looks like the start of a frame"
+    names = ("received", "unknown", "dropped", "crc_errors")
+    for name, at, byte in zip(names, (0, 8, 2, len(whole) - 1), (0xFD, 0xEE, 2, whole[-1] ^ 1)):  # noqa: B905  MicroPython
+        before = [getattr(link, each) for each in names]
+        for count in (1, 2, 3):
+            craft.port.arrives((whole[:at] + bytes([byte]) + whole[at + 1 :]) * count)
+            run_passes(craft, 4)
+        found = [getattr(link, each) - earlier for each, earlier in zip(names, before)]  # noqa: B905  as above
+        assert found == [6 if each == name else 0 for each in names], (name, found)
+
+
 OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
     "open_uart": ("uart", "name", "uart"),
     "open_fixed_uart": ("uart", "name", "uart"),
@@ -274,6 +290,7 @@ CHECKS = (
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (boards_own_ports, "services.links"),
+    (what_arrives_is_counted, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
 )
 
