@@ -136,6 +136,14 @@ class Source(ABC):
         return ()
 
     @property
+    def given_in(self) -> tuple[Fraction, ...]:
+        """How many steps of each output make one of the units in which read() of the user's code gives them.
+
+        Empty where a driver gives steps.
+        """
+        return ()
+
+    @property
     def tests(self) -> tuple[str, ...]:
         """The files of the generated suite that check its driver, by their paths below codegen/sources.
 

@@ -49,6 +49,9 @@ class QuantityFacts:
 class SourceFacts:
     """A sensor: how many ``values`` its driver has, and what the specification says of its turns.
 
+    ``given`` has, for each number that read() of the user's code gives, the fewest and the most steps, and how many of
+    them make one of its units, as numerator and denominator.
+
     ``mask`` is the place of the bits of what is new, which are ``new`` where all is, or None.
     """
 
@@ -60,6 +63,7 @@ class SourceFacts:
     limit_us: int | None
     retry_ms: int
     cause: str
+    given: tuple[tuple[int, int, int, int], ...]
     quantities: tuple[QuantityFacts, ...]
     criteria: dict[str, str]
 
@@ -108,6 +112,10 @@ def _facts(source: Source, system: System) -> SourceFacts:
         limit_us=polling.limit_us,
         retry_ms=polling.retry_ms,
         cause=source.cause,
+        given=tuple(
+            (output.low, output.high, steps.numerator, steps.denominator)
+            for output, steps in zip(source.outputs, source.given_in, strict=False)
+        ),
         quantities=tuple(_quantity(each) for each in given_by(source, system, word_layout(system), {})),
         criteria={aspect: criterion for aspect, criterion in cited.items() if criterion},
     )
