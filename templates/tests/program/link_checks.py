@@ -1,5 +1,6 @@
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
+import io
 import socket
 import sys
 
@@ -11,6 +12,7 @@ from program_bench import (
     machine,
     main,
     messages,
+    mock_time,
     needs,
     new_craft,
     run,
@@ -19,6 +21,8 @@ from program_bench import (
 from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS, STREAMS
 
 import board
+import network
+import network_port
 from serial_port import open_uart
 from udp_port import UdpPort
 
@@ -210,6 +214,57 @@ def datagrams_over_the_loopback():
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 
 
+WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
+  "bench": {"host": "127.0.0.2", "port": 2, "local_port": 0}, "spare": {"ssid": "other"}}"""
+
+
+def the_network_is_joined_again():
+    """A port waits for the Wi-Fi of its file, where its own entries come first; a lost one is joined at its pace."""
+    files, joined, texts = [], network_port._joined, []
+    network_port.open = lambda name: files.append(name) or io.StringIO(WIFI)
+    network_port._joined = []
+    network.radio.reset()
+    mock_time.set_ticks_us(0)
+    try:
+        arguments = ("127.0.0.1", 3, 0, "wifi.json", 5000, lambda *words: texts.append(" ".join(map(str, words))))
+        port, twin = UdpPort("bench", *arguments), UdpPort("twin", *arguments)
+        assert files == ["wifi.json"] * 2
+        assert port._address == ("127.0.0.2", 2, 0), port._address
+        assert twin._address == ("127.0.0.9", 1, 0), twin._address
+        tries, ups = [], []
+        for tenth in range(300):
+            before = network.radio.connects
+            if tenth == 20:  # it is lost, and not found for 12 s
+                network.radio.drop()
+                network.radio.connect_after_ms = None
+            if tenth == 140:
+                network.radio.connect_after_ms = 1000
+            for each in (port, twin):
+                each.poll(tenth * 100)
+            tries += [tenth] * (network.radio.connects - before)
+            ups += [port.has_network]
+            assert twin.has_network == port.has_network, tenth
+            mock_time.advance_us(100000)
+        assert network.radio.credentials == ("home", "secret")
+        assert tries == [0, 50, 100], tries
+        assert [tenth for tenth in range(1, 300) if ups[tenth] != ups[tenth - 1]] == [10, 20, 140], ups
+        told = [text for text in texts if text.startswith("notice: bench Wi-Fi")]
+        assert [text.split()[-1] for text in told] == ["up", "down", "up"], texts
+        network.radio.absent = True
+        network_port._joined = []
+        lost = UdpPort("spare", *arguments)
+        assert texts[-1].startswith("warning: spare has no Wi-Fi: "), texts
+        lost.poll(0)
+        assert (port.is_up, twin.is_up, lost.is_up) == (True, True, False)
+    finally:
+        network_port._joined = joined
+        del network_port.open
+        network.radio.reset()
+        for each in (port, twin):
+            if each._socket is not None:
+                each._socket.close()
+
+
 def boards_own_ports():
     """With the ports of the board description, on a host without credentials: the program runs and tells about it."""
     needs(hasattr(board.Board, "open_ports"), "links")
@@ -287,6 +342,7 @@ CHECKS = (
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
+    (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
