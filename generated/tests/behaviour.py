@@ -204,6 +204,7 @@ def battery_broken_board_does_not_raise():
         good, state, log = fresh(3063)
         state.update_battery(good)
         before = state.battery[0].voltage_mv
+        notes = list(log.notes)
         state.update_battery(board)
         assert state.battery[0].voltage_mv == before
         measured = asked_of_battery(state)
@@ -213,6 +214,7 @@ def battery_broken_board_does_not_raise():
         assert state.battery[0].voltage_mv is None
         # One error of each that is measured.
         assert len(log.lines) <= 2 * len([each for each in state.battery if each.monitored]), log.lines
+        assert log.notes == notes, "a reading that fails tells nothing else"
     # Who interrupts a reading gets the next one nevertheless.
     good, state, _ = fresh(3063)
     try:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: c88c5b14f231cf30
+# Inputs: d4049edcad55383f
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
@@ -100,7 +100,7 @@ def misspelt(cls, fields):
     """Return names that no field has, made of the longest and the shortest that there is, and what is said of each."""
     found = []
     for name in (max(fields, key=len), min(fields, key=len)):
-        moved = name[1] + name[0] + name[2:]
+        moved = name[1:2] + name[:1] + name[2:]
         for wrong in (name[1:], name[:-1], name + "x", "x" + name, "x" + name[1:], moved, name + name, "xyz"):
             try:
                 cls().get(wrong)

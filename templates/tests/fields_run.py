@@ -98,7 +98,7 @@ def misspelt(cls, fields):
     """Return names that no field has, made of the longest and the shortest that there is, and what is said of each."""
     found = []
     for name in (max(fields, key=len), min(fields, key=len)):
-        moved = name[1] + name[0] + name[2:]
+        moved = name[1:2] + name[:1] + name[2:]
         for wrong in (name[1:], name[:-1], name + "x", "x" + name, "x" + name[1:], moved, name + name, "xyz"):
             try:
                 cls().get(wrong)

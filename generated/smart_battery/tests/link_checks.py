@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 5e846424965cca83
+# Inputs: 6bfc9faf1e862f68
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -299,6 +299,14 @@ def what_arrives_is_counted():
             run_passes(craft, 4)
         found = [getattr(link, each) - earlier for each, earlier in zip(names, before)]  # noqa: B905  as above
         assert found == [6 if each == name else 0 for each in names], (name, found)
+    link = GroundStation(Port()).link
+    link._state[16] = 1000  # so many bytes may be looked at, and [15] of them were: frames_plain says so
+    link.put(whole * 3 + bytes(5))
+    for count in (1, 2, 3):
+        assert link.receive() is not None
+        assert link._state[15] == count * (len(whole) - 2), (count, link._state[15])
+    assert link.receive() is None
+    assert link._state[15] == 3 * (len(whole) - 2) + 5, link._state[15]
 
 
 OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
