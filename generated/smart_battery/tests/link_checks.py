@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 6bfc9faf1e862f68
+# Inputs: 3a3642ebee2e015b
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -307,6 +307,12 @@ def what_arrives_is_counted():
         assert link._state[15] == count * (len(whole) - 2), (count, link._state[15])
     assert link.receive() is None
     assert link._state[15] == 3 * (len(whole) - 2) + 5, link._state[15]
+    link._state[15] = 0
+    assert whole[4] == 0, "so that it is a HEARTBEAT to who takes the byte before it for the first one of MAVLink 1"
+    link.put(b"\xfe" + whole + bytes(300))
+    found = [link.receive() for _ in range(2)]
+    assert [message and message.ID for message in found] == [messages.Ping.ID, None], found
+    assert link.crc_errors == 1
 
 
 OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
