@@ -14,6 +14,7 @@ from codegen.answers.scaled import (
     fitting,
     limit_cases,
     limit_words,
+    parameter_cases,
     property_cases,
     read_back,
     sentinel_cases,
@@ -257,8 +258,10 @@ class LiveAnswer(KindOfAnswer):
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
-        """A quantity at its limits and beyond, and set through its property."""
-        if isinstance(self.source, Quantity):
+        """A quantity at its limits and beyond, and set through its property; a parameter at its limits."""
+        if isinstance(self.source, Parameter):
+            yield from parameter_cases(self.source)
+        else:
             yield from limit_cases(self.scaling, self.source.path)
             yield from sentinel_cases(self.covers, self.scaling, self.source.path)
             yield from property_cases(self.source, plain)

@@ -114,6 +114,13 @@ def sentinel_cases(covers: Elements, scaling: Scaling, path: str) -> Iterator[St
     yield StateCase("minus-one", {path: -1})
 
 
+def parameter_cases(parameter: Parameter) -> Iterator[StateCase]:
+    """A parameter at the ends of what it can be set to, in steps: its default may leave bytes 0 that it fills."""
+    steps = sorted(parameter.choices) or (parameter.minimum, parameter.maximum)
+    yield StateCase("least", {parameter.path: steps[0]})
+    yield StateCase("most", {parameter.path: steps[-1]})
+
+
 def property_cases(quantity: Quantity, plain: Known) -> Iterator[StateCase]:
     """The same field set through the property for people: None, NaN, the infinities and a plain number."""
     if quantity.attribute == quantity.name or quantity.kind is not QuantityKind.NUMBER:

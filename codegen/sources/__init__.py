@@ -1,7 +1,8 @@
 """Kinds of sensors, a folder for each: its keys, how it is resolved, its driver, its mock and its page.
 
 ``codegen/model/quantities/source_kind.py`` says what the stages ask a sensor. A folder has ``kind.py``, and MicroPython
-in ``firmware`` (drivers) and ``mocks``, which is copied where a project has such a sensor. To add a kind, list it here.
+in ``firmware`` (drivers), ``mocks`` and ``tests``, which is copied where a project has such a sensor. To add a kind,
+list it here.
 """
 
 from collections.abc import Mapping

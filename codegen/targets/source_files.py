@@ -1,4 +1,4 @@
-"""The files that kinds of sensors bring along, drivers and mocks: copied where a project has such a sensor."""
+"""The files that kinds of sensors bring along, drivers, mocks and tests: copied where a project has such a sensor."""
 
 import os
 
@@ -19,7 +19,7 @@ def mock_paths(system: System) -> tuple[str, ...]:
 
 
 def source_files(system: System, folder: str) -> dict[str, str]:
-    """The files below ``folder``, which is firmware or mocks: ``{path in the output: text}``.
+    """The files below ``folder``, which is firmware, mocks or tests: ``{path in the output: text}``.
 
     Modules of machine code come where the project has it: a driver takes its plain ones else.
     """
@@ -27,7 +27,8 @@ def source_files(system: System, folder: str) -> dict[str, str]:
     files = {}
     for source in system.polled:
         clock = source.clock_modules if CLOCK in system.components else ()
-        for path in (*source.modules, *clock) if folder == "firmware" else source.mocks:
+        brought = {"firmware": (*source.modules, *clock), "mocks": source.mocks, "tests": source.tests}
+        for path in brought[folder]:
             if path.endswith("_viper.py") and not has_machine_code:
                 continue
             text = driver_text(path)

@@ -53,6 +53,9 @@ except ImportError:  # CPython, and boards: only MicroPython on a host counts th
         return 0
 
 
+HALF_TURN_MS = 1 << 29  # what is half a turn of ticks_ms() away lies ahead, as for ticks_diff()
+
+
 class Log:
     """Keeps what was logged: warnings and errors in `lines`, what is only told in `notes`."""
 
@@ -207,6 +210,7 @@ def battery_broken_board_does_not_raise():
         good, state, log = fresh(3063)
         state.update_battery(good)
         before = state.battery[0].voltage_mv
+        notes = list(log.notes)
         state.update_battery(board)
         assert state.battery[0].voltage_mv == before
         measured = asked_of_battery(state)
@@ -216,6 +220,8 @@ def battery_broken_board_does_not_raise():
         assert state.battery[0].voltage_mv is None
         # One error of each that is measured.
         assert len(log.lines) <= 2 * len([each for each in state.battery if each.monitored]), log.lines
+        assert log.notes == notes, "a reading that fails tells nothing else"
+        assert log.lines or not isinstance(getattr(board, "result", None), BaseException), "an error is told"
     # Who interrupts a reading gets the next one nevertheless.
     good, state, _ = fresh(3063)
     try:
@@ -305,15 +311,13 @@ def battery_old_reading_is_unknown():
         lambda state: state.battery[0].expire(),
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
-            mock_time.set_ticks_us(start_us)
-            board, state, _ = fresh(3063)
-            state.update_battery(board)
-            mock_time.advance_us(1000 * 1000)
-            build(state)
-            assert state.battery[0].voltage_mv is not None
-            mock_time.advance_us(1000)
-            build(state)
-            assert state.battery[0].voltage_mv is None
+            for late_ms, is_old in ((0, False), (1, True), (HALF_TURN_MS - 1, True), (HALF_TURN_MS, False)):
+                mock_time.set_ticks_us(start_us)
+                board, state, _ = fresh(3063)
+                state.update_battery(board)
+                mock_time.advance_us((1000 + late_ms) * 1000)
+                build(state)
+                assert (state.battery[0].voltage_mv is None) == is_old, late_ms
     mock_time.set_ticks_us(0)
 
 

@@ -26,6 +26,24 @@ SYSTEM_ID = 1
 COMPONENT_ID = 1
 VERSION = 2
 
+# The user's module and the class in it, which the board starts.
+USER = ("rover", "Rover")
+
+# The links of the board: the kind of each, and its settings.
+LINKS = (
+    (
+        "udp",
+        {
+            "name": "wifi",
+            "to": "255.255.255.255",
+            "udp": 14550,
+            "local_port": 0,
+            "credentials": "wifi.json",
+            "retry_ms": 5000,
+        },
+    ),
+)
+
 # Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
 ABSENT = ((43, 44), (44, 47), (45, 47), (40, 47), (51, 47), (117, 118), (11, 77))
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: b894c8fb53e81d25
+# Inputs: 814e354999eee028
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -111,6 +111,27 @@ def fixed_rates():
                 assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], found)
 
 
+def nothing_waits_once_it_is_due():
+    """What is due when the link has its turn goes out in it, unless that is all that a turn takes."""
+    craft = new_craft()  # its port says whether something has arrived: without that a link is served in each turn
+    connection = craft.connections[0]
+    run_turn = connection.run
+    waiting = []
+
+    def noted(now_ms):
+        is_left = run_turn(now_ms)
+        times = connection.streams._times
+        for at in range(0, len(times) - 2, 4):
+            due_ms, late_by, _, parts = times[at + 2 : at + 6]
+            if parts and late_by >= 0 and not is_left and not 0 < due_ms - now_ms & 0x3FFFFFFF < 0x20000000:
+                waiting.append((now_ms, at // 4, due_ms))
+        return is_left
+
+    connection.run = noted
+    run(craft, 5 * SECOND_US)
+    assert waiting == [], waiting[:3]
+
+
 def default_rates():
     """Without any setting each stream has its default rate."""
     port = Counter()
@@ -211,6 +232,29 @@ def intervals_of_others():
         station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 1000)
         run(craft, 4 * LINKS_US)
         assert _interval(craft, station, number) == SHORTEST_US[SENT.index(number)]
+
+
+def intervals_have_a_longest():
+    """The last one is the largest float below 2 ** 30 microseconds; what is longer or none at all changes nothing."""
+    craft, (station, _) = _two_links()
+    number = SENT[0]
+    for asked, is_taken in (
+        (1073741760, True),
+        (1073741824, False),
+        (0.5, False),
+        (-0.5, False),
+        (-2, False),
+        (float("nan"), False),
+        (float("inf"), False),
+        (-1, True),
+        (1e9, True),
+    ):
+        before = _interval(craft, station, number)
+        station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, asked)
+        run(craft, 4 * LINKS_US)
+        result = dialect.MAV_RESULT_ACCEPTED if is_taken else dialect.MAV_RESULT_DENIED
+        assert [ack.result for ack in station.received(messages.CommandAck)] == [result], asked
+        assert _interval(craft, station, number) == (asked if is_taken else before), asked
 
 
 def tables_are_asked_for_together():
@@ -364,6 +408,7 @@ def streams_go_on_after_standing_still():
 
 CHECKS = (
     (rates_by_parameter, "streams.rate", "storage.reboot"),
+    (nothing_waits_once_it_is_due, "streams.fixed", "streams.rate"),
     (default_rates, "streams.rate"),
     (fixed_rates, "streams.fixed"),
     (streams_go_on_across_the_wrap, "streams.fixed"),
@@ -371,6 +416,7 @@ CHECKS = (
     (nothing_is_reported_without_the_monitor, "component.reported"),
     (intervals_on_one_link, "services.intervals"),
     (intervals_of_others, "services.intervals"),
+    (intervals_have_a_longest, "services.intervals"),
     (withheld_messages_are_rejected_for_now, "services.intervals"),
     (tables_are_asked_for_together, "services.intervals"),
     (data_streams_by_request, "services.data_streams"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 67dd5c81f6077910
+# Inputs: 8743ab1285590494
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -11,6 +11,7 @@ import importlib
 import inspect
 import json
 import struct
+from functools import cache
 
 import pytest
 from interpreters import CASES, HERE
@@ -106,7 +107,7 @@ def test_fields(carried, modules):
 
     What a frame has of live fields is received by them.
     """
-    for name, (found, frames, _unknown) in carried.items():
+    for name, (found, frames, _unknown, _misspelt) in carried.items():
         known = message_class(modules[0], name)
         for given, payload, read in found:
             assert bytes.fromhex(payload) == packed(known, given), (name, given)
@@ -122,7 +123,7 @@ def test_fields(carried, modules):
 
 def test_unknown_fields(carried):
     """What can be unknown is that at first and when it is set to None, and what is set in between is told."""
-    for name, (_found, _frames, unknown) in carried.items():
+    for name, (_found, _frames, unknown, _misspelt) in carried.items():
         for field, first, given, told, last in unknown:
             assert is_without_number(first), (name, field, first)
             assert told == given, (name, field)
@@ -132,6 +133,26 @@ def test_unknown_fields(carried):
 def is_without_number(value):
     """Return whether a value is unknown: as a whole, or in each element that can be (the others are 0)."""
     return value is None or (isinstance(value, list) and None in value and not any(value))
+
+
+def test_misspelt_fields(carried):
+    """What is no field is told, and which one may have been meant, where a quarter of its letters is wrong."""
+    assert any(misspelt for *_others, misspelt in carried.values())
+    for name, (found, _frames, _unknown, misspelt) in carried.items():
+        fields = found[0][0]
+        for wrong, told in misspelt:
+            letters, nearest = min((distance(wrong, field), field) for field in fields)
+            hint = f"; did you mean {nearest}?" if letters <= max(1, len(wrong) // 4) else ""
+            assert told == f"{name} has no field {wrong}{hint}", (name, wrong)
+
+
+@cache
+def distance(one, other):
+    """Return how many letters one name has to be changed in, put in or left out, to be the other one."""
+    if not one or not other:
+        return len(one) + len(other)
+    changed = distance(one[1:], other[1:]) + (one[0] != other[0])
+    return min(changed, distance(one[1:], other) + 1, distance(one, other[1:]) + 1)
 
 
 def constants():

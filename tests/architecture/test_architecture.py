@@ -98,7 +98,7 @@ KNOW_KINDS = {
 
 VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "common", "misc", "base"}
 
-ON_THE_BOARD = {"firmware", "mocks"}
+ON_THE_BOARD = {"firmware", "mocks", "tests"}
 """Folders of kinds of sensors with MicroPython, which is no part of codegen."""
 
 MODULES = sorted(

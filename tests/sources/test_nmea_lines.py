@@ -7,6 +7,8 @@ import json
 import math
 import random
 import re
+import runpy
+import struct
 import subprocess
 import sys
 from calendar import timegm
@@ -16,6 +18,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+
+from codegen.sources.nmea.kind import OUTPUTS
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(sys.executable).parent
@@ -311,3 +315,35 @@ def test_lines_say_what_the_standard_says(interpreter: str, form: str, step: int
         seen |= {(place, value != UNKNOWN) for place, value in enumerate(expected)}
     assert {(place, True) for place in range(18)} <= seen  # each was known somewhere, and most of them unknown
     assert {(place, False) for place in range(10)} <= seen | {(LONGITUDE + 1, False)}
+
+
+def test_lines_of_the_generated_suite_are_those_of_the_standard() -> None:
+    """What the suite of each project expects of its driver is written down; here it is worked out anew."""
+    listed = runpy.run_path(str(ROOT / "codegen" / "sources" / "nmea" / "tests" / "nmea_lines.py"))
+    for text, said in listed["LINES"].values():
+        assert _said(text) == said, text
+    for kind, field, text, changes in listed["ROWS"]:
+        line, said = listed["LINES"][kind]
+        fields = line.split(",")
+        fields[field] = text
+        expected = {name: value for name, value in (said | changes).items() if value is not False}
+        assert _said(",".join(fields)) == expected, (kind, field, text)
+    assert len(listed["ROWS"]) > 200
+
+
+def _said(text: str) -> dict[str, int | None]:
+    """What is new after a line, by the names of the outputs."""
+    receiver = Receiver()
+    receiver.read(text)
+    values = receiver.values
+    said: dict[str, int | None] = {}
+    for bit, name in enumerate((*(output.name for output in OUTPUTS), "time")):
+        if values[NEW] >> bit & 1:
+            place = bit + (bit > 3)  # longitude has two
+            value = values[place]
+            if name == "longitude" and value != UNKNOWN:
+                value = int.from_bytes(struct.pack("<HH", *values[place : place + 2]), "little", signed=True)
+            elif name == "time":
+                value = int.from_bytes(struct.pack("<4H", *values[place : place + 4]), "little")
+            said[name] = None if value == UNKNOWN else value
+    return said

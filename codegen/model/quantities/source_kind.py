@@ -136,6 +136,22 @@ class Source(ABC):
         return ()
 
     @property
+    def given_in(self) -> tuple[Fraction, ...]:
+        """How many steps of each output make one of the units in which read() of the user's code gives them.
+
+        Empty where a driver gives steps.
+        """
+        return ()
+
+    @property
+    def tests(self) -> tuple[str, ...]:
+        """The files of the generated suite that check its driver, by their paths below codegen/sources.
+
+        Those whose name ends in ``_driver.py`` are run: they print what went wrong in each of their CHECKS.
+        """
+        return ()
+
+    @property
     def cause(self) -> str:
         """Return what is wrong where nothing answers, in the operator's words."""
         return "no answer"

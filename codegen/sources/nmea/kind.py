@@ -108,6 +108,10 @@ class NmeaReceiver(Source):
     def mocks(self) -> tuple[str, ...]:
         return ("nmea/mocks/sim_nmea.py",)
 
+    @property
+    def tests(self) -> tuple[str, ...]:
+        return ("nmea/tests/nmea_driver.py", "nmea/tests/nmea_lines.py")
+
     def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
         settings = {"uart": self.line.number, "output": output.name, "steps": float(steps)}
         return SimulatedInput("nmea", settings, SAID)

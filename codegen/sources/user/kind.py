@@ -57,6 +57,10 @@ class User(Source):
         limits = in_tuple(f"({output.low}, {output.high})" for output in self.outputs)
         return f'UserSource("{module}", "{name}", {scales}, {limits})'
 
+    @property
+    def given_in(self) -> tuple[Fraction, ...]:
+        return self.steps
+
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
         yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs")

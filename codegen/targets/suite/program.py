@@ -27,6 +27,7 @@ from codegen.targets.suite.facts.generations import (
     message_facts,
     shared_facts,
 )
+from codegen.targets.suite.facts.links import LinkFacts, link_facts
 from codegen.targets.suite.withheld import KnownWord, known_words, withheld_messages
 
 _PROGRAM = "tests/program"
@@ -100,6 +101,7 @@ class ProgramSuiteView:
     criteria: dict[str, tuple[str, ...]]
     answered: tuple[int, ...]
     absent: tuple[tuple[int, int], ...]
+    links: tuple[LinkFacts, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +164,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         criteria=check_criteria(system, program),
         answered=_answered(program),
         absent=tuple((each.question.id, each.answer.id) for each in program.absences),
+        links=link_facts(system),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)

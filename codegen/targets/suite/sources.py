@@ -16,9 +16,11 @@ from codegen.render.rendered import rendered
 from codegen.targets.firmware.readings.sources import GivenView, given_by
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
+from codegen.targets.source_files import source_files
 from codegen.tool.template_files import copied
 
 _FOLDER = "tests/sources"
+_DRIVERS = "tests/drivers"
 
 Pair = tuple[int | None, int | None]
 
@@ -47,6 +49,9 @@ class QuantityFacts:
 class SourceFacts:
     """A sensor: how many ``values`` its driver has, and what the specification says of its turns.
 
+    ``given`` has, for each number that read() of the user's code gives, the fewest and the most steps, and how many of
+    them make one of its units, as numerator and denominator.
+
     ``mask`` is the place of the bits of what is new, which are ``new`` where all is, or None.
     """
 
@@ -58,6 +63,7 @@ class SourceFacts:
     limit_us: int | None
     retry_ms: int
     cause: str
+    given: tuple[tuple[int, int, int, int], ...]
     quantities: tuple[QuantityFacts, ...]
     criteria: dict[str, str]
 
@@ -67,6 +73,10 @@ def render_source_suite(system: System) -> dict[str, str]:
     if not system.polled:
         return {}
     files = {path.replace(_FOLDER, "tests"): text for path, text in copied_files(_FOLDER).items()}
+    brought = source_files(system, "tests")
+    if brought:
+        files |= brought
+        files |= {path.replace(_DRIVERS, "tests"): text for path, text in copied_files(_DRIVERS).items()}
     view = tuple(_facts(source, system) for source in system.polled)
     paths = [specification_file(system, f"{name}.yaml") for name in ("board", "state")]
     text = rendered(f"{_FOLDER}/source_facts.py.j2", view)
@@ -102,6 +112,10 @@ def _facts(source: Source, system: System) -> SourceFacts:
         limit_us=polling.limit_us,
         retry_ms=polling.retry_ms,
         cause=source.cause,
+        given=tuple(
+            (output.low, output.high, steps.numerator, steps.denominator)
+            for output, steps in zip(source.outputs, source.given_in, strict=False)
+        ),
         quantities=tuple(_quantity(each) for each in given_by(source, system, word_layout(system), {})),
         criteria={aspect: criterion for aspect, criterion in cited.items() if criterion},
     )

@@ -1,14 +1,15 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: be608853a5aa1072
+# Inputs: d4049edcad55383f
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
 of the same values as live ones, of those fields that can be live, and what of these is received as live ones; then of
 the fields that can be unknown what they are at first, what they are once small values were set, and what they are once
-they are unknown again.
+they are unknown again; and, of some messages, what is said of names that are not quite those of a field.
 """
 
 import json
+import sys
 
 import mavlink
 from fields import layout_of
@@ -76,7 +77,7 @@ def carried(cls):
             pass
         same = [arrived.live[index] == message.live[index] for index in range(len(flat))]
         frames.append([{name: given[name] for name in live}, wire.frame.hex(), same])
-    return [found, frames, unknown(cls, fields)]
+    return [found, frames, unknown(cls, fields), misspelt(cls, fields) if cls in ALL[:3] else []]
 
 
 def unknown(cls, fields):
@@ -95,4 +96,17 @@ def unknown(cls, fields):
     return found
 
 
-print(json.dumps({cls.NAME: carried(cls) for cls in ALL}))
+def misspelt(cls, fields):
+    """Return names that no field has, made of the longest and the shortest that there is, and what is said of each."""
+    found = []
+    for name in (max(fields, key=len), min(fields, key=len)):
+        moved = name[1:2] + name[:1] + name[2:]
+        for wrong in (name[1:], name[:-1], name + "x", "x" + name, "x" + name[1:], moved, name + name, "xyz"):
+            try:
+                cls().get(wrong)
+            except KeyError as error:
+                found.append([wrong, error.args[0]])
+    return found
+
+
+json.dump({cls.NAME: carried(cls) for cls in ALL}, sys.stdout)  # as one text it would need a large piece of the heap

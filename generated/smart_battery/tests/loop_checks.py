@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 95bbee9d1bd7648b
+# Inputs: 5fe0cf8a3755fa9f
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -164,6 +164,28 @@ def faults_do_not_stop_the_loop():
     assert not craft.state.vehicle.ready, "a check that fails is no reason to be ready"
 
 
+def an_interrupt_ends_one_pass():
+    """Ctrl-C at the prompt comes through, and whoever goes on after it has a loop that runs."""
+    craft = new_craft()
+
+    def interrupt():
+        raise KeyboardInterrupt
+
+    control = craft.scheduler._control.call
+    for _ in range(2):
+        craft.scheduler._control.call = interrupt
+        is_through = False
+        try:
+            run(craft, SECOND_US)
+        except KeyboardInterrupt:
+            is_through = True
+        assert is_through
+        craft.scheduler._control.call = control
+        looks = craft.port.looks
+        run(craft, SECOND_US)
+        assert craft.port.looks - looks >= SECOND_US // LINKS_US - 1
+
+
 CHECKS = (
     (control_keeps_its_grid, "control.grid"),
     (jitter_is_no_drift, "control.grid"),
@@ -172,6 +194,7 @@ CHECKS = (
     (missed_slots_are_reported, "control.missed"),
     (load_is_the_share_of_time, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),
+    (an_interrupt_ends_one_pass, "control.grid"),
 )
 
 if __name__ == "__main__":

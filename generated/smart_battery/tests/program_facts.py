@@ -28,6 +28,24 @@ SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
 
+# The user's module and the class in it, which the board starts.
+USER = ("pack", "Pack")
+
+# The links of the board: the kind of each, and its settings.
+LINKS = (
+    (
+        "uart",
+        {
+            "name": "autopilot",
+            "uart": 0,
+            "tx": 0,
+            "rx": 1,
+            "baud": 57600,
+            "size": 1024,
+        },
+    ),
+)
+
 # Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
 ABSENT = ()
 

@@ -1,5 +1,6 @@
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
+import io
 import socket
 import sys
 
@@ -11,14 +12,17 @@ from program_bench import (
     machine,
     main,
     messages,
+    mock_time,
     needs,
     new_craft,
     run,
     run_passes,
 )
-from program_facts import CONTROL_US, LINKS_US, MEASURED, PARAMETERS, STREAMS
+from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS, STREAMS
 
 import board
+import network
+import network_port
 from serial_port import open_uart
 from udp_port import UdpPort
 
@@ -210,6 +214,57 @@ def datagrams_over_the_loopback():
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 
 
+WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
+  "bench": {"host": "127.0.0.2", "port": 2, "local_port": 0}, "spare": {"ssid": "other"}}"""
+
+
+def the_network_is_joined_again():
+    """A port waits for the Wi-Fi of its file, where its own entries come first; a lost one is joined at its pace."""
+    files, joined, texts = [], network_port._joined, []
+    network_port.open = lambda name: files.append(name) or io.StringIO(WIFI)
+    network_port._joined = []
+    network.radio.reset()
+    mock_time.set_ticks_us(0)
+    try:
+        arguments = ("127.0.0.1", 3, 0, "wifi.json", 5000, lambda *words: texts.append(" ".join(map(str, words))))
+        port, twin = UdpPort("bench", *arguments), UdpPort("twin", *arguments)
+        assert files == ["wifi.json"] * 2
+        assert port._address == ("127.0.0.2", 2, 0), port._address
+        assert twin._address == ("127.0.0.9", 1, 0), twin._address
+        tries, ups = [], []
+        for tenth in range(300):
+            before = network.radio.connects
+            if tenth == 20:  # it is lost, and not found for 12 s
+                network.radio.drop()
+                network.radio.connect_after_ms = None
+            if tenth == 140:
+                network.radio.connect_after_ms = 1000
+            for each in (port, twin):
+                each.poll(tenth * 100)
+            tries += [tenth] * (network.radio.connects - before)
+            ups += [port.has_network]
+            assert twin.has_network == port.has_network, tenth
+            mock_time.advance_us(100000)
+        assert network.radio.credentials == ("home", "secret")
+        assert tries == [0, 50, 100], tries
+        assert [tenth for tenth in range(1, 300) if ups[tenth] != ups[tenth - 1]] == [10, 20, 140], ups
+        told = [text for text in texts if text.startswith("notice: bench Wi-Fi")]
+        assert [text.split()[-1] for text in told] == ["up", "down", "up"], texts
+        network.radio.absent = True
+        network_port._joined = []
+        lost = UdpPort("spare", *arguments)
+        assert texts[-1].startswith("warning: spare has no Wi-Fi: "), texts
+        lost.poll(0)
+        assert (port.is_up, twin.is_up, lost.is_up) == (True, True, False)
+    finally:
+        network_port._joined = joined
+        del network_port.open
+        network.radio.reset()
+        for each in (port, twin):
+            if each._socket is not None:
+                each._socket.close()
+
+
 def boards_own_ports():
     """With the ports of the board description, on a host without credentials: the program runs and tells about it."""
     needs(hasattr(board.Board, "open_ports"), "links")
@@ -228,6 +283,71 @@ def boards_own_ports():
     assert [connection.faults for connection in craft.connections] == [0] * len(craft.connections)
 
 
+def what_arrives_is_counted():
+    """Frames that are right, of messages that nobody takes, with unknown flags, and damaged ones: each once."""
+    craft = new_craft()
+    link = craft.connections[0].link
+    whole = bytes(GroundStation(Port()).link.encode(messages.Ping(unknown=False).update(time_usec=1, target_system=9)))
+    assert whole.count(b"\xfd") + whole.count(b"\xfe") == 1, "nothing in it looks like the start of a frame"
+    names = ("received", "unknown", "dropped", "crc_errors")
+    for name, at, byte in zip(names, (0, 8, 2, len(whole) - 1), (0xFD, 0xEE, 2, whole[-1] ^ 1)):  # noqa: B905  MicroPython
+        before = [getattr(link, each) for each in names]
+        for count in (1, 2, 3):
+            craft.port.arrives((whole[:at] + bytes([byte]) + whole[at + 1 :]) * count)
+            run_passes(craft, 4)
+        found = [getattr(link, each) - earlier for each, earlier in zip(names, before)]  # noqa: B905  as above
+        assert found == [6 if each == name else 0 for each in names], (name, found)
+    link = GroundStation(Port()).link
+    link._state[16] = 1000  # so many bytes may be looked at, and [15] of them were: frames_plain says so
+    link.put(whole * 3 + bytes(5))
+    for count in (1, 2, 3):
+        assert link.receive() is not None
+        assert link._state[15] == count * (len(whole) - 2), (count, link._state[15])
+    assert link.receive() is None
+    assert link._state[15] == 3 * (len(whole) - 2) + 5, link._state[15]
+    link._state[15] = 0
+    assert whole[4] == 0, "so that it is a HEARTBEAT to who takes the byte before it for the first one of MAVLink 1"
+    link.put(b"\xfe" + whole + bytes(300))
+    found = [link.receive() for _ in range(2)]
+    assert [message and message.ID for message in found] == [messages.Ping.ID, None], found
+    assert link.crc_errors == 1
+
+
+OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
+    "open_uart": ("uart", "name", "uart"),
+    "open_fixed_uart": ("uart", "name", "uart"),
+    "open_usb": ("usb", "name"),
+    "UdpPort": ("udp", "name", "to", "udp"),
+    "TcpServer": ("tcp_server", "name", "tcp_server"),
+    "TcpClient": ("tcp_client", "name", "to", "tcp_client"),
+}
+
+
+def ports_are_those_of_the_specification():
+    """Each link is opened in its order, and with its settings."""
+    needs(LINKS, "links")
+    opened = []
+
+    def noting(kind, names):
+        def note(*values, log=None, **settings):  # noqa: ARG001  where a port tells what goes wrong
+            settings.update(dict(zip(names, values)))  # noqa: B905  MicroPython's has no strict
+            opened.append((kind, settings))
+
+        return note
+
+    craft = new_craft()
+    true = {name: getattr(board, name) for name in OPENED if hasattr(board, name)}
+    try:
+        for name in true:
+            kind, *names = OPENED[name]
+            setattr(board, name, noting(kind, names))
+        craft.board.open_ports()
+    finally:
+        for name, opener in true.items():
+            setattr(board, name, opener)
+    assert opened == list(LINKS), opened
+
+
 CHECKS = (
     (partial_writes_keep_frames_whole, "services.links"),
     (full_buffer_drops_whole_frames, "services.links"),
@@ -236,7 +356,10 @@ CHECKS = (
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
+    (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
+    (what_arrives_is_counted, "services.garbage"),
+    (ports_are_those_of_the_specification, "services.links"),
 )
 
 if __name__ == "__main__":

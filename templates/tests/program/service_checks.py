@@ -366,6 +366,28 @@ def what_is_not_here_is_answered():
     assert craft.connections[0].faults == 0, craft.said()
 
 
+def files_are_refused():
+    """A request for files: at once a NAK with the next number, to who asked; none for others, and none to an answer."""
+    import services  # noqa: PLC0415  as long as nothing else here needs it
+
+    craft, station = _met()
+    for system, component in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (SYSTEM_ID + 1, 0), (SYSTEM_ID, COMPONENT_ID + 1)):
+        for number, session, opcode in ((0, 0, 0), (254, 1, 4), (255, 2, 5), (256, 9, 127), (65535, 7, 3), (1, 3, 128)):
+            head = bytes([number & 0xFF, number >> 8, session, opcode])
+            request = services.FtpHead(unknown=False)
+            for place, byte in enumerate(bytes([0, system, component]) + head):
+                request.wire[place] = byte
+            station.port.frames = []
+            station.link.send(request)
+            run_passes(craft, 3)
+            found = [frame[10:-2] for frame in station.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == 110]
+            next_number = number + 1 & 0xFFFF
+            refusal = bytes([next_number & 0xFF, next_number >> 8, session, 129, 1, opcode, 0, 0, 0, 0, 0, 0, 7])
+            is_asked = system in (0, SYSTEM_ID) and component in (0, COMPONENT_ID) and opcode < 128
+            assert found == [bytes([0, 255, 190]) + refusal] * is_asked, (number, opcode, system, component, found)
+    assert craft.connections[0].faults == 0, craft.said()
+
+
 def checks_are_said_on_request():
     """Within a second what speaks against arming is said, while the vehicle is disarmed."""
     needs_arming()
@@ -484,6 +506,7 @@ CHECKS = (
     (texts_reach_every_link, "services.texts"),
     (what_stands_is_told_again, "services.standing"),
     (what_is_not_here_is_answered, "services.absent"),
+    (files_are_refused, "services.absent"),
     (checks_are_said_on_request, "services.checks"),
     (defaults_by_command, "services.defaults"),
     (garbage_is_survived, "services.garbage"),

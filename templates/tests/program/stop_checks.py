@@ -1,9 +1,10 @@
-"""stop_motors() of the user's code: called in each failure, and a fault in it changes nothing else."""
+"""The user's code: which class is started, and stop_motors(), called in each failure; a fault in it changes nothing."""
 
 import asyncio
 import machine
+import sys
 from program_bench import Craft, SECOND_US, live, main, needs, needs_arming, new_craft, run
-from program_facts import ACTIONS, FORCE_ARM
+from program_facts import ACTIONS, FORCE_ARM, USER
 
 
 def _stopping(craft, fails=False):
@@ -153,7 +154,59 @@ async def _wait():
     await asyncio.sleep_ms(5000)
 
 
+class Module:
+    """Stands in for the user's module."""
+
+
+def _started():
+    """Return what main.py takes for the class of the vehicle."""
+    import main as program  # noqa: PLC0415
+
+    return program.vehicle_class()
+
+
+def its_class_is_taken():
+    """One that is derived from Vehicle is; another one is a fault that names both; without the module it is Vehicle."""
+    import vehicle  # noqa: PLC0415
+
+    name, class_name = USER
+    before = sys.modules.get(name)
+
+    class Own(vehicle.Vehicle):
+        """A vehicle of the user's."""
+
+    try:
+        module = sys.modules[name] = Module()
+        setattr(module, class_name, Own)
+        assert _started() is Own
+        setattr(module, class_name, Module)
+        told = ""
+        try:
+            _started()
+        except TypeError as error:
+            told = str(error)
+        assert f"{name}.{class_name}" in told, told
+    finally:
+        del sys.modules[name]
+        if before is not None:
+            sys.modules[name] = before
+
+
+def without_it_there_is_a_vehicle():
+    """A board that has only the firmware runs it."""
+    import vehicle  # noqa: PLC0415
+
+    try:
+        __import__(USER[0])
+    except ImportError:
+        assert _started() is vehicle.Vehicle
+        return
+    needs(False, "a board without the user's module")
+
+
 CHECKS = (
+    (its_class_is_taken,),
+    (without_it_there_is_a_vehicle,),
     (disarming_stops_them, "arming.stop"),
     (terminating_stops_them, "arming.stop"),
     (a_fault_of_control_stops_them, "arming.stop"),

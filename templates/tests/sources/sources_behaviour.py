@@ -126,6 +126,37 @@ def ends(facts):
     assert bench.texts == [], bench.texts
 
 
+def what_code_gives(facts):
+    """Numbers that read() gives in units become steps; None, NaN and what is beyond the limits are unknown."""
+    if not facts["given"]:
+        return
+    driver = getattr(Sources(SystemState(log=silent), silent), facts["name"]).driver
+    count = len(facts["given"])
+    for at, (low, high, numerator, denominator) in enumerate(facts["given"]):
+        for steps in (low - 1, low, (low + high) // 2, high, high + 1, None):
+            expected = steps if steps is not None and low <= steps <= high else UNKNOWN
+            for number in (float("nan"), None) if steps is None else (steps * denominator / numerator,):
+                driver._read = lambda at=at, number=number: _row(count, at, number)
+                assert driver.poll(0)
+                found = list(driver.values)
+                assert found == [expected if place == at else UNKNOWN for place in range(count)], (at, number, found)
+    if count > 1:
+        driver._read = lambda: None
+        assert driver.poll(0)
+        assert list(driver.values) == [UNKNOWN] * count
+        for wrong in (count - 1, count + 1):
+            driver._read = lambda wrong=wrong: (0,) * wrong
+            try:
+                driver.poll(0)
+            except Fault:
+                continue
+            raise AssertionError(wrong)
+
+
+def _row(count, at, number):
+    return number if count == 1 else tuple([number if place == at else None for place in range(count)])
+
+
 def failures(facts):
     """A failure keeps the last value, so many in a row make it unknown; the first is told at once, its return, too."""
     bench = Bench(facts)
@@ -295,6 +326,7 @@ def allocates_nothing(facts):
 
 CHECKS = (
     ("range", ends),
+    ("range", what_code_gives),
     ("failure", failures),
     ("recovery", set_up_again),
     ("recovery", absent_at_the_start),

@@ -164,9 +164,14 @@ def _case(
 ) -> MessageCase:
     own = message.component.name if message.component else None
     settings = [
-        setting
+        set_to(used[path], value, instance if used[path].component == own else 0)
         for path, value in known.items()
-        for setting in [set_to(used[path], value, instance if used[path].component == own else 0)]
+        if path in used
+    ]
+    settings += [
+        ("parameters", first_attribute(parameter), steps, 0)
+        for parameter in {each.path: each for answer in message.answers for each in answer.parameters}.values()
+        if isinstance(steps := known.get(parameter.path), int)
     ]
     for choice in message.represents.values():
         enabled = choice.component.enabled

@@ -1,0 +1,32 @@
+"""What the drivers of sensors make of what their devices say, each script in one run of each interpreter.
+
+A test is named by its script and check.
+"""
+
+import ast
+
+import pytest
+from interpreters import HERE
+
+
+def _checks(path):
+    """Return the name of each check of a script, without running it."""
+    for statement in ast.parse(path.read_text()).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
+            yield from (entry.id for entry in statement.value.elts)
+
+
+def _cases():
+    for interpreter in ("cpython", "micropython"):
+        for path in sorted(HERE.glob("*_driver.py")):
+            for name in _checks(path):
+                case = f"{interpreter}-{path.name.removesuffix('_driver.py')}-{name}"
+                yield pytest.param(interpreter, path.name, name, id=case)
+
+
+@pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
+def test_driver(interpreter, script, name, printed):
+    """The driver understands what its device says."""
+    found = printed(interpreter, script)
+    assert "" not in found, found[""]
+    assert found[name] is None, found[name]
