@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: ef0ea3b8d282ecc4
+# Inputs: 08520e76697b159b
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -26,7 +26,8 @@ _LOOK_MS = const(100)  # no later the streams and the port have a turn
 _ARRIVED = const(0)  # what comes first in a pass: what arrived,
 _STREAMS = const(1)  # or streams, and nothing is taken in,
 _OTHERS = const(2)  # or what else waits, and then streams
-_WORKED = const(15)  # where the state of a link has what is limited in a pass: frames_plain says more
+_NUMBER = const(6)  # where the state of a link has the id of a message, frames_plain says more,
+_WORKED = const(15)  # and what is limited in a pass
 _HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
@@ -53,7 +54,8 @@ class Connection:
     At the other end of another port there is one station: all that hear what goes out there.
 
     `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
-    deliver() send, and `streams` are its.
+    deliver() send, and `streams` are its. What sets quantities is taken after the services, by the Reception that
+    its message names, or that `tables` has by the id of one that is made anew each time.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -81,6 +83,7 @@ class Connection:
         self.station.text = 0  # what was said before there was a link
         self.streams = self.station.streams
         self.services = Services(vehicle, self)
+        self.tables = {}
         self.inbox = Inbox(port, link)
         self._texts = TextSender(self, vehicle.texts)
         self._is_idle = False  # whether nothing was left to do in the last pass
@@ -103,7 +106,11 @@ class Connection:
         log = self._log
         budget = self._budget
         most = vehicle.MESSAGES
-        buffered = self.link._state  # frames_plain says what it holds
+        buffered = self.link._state  # frames_plain says what it holds, and the image of a message
+        system_id, component_id = self.system_id, self.component_id
+        is_alone = self._stations is None
+        handle, takers = self.services.handle, self.services._takers
+        tables = self.tables
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
@@ -131,8 +138,28 @@ class Connection:
                             budget[0] -= 1
                             try:
                                 message = self.inbox.next(now_ms)
-                                if message is not None and self._is_answered(message, now_ms):
-                                    self.services.handle(message)
+                                if message is not None:
+                                    sent = message._image
+                                    number = buffered[_NUMBER]
+                                    if (sent[7] != system_id or sent[8] != component_id) and (
+                                        is_alone or self._has_place(message, number, now_ms)
+                                    ):
+                                        found = takers.get(number)
+                                        if found is not None:
+                                            if found[1]:
+                                                handle(message)
+                                            else:  # it is for everybody
+                                                found[0](message)
+                                        table = message._taker
+                                        if table is None and tables:
+                                            table = tables.get(number)
+                                        if table is not None:
+                                            found = table.take(message, sent, now_ms)
+                                            if found:
+                                                if found > 0:
+                                                    table.tell(message)
+                                                if table.called is not None:
+                                                    table.called()
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
@@ -262,15 +289,10 @@ class Connection:
         station.waiting.append(reply)
         self._is_idle = False
 
-    def _is_answered(self, message, now_ms):
-        """Turn to who has sent a message; return whether it is not its own, and there is a place for who it is of."""
-        sent = message._image  # frames_plain says what it holds
-        if sent[7] == self.system_id and sent[8] == self.component_id:
-            return False
-        if self._stations is None:
-            return True
+    def _has_place(self, message, number, now_ms):
+        """Turn to who has sent a message; return whether there is a place for who it is of."""
         if (  # no vehicle is a station
-            message.ID == _HEARTBEAT
+            number == _HEARTBEAT
             and message.wire[_TYPE] != _MAV_TYPE_GCS
             and message.wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID
         ):
