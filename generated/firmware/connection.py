@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 08520e76697b159b
+# Inputs: ca8ae265ed9a89e2
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -111,6 +111,7 @@ class Connection:
         is_alone = self._stations is None
         handle, takers = self.services.handle, self.services._takers
         tables = self.tables
+        stations, count = self.stations, len
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
@@ -163,8 +164,9 @@ class Connection:
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
-                            for _ in look(0):
-                                is_left = True
+                            if budget[0] > 0:  # or the next pass looks
+                                for _ in look(0):
+                                    is_left = True
                         if budget[0] <= 0:  # what is to be sent comes first in the next pass
                             first = _STREAMS
                             next_ms = now_ms
@@ -173,7 +175,7 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    for station in self.stations:
+                    for station in stations:
                         if (
                             station.waiting
                             or station.text != text
@@ -191,6 +193,8 @@ class Connection:
                                     station.streams.run(now_ms)
                                 except Exception as error:
                                     self._note(error, now_ms)
+                                if budget[0] <= 0:
+                                    break
                             try:
                                 if budget[0] > 0 and station.waiting:
                                     self._send_waiting(station.waiting)
@@ -221,7 +225,8 @@ class Connection:
                         next_ms = ticks_add(now_ms, least_ms)
                         is_more = is_left
                     else:  # whether anything is left is found out in the next pass
-                        if self._pass_on(now_ms) and turn == _ARRIVED:
+                        is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
+                        if is_left_out and turn == _ARRIVED:
                             first = _STREAMS
                         elif turn != _OTHERS:
                             first = _OTHERS
@@ -338,8 +343,6 @@ class Connection:
     def _pass_on(self, now_ms):
         """Let others than the station at hand have their share first next time; return whether streams may wait."""
         stations = self.stations
-        if len(stations) == 1:
-            return self.streams.has_waited
         while stations[-1] is not self.station:
             stations.append(stations.pop(0))
         for station in stations:

@@ -106,6 +106,7 @@ class Connection:
         is_alone = self._stations is None
         handle, takers = self.services.handle, self.services._takers
         tables = self.tables
+        stations, count = self.stations, len
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
@@ -158,8 +159,9 @@ class Connection:
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
-                            for _ in look(0):
-                                is_left = True
+                            if budget[0] > 0:  # or the next pass looks
+                                for _ in look(0):
+                                    is_left = True
                         if budget[0] <= 0:  # what is to be sent comes first in the next pass
                             first = _STREAMS
                             next_ms = now_ms
@@ -168,7 +170,7 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    for station in self.stations:
+                    for station in stations:
                         if (
                             station.waiting
                             or station.text != text
@@ -186,6 +188,8 @@ class Connection:
                                     station.streams.run(now_ms)
                                 except Exception as error:
                                     self._note(error, now_ms)
+                                if budget[0] <= 0:
+                                    break
                             try:
                                 if budget[0] > 0 and station.waiting:
                                     self._send_waiting(station.waiting)
@@ -216,7 +220,8 @@ class Connection:
                         next_ms = ticks_add(now_ms, least_ms)
                         is_more = is_left
                     else:  # whether anything is left is found out in the next pass
-                        if self._pass_on(now_ms) and turn == _ARRIVED:
+                        is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
+                        if is_left_out and turn == _ARRIVED:
                             first = _STREAMS
                         elif turn != _OTHERS:
                             first = _OTHERS
@@ -333,8 +338,6 @@ class Connection:
     def _pass_on(self, now_ms):
         """Let others than the station at hand have their share first next time; return whether streams may wait."""
         stations = self.stations
-        if len(stations) == 1:
-            return self.streams.has_waited
         while stations[-1] is not self.station:
             stations.append(stations.pop(0))
         for station in stations:
