@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: ca8ae265ed9a89e2
+# Inputs: 3c02ec4326e689a4
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -121,13 +121,8 @@ class Connection:
                 for _ in look(0):
                     is_left = True
                 is_more = False
-                if (
-                    is_left
-                    or not self._is_idle
-                    or log.last != text
-                    or parameters.changes != changes
-                    or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
-                ):
+                is_due = not (self._is_idle and 0 < diff(next_ms, now_ms) <= _LOOK_MS)
+                if is_due or is_left or log.last != text or parameters.changes != changes:
                     self._is_idle = True  # unless something is left
                     budget[0] = most
                     turn = first
@@ -175,9 +170,11 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
+                    is_due = is_due and count(stations) == 1  # of several, each has to be asked
                     for station in stations:
                         if (
-                            station.waiting
+                            is_due
+                            or station.waiting
                             or station.text != text
                             or station.said is not None
                             or station.parameter is not None

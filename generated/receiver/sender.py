@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 6e7887f0d99d0339
+# Inputs: b7cb5d0d547798ef
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -85,15 +85,18 @@ class Sender:
 
     def send_frame(self, frame):
         """Write a frame that was made for this sender just now, as send() does with a message's."""
-        try:
-            written = self.stream.write(frame) or 0
-        except OSError:
-            written = 0
+        written = self._write(frame)
         at = self._sequence_at
         self._frame[at] = (self._frame[at] + 1) & 0xFF
         if written != _len(frame):
             self.tx_errors += 1
         return written
+
+    def _write(self, frame):
+        try:
+            return self.stream.write(frame) or 0
+        except OSError:
+            return 0
 
 
 def _signed(encode, signing):

@@ -116,13 +116,8 @@ class Connection:
                 for _ in look(0):
                     is_left = True
                 is_more = False
-                if (
-                    is_left
-                    or not self._is_idle
-                    or log.last != text
-                    or parameters.changes != changes
-                    or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
-                ):
+                is_due = not (self._is_idle and 0 < diff(next_ms, now_ms) <= _LOOK_MS)
+                if is_due or is_left or log.last != text or parameters.changes != changes:
                     self._is_idle = True  # unless something is left
                     budget[0] = most
                     turn = first
@@ -170,9 +165,11 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
+                    is_due = is_due and count(stations) == 1  # of several, each has to be asked
                     for station in stations:
                         if (
-                            station.waiting
+                            is_due
+                            or station.waiting
                             or station.text != text
                             or station.said is not None
                             or station.parameter is not None

@@ -81,16 +81,21 @@ class Several:
 
     def take(self, message, image, now_ms):
         """Let each take it; all that is to be done then is done."""
-        _take(self._first, message, image, now_ms)
-        _take(self._second, message, image, now_ms)
+        table = self._first
+        found = table.take(message, image, now_ms)
+        if found:
+            _tell(table, message, found)
+        table = self._second
+        found = table.take(message, image, now_ms)
+        if found:
+            _tell(table, message, found)
         return 0
 
 
-def _take(table, message, image, now_ms):  # with few variables: those of a larger function lie on the heap
-    found = table.take(message, image, now_ms)
+def _tell(table, message, found):  # apart, since the variables of a larger function lie on the heap
     if found > 0:
         table.tell(message)
-    if found and table.called is not None:
+    if table.called is not None:
         table.called()
 
 
