@@ -21,6 +21,11 @@ from codegen.tool.cache import cache_folder
 
 ROOT = Path(__file__).resolve().parents[1]
 
+# Thousands of small projects are written and removed: in memory, where there is plenty, no disk is waited for.
+IN_MEMORY, PLENTY = Path("/dev/shm"), 8_000_000_000  # noqa: S108  where Linux keeps a file system in memory
+if "TMPDIR" not in os.environ and os.access(IN_MEMORY, os.W_OK) and shutil.disk_usage(IN_MEMORY).free > PLENTY:
+    os.environ["TMPDIR"] = tempfile.tempdir = str(IN_MEMORY)
+
 # Commands that tests start share a cache that is new with each run: what an earlier run kept is no evidence. This
 # process has none, since tests exchange parts of codegen here. Tests of the cache have folders of their own.
 os.environ["CODEGEN_CACHE"] = "off"

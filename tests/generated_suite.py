@@ -12,12 +12,17 @@ _UNUSED = (
     "debugging", "doctest", "faulthandler", "logging", "pastebin", "recwarn", "setuponly", "stepwise",
     "threadexception", "unittest", "unraisableexception", "warnings",
 )  # fmt: skip
-"""Parts of pytest that watch each test for what no suite does, which is a fifth of what a thousand tests take."""
+"""Parts of pytest that watch each test for what no suite does, which is a fifth of what a thousand tests take.
+
+Nor are asserts rewritten: each of these suites is compiled once, run once, and thrown away.
+"""
 
 ALONE = {
     **os.environ,
     "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-    "PYTEST_ADDOPTS": " ".join(("--capture=no", "-p no:cacheprovider", *(f"-p no:{name}" for name in _UNUSED))),
+    "PYTEST_ADDOPTS": " ".join(
+        ("--capture=no", "--assert=plain", "-p no:cacheprovider", *(f"-p no:{name}" for name in _UNUSED))
+    ),
 }
 """The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
 

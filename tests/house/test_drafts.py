@@ -29,10 +29,14 @@ def test_neither(): ...
 """
 
 
-@pytest.mark.parametrize("options", [(), ("-n", "2")])
 @pytest.mark.parametrize(
-    ("alternative", "passed", "left"),
-    [("", 3, 0), ("battery_rfc_0018", 1, 2), ("battery_cell_faults_rfc_0018", 2, 1)],
+    ("alternative", "passed", "left", "options"),
+    [
+        ("", 3, 0, ()),
+        ("battery_rfc_0018", 1, 2, ("-n", "1")),
+        ("battery_rfc_0018", 1, 2, ()),
+        ("battery_cell_faults_rfc_0018", 2, 1, ()),
+    ],
 )
 def test_those_of_other_drafts_are_left_out_and_counted(
     alternative: str, passed: int, left: int, options: tuple[str, ...], tmp_path: Path

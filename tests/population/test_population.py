@@ -21,7 +21,7 @@ from codegen.answers.limits import Bounds
 from codegen.model.code.statements import scaled
 from codegen.model.spec.population import Rounding
 
-PARTS = 4
+PARTS = 2
 
 
 @pytest.fixture(scope="module")

@@ -57,8 +57,8 @@ def test_a_hung_loop_is_ended_by_the_watchdog(runtime: str, tmp_path: Path) -> N
 def test_code_in_which_no_time_passes_is_found(
     runtime: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """No simulated time passes in an endless loop: after 30 s without a sign, here 6, it is interrupted there."""
-    monkeypatch.setattr(simulate, "__defaults__", (6.0,))
+    """No simulated time passes in an endless loop: after 30 s without a sign, here 4, it is interrupted there."""
+    monkeypatch.setattr(simulate, "__defaults__", (4.0,))
     monkeypatch.chdir(ROOT)
     code = tmp_path / "mine.py"
     code.write_text(CODE.format(hang="while True: pass"))

@@ -4,6 +4,7 @@
 which messages a part may be about; the other modules each know what is said of one kind of thing and compare it.
 """
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
 from codegen.claims.reading import Reading
@@ -51,9 +52,11 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     """Whether the sentence of a finding is about other things than the messages of the dialect."""
     if span.is_code and not span.is_comment:
         return False
-    offset = next((at for at in span.sentence.offsets if span.place(at) == found.place), None)
-    if offset is None:
+    offsets = span.sentence.offsets
+    at = bisect_left(offsets, found.place, key=span.place)  # places follow one another as offsets do
+    if at == len(offsets) or span.place(offsets[at]) != found.place:
         return False
+    offset = offsets[at]
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
     low, high = span.bounds(offset)
