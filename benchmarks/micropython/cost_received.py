@@ -38,7 +38,9 @@ stick = messages.ManualControl(unknown=False).update(target=connection.system_id
 sticks = messages.RcChannelsOverride(unknown=False).update(
     target_system=connection.system_id, chan1_raw=1500, chan2_raw=1600, chan8_raw=1700, chan9_raw=1800, chan18_raw=1900
 )
-fix = messages.GpsInput(unknown=False).update(time_usec=7, lat=481173000, lon=115166667, alt=545.4, hdop=0.9, vn=1.5)
+fix = messages.GpsInput(unknown=False).update(
+    time_usec=7, lat=481173000, lon=115166667, alt=545.4, hdop=0.9, vn=1.5, vd=0.25, satellites_visible=9, yaw=9000
+)
 frames = {
     "HEARTBEAT": bytes(ground.encode(mode)),
     "MANUAL_CONTROL": bytes(own.encode(stick)),
