@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 9df7c638a24c65f4
+# Inputs: 7698a57c96d18f11
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -30,7 +30,6 @@ class Message:
     TARGETS = ()  # where its payload has the target system and component, as far as it has them
     DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
-    _taker = None  # who takes it on a link of a vehicle, see reception.py
     _layout = None  # what fields.layout() returns, once it is needed
 
     def __init__(self, live=(), unknown=True):
@@ -51,7 +50,7 @@ class Message:
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
         keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
-        keep(self, "_taker", None)  # found here, it is found sooner than in the class
+        keep(self, "_taker", None)  # who takes it on a link of a vehicle, see reception.py
         if unknown:
             _read_fields().forget(self)
 

@@ -28,7 +28,6 @@ class Message:
     TARGETS = ()  # where its payload has the target system and component, as far as it has them
     DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
-    _taker = None  # who takes it on a link of a vehicle, see reception.py
     _layout = None  # what fields.layout() returns, once it is needed
 
     def __init__(self, live=(), unknown=True):
@@ -49,7 +48,7 @@ class Message:
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
         keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
-        keep(self, "_taker", None)  # found here, it is found sooner than in the class
+        keep(self, "_taker", None)  # who takes it on a link of a vehicle, see reception.py
         if unknown:
             _read_fields().forget(self)
 

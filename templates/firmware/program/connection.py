@@ -50,7 +50,7 @@ class Connection:
 
     `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
     deliver() send, and `streams` are its. What sets quantities is taken after the services, by the Reception that
-    its message names, or that `tables` has by the id of one that is made anew each time.
+    its message names.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -78,7 +78,6 @@ class Connection:
         self.station.text = 0  # what was said before there was a link
         self.streams = self.station.streams
         self.services = Services(vehicle, self)
-        self.tables = {}
         self.inbox = Inbox(port, link)
         self._texts = TextSender(self, vehicle.texts)
         self._is_idle = False  # whether nothing was left to do in the last pass
@@ -104,8 +103,7 @@ class Connection:
         buffered = self.link._state  # frames_plain says what it holds, and the image of a message
         system_id, component_id = self.system_id, self.component_id
         is_alone = self._stations is None
-        handle, takers = self.services.handle, self.services._takers
-        tables = self.tables
+        takers = self.services._takers
         stations, count = self.stations, len
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
@@ -138,12 +136,10 @@ class Connection:
                                         found = takers.get(number)
                                         if found is not None:
                                             if found[1]:
-                                                handle(message)
+                                                self.services.handle(message)
                                             else:  # it is for everybody
                                                 found[0](message)
                                         table = message._taker
-                                        if table is None and tables:
-                                            table = tables.get(number)
                                         if table is not None:
                                             found = table.take(message, sent, now_ms)
                                             if found:

@@ -99,6 +99,17 @@ def _tell(table, message, found):  # apart, since the variables of a larger func
         table.called()
 
 
+def rarely(table):
+    """Return what lets a Reception take messages that the services hand on: those that are made anew each time."""
+
+    def take(message):
+        found = table.take(message, message._image, ticks_ms())
+        if found:
+            _tell(table, message, found)
+
+    return take
+
+
 def is_from(reception, system):
     """Return whether a system may send what a Reception takes."""
     if reception.sender == GROUND_STATION:

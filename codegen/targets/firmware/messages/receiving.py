@@ -76,9 +76,9 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
     machine_code = system.spec.project.machine_code
     senders = {("reception", take.sender) for take in takes}
     is_shared = len({take.class_name for take in takes}) < len(takes)
-    several = [("reception", "Several")] if is_shared else []
+    names = ["Reception", "rarely", *(["Several"] if is_shared else [])]
     return ReceivingView(
-        imports=import_lines(["messages"], [("message", "keep"), ("reception", "Reception"), *several, *senders]),
+        imports=import_lines(["messages"], [("message", "keep"), *(("reception", name) for name in names), *senders]),
         either=either_import(
             "receiving", sorted([*(take.function for take in takes), "taker"]), machine_code=machine_code
         ),
