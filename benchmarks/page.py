@@ -13,6 +13,7 @@ TITLES = {
     "generator": "The generator",
     "size": "What it takes on a board",
     "heap": "The heap of the whole program",
+    "heap_modules": "Where the heap goes",
     "simulation": "The simulation",
 }
 """The benchmarks in the order of the page: the name of each script, and its heading."""

@@ -159,6 +159,8 @@ def looked_at(connection: "Connection", system: "System", report: "Report") -> "
 
     board = identified(connection)
     print(f"{board.words} ({connection.port})", file=sys.stderr)
+    if board.roms:
+        print("it has a ROMFS, from which the program takes less heap: codegen deploy --image FILE", file=sys.stderr)
     with working("compiling, and looking what the board has"):
         files = board_files(system, board, connection.port, report)
         return board, None if report.has_errors else prepare(connection, board, system, files, report)

@@ -18,6 +18,7 @@ class Board:
 
     ``mpy`` is the version and sub-version of .mpy files that it loads, (0, 0) if none; ``architecture`` is what
     mpy-cross calls its machine code, ``bytecode`` where it runs none, and None where its ``number`` is unknown.
+    ``roms`` is how many partitions for a ROMFS it has.
     """
 
     version: tuple[int, ...]
@@ -28,6 +29,7 @@ class Board:
     block: int
     room: int
     free: int
+    roms: int
 
     @property
     def words(self) -> str:
@@ -59,4 +61,5 @@ def board_of(told: Mapping[str, Any]) -> Board:
         block=told["block"],
         room=told["room"],
         free=told["free"],
+        roms=max(0, told["roms"]),
     )

@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: 0b470702247403ce
+# Inputs: 2123bbce181b6a46
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
@@ -11,7 +11,9 @@ payload is 1, so that who looks for the last byte that is not zero finds one; be
 multiple of 16 bytes, which is read and copied at once.
 
 A link's frame stands two bytes into its buffer, so that the payload begins at a multiple of 4; the first byte of the
-buffer is the longest payload that it holds. Of 16 bytes that are copied the last 15 may lie behind the payload.
+buffer is the longest payload that it holds, the second one the length up to which each has its view. In the 8 bytes in
+front of the buffer machine code finds where the table of the checksum is. Of 16 bytes that are copied the last 15 may
+lie behind the payload.
 
 A receiver's state is an array: [0] where to look on, [1] end of the received bytes; [12] whether data are kept that
 did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the
@@ -35,16 +37,18 @@ def address(_data):
     return 0
 
 
-def encoder(frame, views):
+def encoder(frame, views, new_view):
     """Return the function encode(message), which puts the live values into the message's payload and makes its frame.
 
     `frame` is the link's buffer, and `views` has what encode() returns, by the length of the payload: MAVLink 2 leaves
-    out zeros at the end of it, but never the first byte; MAVLink 1 sends no extensions. ValueError: the message does
-    not go over this link, by its length or, in MAVLink 1, by its id.
+    out zeros at the end of it, but never the first byte; MAVLink 1 sends no extensions. Of a length that may have no
+    view yet, it returns new_view(length). ValueError: the message does not go over this link, by its length or, in
+    MAVLink 1, by its id.
     """
 
     def encode(message):
-        return views[_write_frame(frame, message._image, message.live)]
+        length = _write_frame(frame, message._image, message.live)
+        return new_view(length) if length > frame[1] else views[length]
 
     return encode
 

@@ -23,7 +23,10 @@ except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
 COMPONENT_ID = 1  # MAV_COMP_ID_AUTOPILOT1
 VERSION = 2
-LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
+LONGEST = 140  # bytes of the longest payload
+# Lengths of payloads that go out, from the first to the last of each range, without the zeros at the end: a link keeps
+# a view of each.
+_LENGTHS = ((0, 54), (97, 97), (107, 107))
 
 OFF = -1
 _LOOK_MS = const(100)  # from one look at what is watched to the next
@@ -59,7 +62,7 @@ _BATTERY_SWAPS_NUMBER = (12, 99)
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
     """Return a link with the ids and the MAVLink version of this vehicle; `known` are the messages it receives."""
-    return Link(stream, system_id, COMPONENT_ID, VERSION, known, LONGEST)
+    return Link(stream, system_id, COMPONENT_ID, VERSION, known, LONGEST, None, _LENGTHS)
 
 
 def _send(encode, state, link):

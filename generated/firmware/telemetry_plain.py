@@ -55,23 +55,53 @@ _VEHICLE_LOAD_DPCT = const(4)
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-# What the builders return, in their order; one for each instance, where a message is about several.
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
 _MESSAGES = (
-    messages.Heartbeat(unknown=False),
-    messages.SysStatus(unknown=False),
-    [messages.BatteryStatus(unknown=False) for _ in range(2)],
-    messages.AutopilotVersion(unknown=False),
-    messages.ProtocolVersion(unknown=False),
-    [messages.BatteryStatusV2(unknown=False) for _ in range(2)],
-    [messages.SmartBatteryInfo(unknown=False) for _ in range(2)],
-    [messages.BatteryInfo(unknown=False) for _ in range(2)],
-    [messages.BatteryCellVoltages(unknown=False) for _ in range(2)],
+    [None],
+    [None],
+    [None] * 2,
+    [None],
+    [None],
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
+    [None] * 2,
 )
+
+
+def _expire_battery(value, words, battery):
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
+            words[battery + _BATTERY_TREND_COUNT] = 0
+            words[battery + _BATTERY_TREND_NEWER] = 0
+            words[battery + _BATTERY_TREND_OLDER] = 0
+            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+
+def _expire_battery_current(value, words, battery):
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
+            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
+            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
+            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
+            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+
+
+def _made(place, instance, kind):
+    message = _MESSAGES[place][instance] = kind(unknown=False)
+    return message
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _MESSAGES[0]
+    message = _MESSAGES[0][0]
+    if message is None:
+        message = _made(0, 0, messages.Heartbeat)
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -119,7 +149,9 @@ def write_heartbeat(value, place, wire, words):
 
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _MESSAGES[1]
+    message = _MESSAGES[1][0]
+    if message is None:
+        message = _made(1, 0, messages.SysStatus)
     write_sys_status(time.ticks_ms(), 0, message.wire, state.words, state.parameters.batt_sys_status)
     return message
 
@@ -146,24 +178,9 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
             place = 0
             battery = _BATTERY + _BATTERY_SIZE * place
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
     wire[0] = 0
@@ -231,28 +248,16 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     wire[17] = value >> 8 & 0xFF
 
     # drop_rate_comm: 0 (FR-00068.9)
-    wire[18] = 0
-    wire[19] = 0
 
     # errors_comm: 0 (FR-00068.9)
-    wire[20] = 0
-    wire[21] = 0
 
     # errors_count1: 0 (FR-00068.9)
-    wire[22] = 0
-    wire[23] = 0
 
     # errors_count2: 0 (FR-00068.9)
-    wire[24] = 0
-    wire[25] = 0
 
     # errors_count3: 0 (FR-00068.9)
-    wire[26] = 0
-    wire[27] = 0
 
     # errors_count4: 0 (FR-00068.9)
-    wire[28] = 0
-    wire[29] = 0
 
     # battery_remaining [%]: battery.remaining (FR-00068.5)
     value = words[battery + _BATTERY_REMAINING_PCT]
@@ -263,27 +268,17 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     wire[30] = value & 0xFF
 
     # onboard_control_sensors_present_extended: no flag (FR-00068.9)
-    wire[31] = 0
-    wire[32] = 0
-    wire[33] = 0
-    wire[34] = 0
 
     # onboard_control_sensors_enabled_extended: no flag (FR-00068.9)
-    wire[35] = 0
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
 
     # onboard_control_sensors_health_extended: no flag (FR-00068.9)
-    wire[39] = 0
-    wire[40] = 0
-    wire[41] = 0
-    wire[42] = 0
 
 
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _MESSAGES[2][instance]
+    if message is None:
+        message = _made(2, instance, messages.BatteryStatus)
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -300,24 +295,9 @@ def write_battery_status(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = words[battery + _BATTERY_CONSUMED_MAH]
@@ -472,7 +452,6 @@ def write_battery_status(value, place, wire, words, instance):
     wire[48] = 0
 
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
-    wire[49] = 0
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -502,7 +481,9 @@ def write_battery_status(value, place, wire, words, instance):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _MESSAGES[3]
+    message = _MESSAGES[3][0]
+    if message is None:
+        message = _made(3, 0, messages.AutopilotVersion)
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -526,14 +507,6 @@ def write_autopilot_version(value, place, wire, words):
     wire[7] = 0
 
     # uid: 0 (FR-00070.2)
-    wire[8] = 0
-    wire[9] = 0
-    wire[10] = 0
-    wire[11] = 0
-    wire[12] = 0
-    wire[13] = 0
-    wire[14] = 0
-    wire[15] = 0
 
     # flight_sw_version: 16777216 (FR-00070.2)
     wire[16] = 0
@@ -542,71 +515,29 @@ def write_autopilot_version(value, place, wire, words):
     wire[19] = 1
 
     # middleware_sw_version: 0 (FR-00070.2)
-    wire[20] = 0
-    wire[21] = 0
-    wire[22] = 0
-    wire[23] = 0
 
     # os_sw_version: 0 (FR-00070.2)
-    wire[24] = 0
-    wire[25] = 0
-    wire[26] = 0
-    wire[27] = 0
 
     # board_version: 0 (FR-00070.2)
-    wire[28] = 0
-    wire[29] = 0
-    wire[30] = 0
-    wire[31] = 0
 
     # vendor_id: 0 (FR-00070.2)
-    wire[32] = 0
-    wire[33] = 0
 
     # product_id: 0 (FR-00070.2)
-    wire[34] = 0
-    wire[35] = 0
 
     # flight_custom_version: 0 (FR-00070.2)
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
-    wire[39] = 0
-    wire[40] = 0
-    wire[41] = 0
-    wire[42] = 0
-    wire[43] = 0
 
     # middleware_custom_version: 0 (FR-00070.2)
-    wire[44] = 0
-    wire[45] = 0
-    wire[46] = 0
-    wire[47] = 0
-    wire[48] = 0
-    wire[49] = 0
-    wire[50] = 0
-    wire[51] = 0
 
     # os_custom_version: 0 (FR-00070.2)
-    wire[52] = 0
-    wire[53] = 0
-    wire[54] = 0
-    wire[55] = 0
-    wire[56] = 0
-    wire[57] = 0
-    wire[58] = 0
-    wire[59] = 0
 
     # uid2: 0 (FR-00070.2)
-    place = 0
-    while place < 18:
-        wire[60 + place] = 0
-        place += 1
 
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _MESSAGES[4]
+    message = _MESSAGES[4][0]
+    if message is None:
+        message = _made(4, 0, messages.ProtocolVersion)
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -631,29 +562,15 @@ def write_protocol_version(value, place, wire, words):
     wire[5] = 0
 
     # spec_version_hash: 0 (FR-00070.2)
-    wire[6] = 0
-    wire[7] = 0
-    wire[8] = 0
-    wire[9] = 0
-    wire[10] = 0
-    wire[11] = 0
-    wire[12] = 0
-    wire[13] = 0
 
     # library_version_hash: 0 (FR-00070.2)
-    wire[14] = 0
-    wire[15] = 0
-    wire[16] = 0
-    wire[17] = 0
-    wire[18] = 0
-    wire[19] = 0
-    wire[20] = 0
-    wire[21] = 0
 
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
     message = _MESSAGES[5][instance]
+    if message is None:
+        message = _made(5, instance, messages.BatteryStatusV2)
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -670,24 +587,9 @@ def write_battery_status_v2(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
-    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_CURRENT_MA] = _UNKNOWN
-            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
-            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
-            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
-            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
+    _expire_battery_current(value, words, battery)
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = words[battery + _BATTERY_VOLTAGE_MV]
@@ -824,6 +726,8 @@ def write_battery_status_v2(value, place, wire, words, instance):
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
     message = _MESSAGES[6][instance]
+    if message is None:
+        message = _made(6, instance, messages.SmartBatteryInfo)
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -917,6 +821,8 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
     message = _MESSAGES[7][instance]
+    if message is None:
+        message = _made(7, instance, messages.BatteryInfo)
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -1030,6 +936,8 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     message = _MESSAGES[8][instance]
+    if message is None:
+        message = _made(8, instance, messages.BatteryCellVoltages)
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 
@@ -1046,15 +954,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words, battery)
 
     # id: the battery's number (FR-00073.4)
     wire[0] = instance & 0xFF

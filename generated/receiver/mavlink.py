@@ -1,5 +1,5 @@
 # Generated from templates/codec/mavlink.py: do not edit.
-# Inputs: cf0e9aae9fc519ef
+# Inputs: ebbabe14fc3811c1
 """One end of a MAVLink connection: it sends messages over a stream and turns into messages what is received."""
 
 from receiver import Receiver
@@ -10,8 +10,8 @@ class Link(Sender, Receiver):
     """Sends and receives, in MAVLink 2 or 1; frames of both are understood.
 
     `stream` needs a method write(bytes) only: what arrives is given to feed(). `messages` are those that feed()
-    knows, see Receiver. `longest` is the longest payload that is sent, see Sender. `signing` signs what goes out and
-    refuses what is not signed with the same key, see signing.Signing.
+    knows, see Receiver. `longest` is the longest payload that is sent, `lengths` are those that go out, see Sender.
+    `signing` signs what goes out and refuses what is not signed with the same key, see signing.Signing.
     """
 
     def __init__(
@@ -23,8 +23,9 @@ class Link(Sender, Receiver):
         messages=(),
         longest=LONGEST_PAYLOAD,
         signing=None,
+        lengths=None,
     ):
-        Sender.__init__(self, stream, system_id, component_id, version, longest, signing)
+        Sender.__init__(self, stream, system_id, component_id, version, longest, signing, lengths)
         Receiver.__init__(self, messages, signing)
 
     # Found here, they are found sooner than in the classes above, which counts where microseconds do.

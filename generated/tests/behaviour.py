@@ -70,6 +70,12 @@ def known(state):
     return state
 
 
+def make_messages(state):
+    """Let the messages that builders return be made: that happens once."""
+    for build in STEADY:
+        build(state)
+
+
 def told(value):
     """Return a value as it is now; of a list its values."""
     return list(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
@@ -442,6 +448,7 @@ def battery_steady_cycle_allocates_nothing():
     links = [Link(Sink(), version=2), Link(Sink(), version=1)]
     state.update_battery(board)  # what there is to warn about at full scale is said now
     first = state.battery[0].voltage_mv
+    make_messages(state)
     heap_lock()
     try:
         for count in range(4095, -1, -13):
@@ -612,6 +619,7 @@ def every_value_allocates_nothing():
         (state.vehicle, "status"),
         (state.vehicle, "load_dpct"),
     )
+    make_messages(state)
     for owner, attribute in quantities:
         for value in values:
             setattr(owner, attribute, value)  # what is beyond its limits is told now
@@ -794,6 +802,7 @@ def all_that_is_limited_is_told():
 def battery_cells_allocate_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
+    make_messages(state)
     steps = state.battery[0].cells_mv
     for turn in range(2):  # the first one is for what is only made once
         for place in range(len(steps)):

@@ -9,7 +9,9 @@ payload is 1, so that who looks for the last byte that is not zero finds one; be
 multiple of 16 bytes, which is read and copied at once.
 
 A link's frame stands two bytes into its buffer, so that the payload begins at a multiple of 4; the first byte of the
-buffer is the longest payload that it holds. Of 16 bytes that are copied the last 15 may lie behind the payload.
+buffer is the longest payload that it holds, the second one the length up to which each has its view. In the 8 bytes in
+front of the buffer machine code finds where the table of the checksum is. Of 16 bytes that are copied the last 15 may
+lie behind the payload.
 
 A receiver's state is an array: [0] where to look on, [1] end of the received bytes; [12] whether data are kept that
 did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the
@@ -33,16 +35,18 @@ def address(_data):
     return 0
 
 
-def encoder(frame, views):
+def encoder(frame, views, new_view):
     """Return the function encode(message), which puts the live values into the message's payload and makes its frame.
 
     `frame` is the link's buffer, and `views` has what encode() returns, by the length of the payload: MAVLink 2 leaves
-    out zeros at the end of it, but never the first byte; MAVLink 1 sends no extensions. ValueError: the message does
-    not go over this link, by its length or, in MAVLink 1, by its id.
+    out zeros at the end of it, but never the first byte; MAVLink 1 sends no extensions. Of a length that may have no
+    view yet, it returns new_view(length). ValueError: the message does not go over this link, by its length or, in
+    MAVLink 1, by its id.
     """
 
     def encode(message):
-        return views[_write_frame(frame, message._image, message.live)]
+        length = _write_frame(frame, message._image, message.live)
+        return new_view(length) if length > frame[1] else views[length]
 
     return encode
 

@@ -15,11 +15,15 @@ class Sender:
     encode(message) returns the whole frame with the current sequence number; the view is valid until the next frame.
     ValueError: the message does not go over this link, by its length or by an id above 255 in MAVLink 1.
 
-    A sender keeps a view for each length of payload up to `longest`, on a 32 bit board 20 bytes each. `signing` is
-    None, or what signs each frame: see signing.Signing. `tx_errors` counts frames that the stream did not take whole.
+    A sender keeps a view for each length of payload up to `longest`, on a 32 bit board 16 bytes each. Of a sender that
+    is told the `lengths` that go out, pairs of the first and the last of a range, the first pair from 0 on, others are
+    made when they are needed. `signing` is None, or what signs each frame: see signing.Signing. `tx_errors` counts
+    frames that the stream did not take whole.
     """
 
-    def __init__(self, stream, system_id=1, component_id=1, version=2, longest=LONGEST_PAYLOAD, signing=None):
+    def __init__(
+        self, stream, system_id=1, component_id=1, version=2, longest=LONGEST_PAYLOAD, signing=None, lengths=None
+    ):
         if not 1 <= system_id <= 255 or not 1 <= component_id <= 255:
             raise ValueError("a source has a system id and a component id from 1 to 255")
         if version not in (1, 2):
@@ -44,14 +48,17 @@ class Sender:
         frame[4] = 1 if signing else 0
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
-        views = [frame] * (longest + 1)  # a list that is as long from the start keeps no more room than it needs
-        for length in range(longest + 1):
-            views[length] = frame[2 : 2 + extra + length]
+        views = [None] * (longest + 1)  # a list that is as long from the start keeps no more room than it needs
+        lengths = lengths or ((0, longest),)
+        for first, last in lengths:
+            for length in range(first, last + 1):
+                views[length] = frame[2 : 2 + extra + length]
+        frame[1] = lengths[0][1]
         # Who makes it finds here where the payload goes, and the frame by its length. The buffer of a link that sends
         # MAVLink 1, or signs, is not for that: there is one that holds nothing.
         self._none = None if version == 2 and not signing else bytes(1)
         self.room = (address(self._none or frame) + 12, views)
-        encode = encoder(frame, views)
+        encode = encoder(frame, views, self._new_view)
         self.encode = _signed(encode, signing) if signing else encode
 
     @property
@@ -89,6 +96,14 @@ class Sender:
         if written != _len(frame):
             self.tx_errors += 1
         return written
+
+    def _new_view(self, length):
+        """Return the view of a length, made now where there is none."""
+        views = self.room[1]
+        if views[length] is None:
+            extra = (12 if self._frame[2] == 0xFD else 8) + (13 if self._signing else 0)
+            views[length] = self._frame[2 : 2 + extra + length]
+        return views[length]
 
     def _write(self, frame):
         try:

@@ -14,7 +14,7 @@ MADE = b"# Generated from "
 
 
 def identify():
-    """Print what the board is, and how much room its file system has, in bytes."""
+    """Print what the board is, how much room its file system has, in bytes, and how many partitions for a ROMFS."""
     told = sys.implementation
     block, room, free = [os.statvfs(os.getcwd())[place] for place in (1, 2, 3)]
     answer = {
@@ -24,8 +24,19 @@ def identify():
         "block": block,
         "room": block * room,
         "free": block * free,
+        "roms": rom_partitions(),
     }
     print(json.dumps(answer))
+
+
+def rom_partitions():
+    """Return how many partitions for a ROMFS there are; most builds of MicroPython have none."""
+    try:
+        import vfs  # not every board has it
+
+        return vfs.rom_ioctl(1)
+    except (ImportError, AttributeError, OSError):
+        return 0
 
 
 def survey(hashed):

@@ -35,7 +35,7 @@ FAULTS = [
     ("key_service", 'getattr(vehicle, "is_armed", False)', "False", "no_key_comes_while_armed"),
     ("listed_stations", "message._image[7] in self._systems", "True", "only_listed_systems_are_heard"),
     ("listed_stations", "self.refused += 1", "pass", "only_listed_systems_are_heard"),
-    ("streams", "LONGEST, signing)", "LONGEST)", "who_has_the_key_is_obeyed"),
+    ("streams", "LONGEST, signing, ", "LONGEST, None, ", "who_has_the_key_is_obeyed"),
     ("vehicle", "signing=self.access.signing(port.name)", "signing=None", "unsigned_frames_are_not_obeyed"),
     ("vehicle", 'if port.name in ("cable",):', "if True:", "no_key_comes_otherwise"),
     ("vehicle", 'if port.name in ("radio",):', "if False:", "only_listed_systems_are_heard"),

@@ -124,6 +124,7 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
         "generator": [figure("build_unchanged_over_mavgen", 0.25, most=0.5), figure("slope", 7.0, unit="ms")],
         "size": [figure("heap", 4321, unit="bytes", most=4000), figure("allocated", 0, unit="bytes", most=0)],
         "heap": [figure("smallest", 130, unit="KB", most=130)],
+        "heap_modules": [figure("messages", 4000, unit="bytes")],
         "simulation": [figure("rover_micropython", 150.0, least=144)],
     }
     for name, figures in found.items():

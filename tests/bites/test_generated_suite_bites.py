@@ -63,7 +63,7 @@ WRONG_FRAMES = [
     ("crc-start-in-machine-code", "frames_viper.py", "high[0xFF ^ length]", "high[0xFE ^ length]"),
     ("base-length", "messages.py", "BASE_LENGTH = 36", "BASE_LENGTH = 35"),
     ("truncation", "frames_plain.py", "data[3] - 1] == 0", "data[3] - 1] == 1"),
-    ("truncation-in-machine-code", "frames_viper.py", "while last[0] == 0", "while last[0] == 1"),
+    ("truncation-in-machine-code", "frames_viper.py", "int(payload) + 1", "int(payload) + 2"),
     ("checksum-in-machine-code", "frames_viper.py", "last[1] = crc >> 8", "last[1] = crc >> 7"),
     ("table", "checksum.py", "0xFF)] ^ (TABLE[256 + _byte] >> 8)", "0xFF)]"),
     ("rounding-of-floats", "floats_plain.py", "(value + 1 + ((value >> 2) & 1)) >> 2", "value >> 2"),

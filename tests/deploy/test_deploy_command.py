@@ -81,6 +81,17 @@ def test_program_is_copied_with_what_it_imports_and_runs(deployed: tuple[Path, s
     assert not {"unused.mpy", "vehicle.py", "deploy.part"} & set(names)
 
 
+@pytest.mark.parametrize(("roms", "is_told"), [(None, False), (0, False), (1, True)])
+def test_a_romfs_is_told(deployed: tuple[Path, str], tmp_path: Path, run: Any, roms: int | None, is_told: bool) -> None:
+    """Who has one can do with less heap; files are copied all the same."""
+    flash = Path(shutil.copy(deployed[0], tmp_path / "flash"))
+    settings = {} if roms is None else {"roms": roms}
+    with powered(flash, told=PICO, **settings) as board:
+        code, said = run("--port", board.port)
+    assert code == 0, said
+    assert ("it has a ROMFS, from which the program takes less heap" in said) == is_told
+
+
 def test_watch_deploys_what_changed(project: Path, board: Board) -> None:
     """`codegen watch --deploy` brings the board what is built and right, and goes on."""
     command = [sys.executable, "-m", "codegen", "watch", "--deploy", "--port", board.port]

@@ -348,9 +348,11 @@ def equal_frames(request):
         message.wire[:] = bytes.fromhex(wire)
         for place, value in enumerate(values):
             message.live[place] = value
-        data = bytearray(bytes.fromhex(buffer))
+        whole = bytearray(bytes(8) + bytes.fromhex(buffer))
+        sender.pack_into("<Q", whole, 0, sender.address(sender.TABLE))
+        data = memoryview(whole)[8:]
         try:
-            answer = sender.encoder(data, range(256))(message)
+            answer = sender.encoder(data, range(256), int)(message)
             end = 14 + data[3] if data[2] == 0xFD else 10 + data[3]
         except ValueError as error:
             answer = str(error)

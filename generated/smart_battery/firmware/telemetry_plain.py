@@ -47,22 +47,37 @@ _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-# What the builders return, in their order; one for each instance, where a message is about several.
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
 _MESSAGES = (
-    messages.Heartbeat(unknown=False),
-    [messages.BatteryStatus(unknown=False) for _ in range(1)],
-    messages.AutopilotVersion(unknown=False),
-    messages.ProtocolVersion(unknown=False),
-    [messages.BatteryStatusV2(unknown=False) for _ in range(1)],
-    [messages.SmartBatteryInfo(unknown=False) for _ in range(1)],
-    [messages.BatteryInfo(unknown=False) for _ in range(1)],
-    [messages.BatteryCellVoltages(unknown=False) for _ in range(1)],
+    [None],
+    [None] * 1,
+    [None],
+    [None],
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
 )
+
+
+def _expire_battery(value, words):
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+
+def _made(place, instance, kind):
+    message = _MESSAGES[place][instance] = kind(unknown=False)
+    return message
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00074.1."""
-    message = _MESSAGES[0]
+    message = _MESSAGES[0][0]
+    if message is None:
+        message = _made(0, 0, messages.Heartbeat)
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -75,10 +90,6 @@ def encode_heartbeat(link, state):
 def write_heartbeat(value, place, wire, words):
     """Write the payload of HEARTBEAT (0), FR-00074.1."""
     # custom_mode: 0 (FR-00074.1)
-    wire[0] = 0
-    wire[1] = 0
-    wire[2] = 0
-    wire[3] = 0
 
     # type: MAV_TYPE_BATTERY (FR-00074.1)
     wire[4] = 36
@@ -87,7 +98,6 @@ def write_heartbeat(value, place, wire, words):
     wire[5] = 8
 
     # base_mode: no flag (FR-00074.1)
-    wire[6] = 0
 
     # system_status: MAV_STATE_ACTIVE (FR-00074.1)
     wire[7] = 4
@@ -99,6 +109,8 @@ def write_heartbeat(value, place, wire, words):
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _MESSAGES[1][instance]
+    if message is None:
+        message = _made(1, instance, messages.BatteryStatus)
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -113,11 +125,7 @@ battery_status_frame = encode_battery_status
 
 def write_battery_status(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = words[_BATTERY + _BATTERY_CONSUMED_MAH]
@@ -280,7 +288,6 @@ def write_battery_status(value, place, wire, words, instance):
     wire[48] = 0
 
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
-    wire[49] = 0
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -310,7 +317,9 @@ def write_battery_status(value, place, wire, words, instance):
 
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _MESSAGES[2]
+    message = _MESSAGES[2][0]
+    if message is None:
+        message = _made(2, 0, messages.AutopilotVersion)
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -334,14 +343,6 @@ def write_autopilot_version(value, place, wire, words):
     wire[7] = 0
 
     # uid: 0 (FR-00070.2)
-    wire[8] = 0
-    wire[9] = 0
-    wire[10] = 0
-    wire[11] = 0
-    wire[12] = 0
-    wire[13] = 0
-    wire[14] = 0
-    wire[15] = 0
 
     # flight_sw_version: 16777216 (FR-00070.2)
     wire[16] = 0
@@ -350,71 +351,29 @@ def write_autopilot_version(value, place, wire, words):
     wire[19] = 1
 
     # middleware_sw_version: 0 (FR-00070.2)
-    wire[20] = 0
-    wire[21] = 0
-    wire[22] = 0
-    wire[23] = 0
 
     # os_sw_version: 0 (FR-00070.2)
-    wire[24] = 0
-    wire[25] = 0
-    wire[26] = 0
-    wire[27] = 0
 
     # board_version: 0 (FR-00070.2)
-    wire[28] = 0
-    wire[29] = 0
-    wire[30] = 0
-    wire[31] = 0
 
     # vendor_id: 0 (FR-00070.2)
-    wire[32] = 0
-    wire[33] = 0
 
     # product_id: 0 (FR-00070.2)
-    wire[34] = 0
-    wire[35] = 0
 
     # flight_custom_version: 0 (FR-00070.2)
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
-    wire[39] = 0
-    wire[40] = 0
-    wire[41] = 0
-    wire[42] = 0
-    wire[43] = 0
 
     # middleware_custom_version: 0 (FR-00070.2)
-    wire[44] = 0
-    wire[45] = 0
-    wire[46] = 0
-    wire[47] = 0
-    wire[48] = 0
-    wire[49] = 0
-    wire[50] = 0
-    wire[51] = 0
 
     # os_custom_version: 0 (FR-00070.2)
-    wire[52] = 0
-    wire[53] = 0
-    wire[54] = 0
-    wire[55] = 0
-    wire[56] = 0
-    wire[57] = 0
-    wire[58] = 0
-    wire[59] = 0
 
     # uid2: 0 (FR-00070.2)
-    place = 0
-    while place < 18:
-        wire[60 + place] = 0
-        place += 1
 
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _MESSAGES[3]
+    message = _MESSAGES[3][0]
+    if message is None:
+        message = _made(3, 0, messages.ProtocolVersion)
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -439,29 +398,15 @@ def write_protocol_version(value, place, wire, words):
     wire[5] = 0
 
     # spec_version_hash: 0 (FR-00070.2)
-    wire[6] = 0
-    wire[7] = 0
-    wire[8] = 0
-    wire[9] = 0
-    wire[10] = 0
-    wire[11] = 0
-    wire[12] = 0
-    wire[13] = 0
 
     # library_version_hash: 0 (FR-00070.2)
-    wire[14] = 0
-    wire[15] = 0
-    wire[16] = 0
-    wire[17] = 0
-    wire[18] = 0
-    wire[19] = 0
-    wire[20] = 0
-    wire[21] = 0
 
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
     message = _MESSAGES[4][instance]
+    if message is None:
+        message = _made(4, instance, messages.BatteryStatusV2)
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -476,11 +421,7 @@ battery_status_v2_frame = encode_battery_status_v2
 
 def write_battery_status_v2(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
@@ -616,6 +557,8 @@ def write_battery_status_v2(value, place, wire, words, instance):
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00074.4."""
     message = _MESSAGES[5][instance]
+    if message is None:
+        message = _made(5, instance, messages.SmartBatteryInfo)
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -714,6 +657,8 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00074.4."""
     message = _MESSAGES[6][instance]
+    if message is None:
+        message = _made(6, instance, messages.BatteryInfo)
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -832,6 +777,8 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     message = _MESSAGES[7][instance]
+    if message is None:
+        message = _made(7, instance, messages.BatteryCellVoltages)
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 
@@ -846,11 +793,7 @@ battery_cell_voltages_frame = encode_battery_cell_voltages
 
 def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+    _expire_battery(value, words)
 
     # id: BATT_ID, counted on (FR-00073.4)
     value = words[_BATTERY + _BATTERY_NUMBER]

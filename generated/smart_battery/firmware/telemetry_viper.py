@@ -64,6 +64,22 @@ class _Stand:
 
 _room = [0, None]
 _stand = _Stand()
+# What the builders return, in their order, for each instance of which there are several; None until it is asked for.
+_MESSAGES = (
+    [None],
+    [None] * 1,
+    [None],
+    [None],
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
+    [None] * 1,
+)
+
+
+def _made(place, instance, kind):
+    message = _MESSAGES[place][instance] = kind(unknown=False)
+    return message
 
 
 @micropython.viper
@@ -72,12 +88,62 @@ def _stand_in(message):
     return _stand
 
 
-_heartbeat = messages.Heartbeat(unknown=False)
+@micropython.viper
+def _finished(wire_at: int, last_word: int, crc_extra: int) -> int:
+    """Finish the frame of a payload as others do on their own, and return its length: a call is dear, yet code smaller.
+
+    That is for messages which are on request, or due no more often than every second.
+    """
+    wire = ptr8(wire_at)
+    frame = ptr8(wire_at - 12)
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + last_word)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ crc_extra) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00074.1."""
-    message = _heartbeat
+    message = _MESSAGES[0][0]
+    if message is None:
+        message = _made(0, 0, messages.Heartbeat)
     encode_heartbeat(_stand_in(message), state)
     return message
 
@@ -162,12 +228,11 @@ def encode_heartbeat(link, state):
     return views[length]
 
 
-_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(1)]
-
-
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _battery_status[instance]
+    message = _MESSAGES[1][instance]
+    if message is None:
+        message = _made(1, instance, messages.BatteryStatus)
     battery_status_frame(_stand_in(message), state, instance)
     return message
 
@@ -405,12 +470,11 @@ def encode_battery_status(link, state, instance=0):
     return battery_status_frame(link, state, instance)
 
 
-_autopilot_version = messages.AutopilotVersion(unknown=False)
-
-
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _autopilot_version
+    message = _MESSAGES[2][0]
+    if message is None:
+        message = _made(2, 0, messages.AutopilotVersion)
     encode_autopilot_version(_stand_in(message), state)
     return message
 
@@ -472,55 +536,14 @@ def encode_autopilot_version(link, state):
     frame[9] = 148
     frame[10] = 0
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 76)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    left = (length + 8) >> 3
-    while left:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 4)
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 178) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
-
-
-_protocol_version = messages.ProtocolVersion(unknown=False)
+    return views[_finished(int(wire), 76, 178)]
 
 
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _protocol_version
+    message = _MESSAGES[3][0]
+    if message is None:
+        message = _made(3, 0, messages.ProtocolVersion)
     encode_protocol_version(_stand_in(message), state)
     return message
 
@@ -562,55 +585,14 @@ def encode_protocol_version(link, state):
     frame[9] = 44
     frame[10] = 1
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 20)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    left = (length + 8) >> 3
-    while left:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 4)
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 217) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
-
-
-_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(1)]
+    return views[_finished(int(wire), 20, 217)]
 
 
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _battery_status_v2[instance]
+    message = _MESSAGES[4][instance]
+    if message is None:
+        message = _made(4, instance, messages.BatteryStatusV2)
     battery_status_v2_frame(_stand_in(message), state, instance)
     return message
 
@@ -810,12 +792,11 @@ def encode_battery_status_v2(link, state, instance=0):
     return battery_status_v2_frame(link, state, instance)
 
 
-_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(1)]
-
-
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00074.4."""
-    message = _smart_battery_info[instance]
+    message = _MESSAGES[5][instance]
+    if message is None:
+        message = _made(5, instance, messages.SmartBatteryInfo)
     smart_battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -921,61 +902,19 @@ def smart_battery_info_frame(link, state, instance: int):
     frame[9] = 114
     frame[10] = 1
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 108)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    left = (length + 8) >> 3
-    while left:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 4)
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 75) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
+    return views[_finished(int(wire), 108, 75)]
 
 
-@micropython.native
 def encode_smart_battery_info(link, state, instance=0):
     """Return the frame of SMART_BATTERY_INFO (370), FR-00074.4."""
     return smart_battery_info_frame(link, state, instance)
 
 
-_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(1)]
-
-
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00074.4."""
-    message = _battery_info[instance]
+    message = _MESSAGES[6][instance]
+    if message is None:
+        message = _made(6, instance, messages.BatteryInfo)
     battery_info_frame(_stand_in(message), state, instance)
     return message
 
@@ -1091,61 +1030,19 @@ def battery_info_frame(link, state, instance: int):
     frame[9] = 116
     frame[10] = 1
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 136)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    left = (length + 8) >> 3
-    while left:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 4)
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 26) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
+    return views[_finished(int(wire), 136, 26)]
 
 
-@micropython.native
 def encode_battery_info(link, state, instance=0):
     """Return the frame of BATTERY_INFO (372), FR-00074.4."""
     return battery_info_frame(link, state, instance)
 
 
-_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(1)]
-
-
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _battery_cell_voltages[instance]
+    message = _MESSAGES[7][instance]
+    if message is None:
+        message = _made(7, instance, messages.BatteryCellVoltages)
     battery_cell_voltages_frame(_stand_in(message), state, instance, page)
     return message
 
@@ -1203,50 +1100,9 @@ def battery_cell_voltages_frame(link, state, instance: int, page: int):
     frame[9] = 99
     frame[10] = 212
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 24)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    left = (length + 8) >> 3
-    while left:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value ^= data[0]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
-        data = ptr16(int(data) + 4)
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 8) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
+    return views[_finished(int(wire), 24, 8)]
 
 
-@micropython.native
 def encode_battery_cell_voltages(link, state, instance=0, page=0):
     """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     return battery_cell_voltages_frame(link, state, instance, page)

@@ -71,6 +71,12 @@ def known(state):
     return state
 
 
+def make_messages(state):
+    """Let the messages that builders return be made: that happens once."""
+    for build in STEADY:
+        build(state)
+
+
 def told(value):
     """Return a value as it is now; of a list its values."""
     return list(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
@@ -360,6 +366,7 @@ def battery_steady_cycle_allocates_nothing():
     links = [Link(Sink(), version=2), Link(Sink(), version=1)]
     state.update_battery(board)  # what there is to warn about at full scale is said now
     first = state.battery.voltage_mv
+    make_messages(state)
     heap_lock()
     try:
         for count in range(4095, -1, -13):
@@ -405,6 +412,7 @@ def every_value_allocates_nothing():
         (state.battery, "lowest_cell_mv"),
         (state.battery, "highest_cell_mv"),
     )
+    make_messages(state)
     for owner, attribute in quantities:
         for value in values:
             setattr(owner, attribute, value)  # what is beyond its limits is told now
@@ -545,6 +553,7 @@ def all_that_is_limited_is_told():
 def battery_cells_allocate_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
+    make_messages(state)
     steps = state.battery.cells_mv
     for turn in range(2):  # the first one is for what is only made once
         for place in range(len(steps)):

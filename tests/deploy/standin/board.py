@@ -6,6 +6,7 @@ the flash while the power is off. SETTINGS is JSON: `told`, what sys.implementat
 `deaf`, that it answers nothing.
 `watchdog`: seconds after which the watchdog of an RP2350 that an earlier program started resets the board; it is
 stopped as there, or fed. `fed`: seconds of one that nothing stops.
+`roms`: how many partitions for a ROMFS it has.
 `counts`: what ADC.read_u16() gives, one after the other, again and again; without it there is no ADC.
 `starts`: that a restart runs main.py. With power it waits, as if Ctrl-C had come; what runs cannot be interrupted.
 """
@@ -130,6 +131,17 @@ class Machine:
     @staticmethod
     def reset():
         raise Reset
+
+
+class Vfs:
+    """vfs of a MicroPython with partitions for a ROMFS."""
+
+    @staticmethod
+    def rom_ioctl(operation):
+        return SETTINGS["roms"] if operation == 1 else -22
+
+    def __getattr__(self, name):
+        return getattr(vfs, name)
 
 
 class Told:
@@ -289,6 +301,8 @@ for number, mount in enumerate(mounts):
     vfs.mount(mount, f"/host{number}")
     sys.path.append(f"/host{number}")
 sys.modules["machine"] = Machine()
+if "roms" in SETTINGS:
+    sys.modules["vfs"] = Vfs()
 if SETTINGS.get("told"):
     own = sys.implementation
     told = {"version": own.version, "_machine": own._machine, "_mpy": own._mpy}

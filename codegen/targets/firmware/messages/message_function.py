@@ -14,9 +14,6 @@ from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, in_brackets
 from codegen.targets.naming import builder_name, class_names, encoder_name, frame_name, message_about
 
-TAKEN = frozenset(("_room", "_stand", "_stand_in", "_whole"))
-"""What the modules call their own."""
-
 
 @dataclass(frozen=True, slots=True)
 class FunctionView:
@@ -26,13 +23,13 @@ class FunctionView:
 
     ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
     state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
-    ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be.
+    ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be. ``is_seldom``: it is on request only,
+    or due at most once a second, and small code counts more than a quick one.
     """
 
     message: str
     citation: str
     class_name: str
-    store: str
     builder: str
     encoder: str
     frame: str
@@ -43,6 +40,7 @@ class FunctionView:
     head: str
     write: str
     is_withheld: bool
+    is_seldom: bool
     parameters: tuple[str, ...]
     lines: tuple[str, ...]
     id_bytes: tuple[int, int, int]
@@ -52,16 +50,30 @@ class FunctionView:
 
 
 @dataclass(frozen=True, slots=True)
+class SharedView:
+    """What several functions do in plain Python: its name, its arguments, and its statements."""
+
+    name: str
+    arguments: str
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class FunctionsView:
-    """The module: constants of the state's words, texts, and a function for each message in the order of their ids."""
+    """The module: constants of the state's words, texts, and a function for each message in the order of their ids.
+
+    Machine code shares nothing: a call is dear there.
+    """
 
     imports: tuple[str, ...]
     constants: tuple[ConstantView, ...]
     texts: tuple[tuple[str, str], ...]
+    shared: tuple[SharedView, ...]
     functions: tuple[FunctionView, ...]
     puts_floats: bool
     puts_reals: bool
     is_withheld: bool
+    is_any_seldom: bool
     ticks: bool
 
 
@@ -76,11 +88,12 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
     words: dict[str, set[str]] = {}
     uses: set[str] = set()
     texts: dict[str, str] = {}
+    shared: dict[str, SharedView] = {}
     functions = []
     classes = class_names(wire.name for wire in system.wires)
     for message in system.messages:
         code: SpelledCode = (MachineCode if machine_code else PlainCode)(layout, message.name.lower())
-        functions.append(_function(message, classes[message.wire.name], system, code))
+        functions.append(_function(message, classes[message.wire.name], system, code, shared))
         uses |= code.uses
         texts |= code.texts
         for component, names in code.words.items():
@@ -95,10 +108,12 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         imports=_imports(uses, machine_code=machine_code),
         constants=tuple(constants),
         texts=tuple(texts.items()),
+        shared=tuple(shared.values()),
         functions=tuple(functions),
         puts_floats="put_float" in uses,
         puts_reals="put_real" in uses,
         is_withheld=any(function.is_withheld for function in functions),
+        is_any_seldom=any(function.is_seldom for function in functions),
         ticks="tick" in uses,
     )
 
@@ -120,13 +135,15 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
     return import_lines(modules, names)
 
 
-def _function(message: PopulatedMessage, class_name: str, system: System, code: SpelledCode) -> FunctionView:
+def _function(
+    message: PopulatedMessage, class_name: str, system: System, code: SpelledCode, shared: dict[str, SharedView]
+) -> FunctionView:
     body: list[str] = []
     for answer in message.answers:
-        body += ["", *answer.statements(code)]
+        body += ["", *code.needed(answer)]
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
-    before = [line for reading in expired for line in ["", *expiry([reading], code, code.now())]]
+    before = [line for reading in expired for line in ["", *_expiring_of(reading, code, shared)]]
     before = [*_ageing(message, system, code), *before]
     withheld = _withheld(message, code)
     cleared = code.cleared(message.wire.length)
@@ -149,7 +166,6 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         message=message.title,
         citation=str(message.citation),
         class_name=class_name,
-        store=_store(message),
         builder=builder_name(message),
         encoder=encoder_name(message),
         frame=frame_name(message),
@@ -160,6 +176,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         head=in_brackets(*code.head(told), ":"),
         write=in_brackets(f"    done = {call.strip()}" if withheld else call, given, ""),
         is_withheld=bool(withheld),
+        is_seldom=message.stream is None or message.stream.fastest <= 1,
         parameters=tuple(code.parameters),
         lines=tuple(part for line in lines for part in _printed(line)),
         id_bytes=(wire.id & 0xFF, wire.id >> 8 & 0xFF, wire.id >> 16),
@@ -167,12 +184,6 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         length=wire.length,
         last_word=(wire.length - 1) // 4 * 4,
     )
-
-
-def _store(message: PopulatedMessage) -> str:
-    """The name of the message object that the builder returns."""
-    name = f"_{message.name.lower()}"
-    return f"{name}_" if name in TAKEN else name
 
 
 def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> list[str]:
@@ -197,6 +208,17 @@ def _printed(line: str) -> list[str]:
         return [text]
     indent = text[: text.index("#")]
     return wrap(text, 116, initial_indent="", subsequent_indent=f"{indent}#   ", drop_whitespace=True)
+
+
+def _expiring_of(reading: Reading, code: SpelledCode, shared: dict[str, SharedView]) -> list[str]:
+    """Forget a reading that is too old: here in machine code, or else in a function that all messages share."""
+    lines = expiry([reading], code, code.now())
+    if not isinstance(code, PlainCode):
+        return lines
+    name, component = f"_expire_{reading.name}", reading.component
+    arguments = ", ".join(["value", "words", *([component.name] if component.instances > 1 else [])])
+    shared[name] = SharedView(name, arguments, tuple(part for line in lines for part in _printed(line)))
+    return [f"{name}({arguments})"]
 
 
 def _expiring(message: PopulatedMessage, system: System) -> list[Reading]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
+from codegen.model.price import HEAD_V1, HEAD_V2, frame_size
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Quantity
 from codegen.targets.firmware.words import Layout
@@ -171,3 +172,21 @@ def _nested(heads: list[str], body: list[str]) -> str:
     """The body of a function in which each head is the body of the one before it."""
     lines = [f"{'    ' * depth}{head}" for depth, head in enumerate(heads, 1)]
     return "\n".join([*lines, *(f"{'    ' * (len(heads) + 1)}{line}" for line in body)])
+
+
+def payload_lengths(system: System) -> tuple[tuple[int, int], ...]:
+    """The lengths of the payloads that go out, as ranges: those of tables as far as zeros at their ends tell.
+
+    Services fill messages as they are asked: all that is as long as one of these, or shorter.
+    """
+    head = HEAD_V1 if system.spec.project.protocol == 1 else HEAD_V2
+    tables = {message.wire.name for message in system.messages}
+    longest = max((wire.length for wire in system.sent if wire.name not in tables), default=0)
+    lengths = set(range(longest + 1))
+    for message in system.messages:
+        for instance in range(message.instances):
+            size = frame_size(message, instance, system.spec.project.protocol)
+            lengths.update(range(int(size.low) - head, int(size.high) - head + 1))
+    starts = sorted(length for length in lengths if length - 1 not in lengths)
+    ends = sorted(length for length in lengths if length + 1 not in lengths)
+    return tuple(zip(starts, ends, strict=True))

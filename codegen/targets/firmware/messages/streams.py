@@ -9,7 +9,7 @@ from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Stream
 from codegen.targets.firmware.messages.announcements import AnnouncementView, announcements
-from codegen.targets.firmware.messages.sending import SentView, WayView, read_places, sent_view, ways
+from codegen.targets.firmware.messages.sending import SentView, WayView, payload_lengths, read_places, sent_view, ways
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.imports import either_import, one_by_one
 from codegen.targets.naming import parameter_attribute
@@ -79,6 +79,7 @@ class StreamsView:
     component: str
     version: int
     longest: int
+    lengths: str
     streams: tuple[StreamView, ...]
     periods: tuple[PeriodView, ...]
     furthest_bits: int
@@ -123,6 +124,7 @@ def streams_view(system: System) -> StreamsView:
         component="component_id" if system.component_parameter else "COMPONENT_ID",
         version=project.protocol,
         longest=max((wire.length for wire in system.sent), default=1),
+        lengths=_names(map(str, payload_lengths(system))),
         streams=streams,
         periods=_periods(streams),
         furthest_bits=max([_LONGEST_INTERVAL_BITS, *(_slowest_ms(stream).bit_length() for stream in streams)]),
