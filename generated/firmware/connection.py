@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 13d5564584028eb0
+# Inputs: bdef72d00aca0ebf
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -166,7 +166,7 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    is_due = is_due and count(stations) == 1  # of several, each has to be asked
+                    is_due = is_due and turn == _ARRIVED and count(stations) == 1  # else each has to be asked
                     for station in stations:
                         if (
                             is_due

@@ -161,7 +161,7 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    is_due = is_due and count(stations) == 1  # of several, each has to be asked
+                    is_due = is_due and turn == _ARRIVED and count(stations) == 1  # else each has to be asked
                     for station in stations:
                         if (
                             is_due
