@@ -57,6 +57,7 @@ class Workload:
 
 FRAME = 3000
 FIELD = 150
+RECEIVED = round(8000 / CYCLES)
 WORKLOADS = (
     Workload("battery_status", "BATTERY_STATUS, state to frame", "firmware", "battery_status", most=FRAME),
     Workload(
@@ -86,6 +87,17 @@ WORKLOADS = (
     Workload("idle", "pass of a link with nothing to do", "link", "idle", most=round(6000 / CYCLES)),
     Workload("heartbeat", "pass of a link in which a HEARTBEAT arrives", "link", "hear"),
     Workload("datagram", "pass of a link in which a HEARTBEAT arrives in a datagram", "link", "hear_udp"),
+    *(
+        Workload(
+            f"received_{name}", f"{words}: from its bytes to the state", "received", f"{name}_taken", most=RECEIVED
+        )
+        for name, words in (
+            ("mode", "HEARTBEAT of a ground station that sets one quantity"),
+            ("stick", "MANUAL_CONTROL that sets three quantities"),
+            ("sticks", "RC_CHANNELS_OVERRIDE of 38 bytes that sets three quantities, and a call of the vehicle"),
+            ("fix", "GPS_INPUT of 65 bytes that sets eight quantities, four of them from floats"),
+        )
+    ),
     *(
         Workload(
             f"field_{name}", f"{words}: more than one of 16 bits, its bytes included", "fields", name, "short", FIELD
@@ -145,6 +157,10 @@ def _modules(script: str, folder: Path) -> list[Path]:
     if script == "codec":
         codec = folder / "codec"
         return [codec if codec.exists() else measure.codec(codec, "BATTERY_STATUS")]
+    if script == "received":
+        generated = folder / "received" / "generated"
+        measure.project(measure.ROOT / "tests" / "projects" / "received", generated.parent)
+        return [generated / "firmware", generated / "mocks"]
     generated = measure.ROOT / "generated"  # the rover, which `codegen build --check` holds to its specification
     if script == "fields":
         generated = folder / "fields" / "generated"

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: 5d5ed7c782798a4e
+# Inputs: de027be7da2de20e
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 from time import ticks_diff
@@ -16,6 +16,7 @@ _END = const(1)  # of the buffer
 _KEPT = const(12)
 _WORKED = const(15)
 _SHARE = const(16)
+_COUNT = const(17)  # how many bytes of what is put in count
 
 
 class Inbox:
@@ -54,7 +55,7 @@ class Inbox:
         Without a buffer what arrives are datagrams.
         """
         port, link, state = self._port, self._link, self._state
-        receive = link.receive
+        put, receive = link.put, link.receive
         keep = getattr(port, "keep", None)
         is_open = False  # whether the link may find more in what it has
         try:
@@ -76,7 +77,7 @@ class Inbox:
                 elif buffer is None:
                     data = port.read()
                     if data:
-                        link.put(data)
+                        put(data)
                         is_open = True
                     else:
                         now_ms = yield
@@ -85,7 +86,8 @@ class Inbox:
                     if count:
                         self._total = (self._total + count) & 0x3FFFFFFF
                         self._read_ms = now_ms
-                        link.put_part(buffer, count)
+                        state[_COUNT] = count
+                        put(buffer)
                         is_open = True
                     elif state[_FIRST] != state[_END] and self._is_given_up(now_ms):
                         is_open = True

@@ -17,9 +17,10 @@ A receiver's state is an array: [0] where to look on, [1] end of the received by
 did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the
 frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum without CRC_EXTRA,
 [9] whether it is signed; counters of [8] frames with incompatible flags other than that, [10] frames that were read,
-[11] signed ones among them, [18] frames of other messages. [17] is how many of the data count, 0 for all. Who wants to
-be asked for more time sets [16], how many bytes may be looked at until receive() returns None though there are more,
-and [15], how many of them were, to 0.
+[11] signed ones among them, [18] frames of other messages. Who puts in bytes of which only the first ones count sets
+[17], how many these are; receive() has to have read all before them. Who wants to be asked for more time sets [16], how
+many bytes may be looked at until receive() returns None though there are more, and [15], how many of them were, to 0.
+In machine code [19] and [21] are the addresses of buffer and table, 64 bits each.
 
 Each function has few locals: MicroPython puts those of larger ones on the heap at every call.
 """

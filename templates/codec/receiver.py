@@ -34,8 +34,9 @@ class Receiver:
         self._classes = {message.ID: message for message in messages if isinstance(message, type)}
         # False is a message of a class.
         self._messages = {message.ID: not isinstance(message, type) and message for message in messages}
+        size = (size + 3) & -4  # machine code writes whole words
         self._buffer = bytearray(size)
-        self._state = state = array("i", [0] * 19)  # frames_plain says what it holds
+        self._state = state = array("i", [0] * 23)  # frames_plain says what it holds
         state[13] = size
         state[14] = 0 if signing is None else 1
         self._make = None
@@ -69,11 +70,6 @@ class Receiver:
         for number in ids:
             if number not in self._messages:
                 self._messages[number] = False
-
-    def put_part(self, data, count):
-        """Take in the first `count` bytes of what arrived, at least one, once receive() has read all before them."""
-        self._state[17] = count
-        self.put(data)
 
     def give_up(self):
         """Look on behind the first byte of a frame that is not whole: its end got lost, or it never was one."""

@@ -24,7 +24,7 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, float]:
     modules = [folder / "generated" / name for name in ("firmware", "mocks")]
     costs, said = cost.instructions("cost_received.py", 0, modules, folder)
     assert set(said.values()) == {1}
-    assert len(said) == len(costs) - 1 == 5
+    assert len(said) == len(costs) - 1 == 9
     return {name: value - costs["nothing"] for name, value in costs.items()}
 
 

@@ -220,7 +220,7 @@ def test_memory(service_folders: tuple[Path, ...]) -> None:
 
 
 STEADY = {
-    "connection": {"turn_to", "_is_answered", "_wait_ms", "_end_pass", "_send_waiting", "_note", "send"},
+    "connection": {"turn_to", "_has_place", "_wait_ms", "_end_pass", "_send_waiting", "_note", "send"},
     "inbox": {"_is_given_up"},
     "stations": {"forget_silent", "_find"},
     "station": {"run"},

@@ -206,7 +206,8 @@ def test_only_so_many_bytes_are_looked_at(firmware: SimpleNamespace) -> None:
     frame = oracle.raw_frame(0, bytes(range(1, 10)), extra=50)
     for noise in (bytes(500), b"\xfe" * 500, b"\xfd\x01\xff" * 170, (b"\xfe\xff\x00\x00\x00\x00" * 80)):
         link = receiver(firmware, "HEARTBEAT")
-        link.put_part(noise + frame * 3 + bytes(280) + b"beyond", len(noise) + 3 * len(frame) + 280)
+        link._state[17] = len(noise) + 3 * len(frame) + 280
+        link.put(noise + frame * 3 + bytes(280) + b"beyond")
         link._state[16] = 100
         found = turns = 0
         while found < 3:

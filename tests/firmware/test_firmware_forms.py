@@ -1,4 +1,4 @@
-"""The plain form and machine code do the same, step for step and to the last byte, garbage included."""
+"""The plain form and machine code do the same, step for step and to the last byte that was received or is sent."""
 
 import random
 from typing import Any

@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: 6442870bd9f1ec9f
+# Inputs: 2a7c0b032d293efe
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -15,16 +15,21 @@ on.
 import micropython
 from checksum import TABLE
 
-_NONE = None  # viper compares an object with objects only
-_MADE = False
+_bytes, _bytearray = bytes, bytearray
 _BYTES = (bytes, bytearray, memoryview)
-_len, _type = len, type  # found here, they are found sooner than among the built-in names
 
 
 @micropython.viper
 def address(data: ptr8) -> int:
     """Return where the bytes of a buffer are. It stays right as long as somebody holds the buffer."""
     return int(data)
+
+
+@micropython.viper
+def keep_address(words: ptr32, place: int, data: ptr8):
+    """Write the address of a buffer into two words; on 32 bits nothing of it stands in the second that harms."""
+    words[place] = int(data)
+    words[place + 1] = int(data) >> 32
 
 
 def _refuse(words):
@@ -147,53 +152,60 @@ def encoder(frame, views, new_view):
 
 
 def taker(receiver):
-    """Return the function put(data) of a receiver, as frames_plain.taker does; it holds the receiver."""
+    """Return the function put(data) of a receiver, as frames_plain.taker does; it holds the receiver.
+
+    Variables of a closure and its arguments are five at most: more would take memory at each call.
+    """
     state_at = address(receiver._state)
-    buffer_at = address(receiver._buffer)
+    keep_address(receiver._state, 19, receiver._buffer)
+    kind_of, length_of = type, len  # found here, they are found sooner than among the built-in names
 
     @micropython.viper
     def put(data):
         state = ptr32(int(state_at))
-        if state[12] or _type(data) not in _BYTES:
-            receiver._put_more(data)
-            return
+        left = int(state[17])
+        if state[12] or left == 0:
+            kind = kind_of(data)
+            if state[12] or (kind is not _bytes and kind is not _bytearray and kind not in _BYTES):
+                receiver._put_more(data)
+                return
+            left = int(length_of(data))
         # What is left goes to the front.
-        target = ptr8(int(buffer_at))
+        target = ptr8(int(state[19]) | int(state[20]) << 32)
         source = ptr8(int(target) + int(state[0]))
-        left = int(state[1]) - int(state[0])
+        room = int(state[1]) - int(state[0])
         state[0] = 0
-        state[1] = left
-        while left:
+        state[1] = room
+        while room:
             target[0] = source[0]
             target = ptr8(int(target) + 1)
             source = ptr8(int(source) + 1)
-            left -= 1
-        left = int(state[17])
-        if left == 0:
-            left = int(_len(data))
+            room -= 1
+        room = int(state[13]) - int(state[1])
         left -= int(state[2])
-        if left > int(state[13]) - int(state[1]):
-            left = int(state[13]) - int(state[1])
+        source = ptr8(data)
+        source = ptr8(int(source) + int(state[2]))
+        if left > room:
+            left = room
             receiver._arrived[0] = data
             state[12] = 1
-            source = ptr8(data)
-            source = ptr8(int(source) + int(state[2]))
             state[2] += left
         else:
-            source = ptr8(data)
-            source = ptr8(int(source) + int(state[2]))
             state[2] = 0
             state[17] = 0
         state[1] += left
         if (int(source) | int(target)) & 3 == 0:
+            # The last word may be a part of one: the buffer ends with a whole one, and so does what is on the heap.
             words = ptr32(target)
-            while left > 7:
+            while left > 4:
                 words[0] = ptr32(source)[0]
                 words[1] = ptr32(source)[1]
                 words = ptr32(int(words) + 8)
                 source = ptr8(int(source) + 8)
                 left -= 8
-            target = ptr8(words)
+            if left > 0:
+                words[0] = ptr32(source)[0]
+            return
         while left:
             target[0] = source[0]
             target = ptr8(int(target) + 1)
@@ -204,20 +216,18 @@ def taker(receiver):
 
 
 def decoder(receiver):
-    """Return the function receive() of a receiver, as frames_plain.decoder does; it holds the receiver.
-
-    A closure of more than five variables would take memory at each call.
-    """
+    """Return the function receive() of a receiver, as frames_plain.decoder does; it holds the receiver."""
     state_at = address(receiver._state)
-    buffer_at = address(receiver._buffer)
-    table_at = address(TABLE)
+    keep_address(receiver._state, 19, receiver._buffer)
+    keep_address(receiver._state, 21, TABLE)
     known = receiver._messages.get
+    none, made = None, False  # viper compares an object with objects only
 
     @micropython.viper
     def receive():
         state = ptr32(int(state_at))
-        base = int(buffer_at)
-        low = ptr16(int(table_at))
+        base = int(state[19]) | int(state[20]) << 32
+        low = ptr16(int(state[21]) | int(state[22]) << 32)
         high = ptr16(int(low) + 512)
         while True:
             at = int(state[0])
@@ -262,7 +272,7 @@ def decoder(receiver):
                         state[15] += 8
                     continue
             message = known(number)
-            if message is _NONE:
+            if message is none:
                 state[18] += 1
                 state[0] = at + 1
                 if state[16]:
@@ -300,16 +310,20 @@ def decoder(receiver):
                 crc = low[crc & 0xFF] ^ high[crc >> 8]
                 pairs = ptr16(int(pairs) + 8)
                 left -= 8
+            while left > 1:
+                crc ^= pairs[0]
+                crc = low[crc & 0xFF] ^ high[crc >> 8]
+                pairs = ptr16(int(pairs) + 2)
+                left -= 2
             source = ptr8(pairs)
-            while left:
+            if left:
                 crc = high[(crc ^ source[0]) & 0xFF] ^ (crc >> 8)
                 source = ptr8(int(source) + 1)
-                left -= 1
             state[7] = crc
 
-            if state[14] or message is _MADE:
+            if state[14] or message is made:
                 message = receiver._admitted(message)
-                if message is _NONE:
+                if message is none:
                     continue
             image = ptr8(message._image)
             crc = high[(crc ^ image[3]) & 0xFF] ^ (crc >> 8)

@@ -188,11 +188,12 @@ class Streams:
         self._next_ms = now_ms  # also if something raises, or has to wait
         times = self._times
         budget = self._budget
+        left = budget[0]
         while True:
-            index = take_due(times, now_ms, budget[0])
+            index = take_due(times, now_ms, left)
             if index < 0:
                 break
-            if budget[0] <= 0:  # what comes first goes first
+            if left <= 0:  # what comes first goes first
                 self.has_waited = True
                 return
             if index >= LATE:
@@ -201,7 +202,7 @@ class Streams:
                     budget[1] += 1
             if self._is_waiting and not self._is_off(index) and self._is_announced_soon(index):
                 continue
-            budget[0] -= 1
+            budget[0] = left = left - 1
             _SENDERS[index](_ENCODERS[index], self._state, self._link)
         self.has_waited = False
         self._next_ms = ticks_add(now_ms, -index)

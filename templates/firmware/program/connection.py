@@ -21,7 +21,8 @@ _LOOK_MS = const(100)  # no later the streams and the port have a turn
 _ARRIVED = const(0)  # what comes first in a pass: what arrived,
 _STREAMS = const(1)  # or streams, and nothing is taken in,
 _OTHERS = const(2)  # or what else waits, and then streams
-_WORKED = const(15)  # where the state of a link has what is limited in a pass: frames_plain says more
+_NUMBER = const(6)  # where the state of a link has the id of a message, frames_plain says more,
+_WORKED = const(15)  # and what is limited in a pass
 _HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
@@ -48,7 +49,8 @@ class Connection:
     At the other end of another port there is one station: all that hear what goes out there.
 
     `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
-    deliver() send, and `streams` are its.
+    deliver() send, and `streams` are its. What sets quantities is taken after the services, by the Reception that
+    its message names.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -98,7 +100,11 @@ class Connection:
         log = self._log
         budget = self._budget
         most = vehicle.MESSAGES
-        buffered = self.link._state  # frames_plain says what it holds
+        buffered = self.link._state  # frames_plain says what it holds, and the image of a message
+        system_id, component_id = self.system_id, self.component_id
+        is_alone = self._stations is None
+        takers = self.services._takers
+        stations, count = self.stations, len
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
@@ -108,13 +114,8 @@ class Connection:
                 for _ in look(0):
                     is_left = True
                 is_more = False
-                if (
-                    is_left
-                    or not self._is_idle
-                    or log.last != text
-                    or parameters.changes != changes
-                    or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
-                ):
+                is_due = not (self._is_idle and 0 < diff(next_ms, now_ms) <= _LOOK_MS)
+                if is_due or is_left or log.last != text or parameters.changes != changes:
                     self._is_idle = True  # unless something is left
                     budget[0] = most
                     turn = first
@@ -126,13 +127,32 @@ class Connection:
                             budget[0] -= 1
                             try:
                                 message = self.inbox.next(now_ms)
-                                if message is not None and self._is_answered(message, now_ms):
-                                    self.services.handle(message)
+                                if message is not None:
+                                    sent = message._image
+                                    number = buffered[_NUMBER]
+                                    if (sent[7] != system_id or sent[8] != component_id) and (
+                                        is_alone or self._has_place(message, number, now_ms)
+                                    ):
+                                        found = takers.get(number)
+                                        if found is not None:
+                                            if found[1]:
+                                                self.services.handle(message)
+                                            else:  # it is for everybody
+                                                found[0](message)
+                                        table = message._taker
+                                        if table is not None:
+                                            found = table.take(message, sent, now_ms)
+                                            if found:
+                                                if found > 0:
+                                                    table.tell(message)
+                                                if table.called is not None:
+                                                    table.called()
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
-                            for _ in look(0):
-                                is_left = True
+                            if budget[0] > 0:  # or the next pass looks
+                                for _ in look(0):
+                                    is_left = True
                         if budget[0] <= 0:  # what is to be sent comes first in the next pass
                             first = _STREAMS
                             next_ms = now_ms
@@ -141,9 +161,11 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    for station in self.stations:
+                    is_due = is_due and turn == _ARRIVED and count(stations) == 1  # else each has to be asked
+                    for station in stations:
                         if (
-                            station.waiting
+                            is_due
+                            or station.waiting
                             or station.text != text
                             or station.said is not None
                             or station.parameter is not None
@@ -159,6 +181,8 @@ class Connection:
                                     station.streams.run(now_ms)
                                 except Exception as error:
                                     self._note(error, now_ms)
+                                if budget[0] <= 0:
+                                    break
                             try:
                                 if budget[0] > 0 and station.waiting:
                                     self._send_waiting(station.waiting)
@@ -189,7 +213,8 @@ class Connection:
                         next_ms = ticks_add(now_ms, least_ms)
                         is_more = is_left
                     else:  # whether anything is left is found out in the next pass
-                        if self._pass_on(now_ms) and turn == _ARRIVED:
+                        is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
+                        if is_left_out and turn == _ARRIVED:
                             first = _STREAMS
                         elif turn != _OTHERS:
                             first = _OTHERS
@@ -257,15 +282,10 @@ class Connection:
         station.waiting.append(reply)
         self._is_idle = False
 
-    def _is_answered(self, message, now_ms):
-        """Turn to who has sent a message; return whether it is not its own, and there is a place for who it is of."""
-        sent = message._image  # frames_plain says what it holds
-        if sent[7] == self.system_id and sent[8] == self.component_id:
-            return False
-        if self._stations is None:
-            return True
+    def _has_place(self, message, number, now_ms):
+        """Turn to who has sent a message; return whether there is a place for who it is of."""
         if (  # no vehicle is a station
-            message.ID == _HEARTBEAT
+            number == _HEARTBEAT
             and message.wire[_TYPE] != dialect.MAV_TYPE_GCS
             and message.wire[_AUTOPILOT] != dialect.MAV_AUTOPILOT_INVALID
         ):
@@ -311,8 +331,6 @@ class Connection:
     def _pass_on(self, now_ms):
         """Let others than the station at hand have their share first next time; return whether streams may wait."""
         stations = self.stations
-        if len(stations) == 1:
-            return self.streams.has_waited
         while stations[-1] is not self.station:
             stations.append(stations.pop(0))
         for station in stations:

@@ -11,34 +11,38 @@ GROUND_STATION = const(1)  # a system of which a ground station's HEARTBEAT is h
 OWN_SYSTEM = const(2)  # another component of this vehicle
 
 _QUIET_MS = const(10000)  # between two texts about implausible numbers
-_FIELDS = const(5)  # where the counts of fields begin
+_FIELDS = const(12)  # where the counts of fields begin
 
 
 class Reception:
     """A table of specs/receives.
 
+    take(message, image, now_ms), with the image of the message and time.ticks_ms(), sets the quantities if the sender
+    may. It returns 0 where nothing more is to be done, and 1 or more where a number was implausible: tell(message) then
+    tells it. Where it returns anything but 0, `called` is called, unless it is None. receiving.py sets take().
+
     `counts` is what the functions of receiving write, and read: [0] the number of the last field that was implausible,
     from 1, or 0, and -1 for a message that is not for this table, or not for this vehicle; [1] how many messages were
     taken; [2] whether this one came by MAVLink 1, which has no extensions; [3] and [4] system and component of this
-    vehicle; then for each field how many of its numbers were implausible. They start anew after 2 ** 30.
+    vehicle; [5] how many bytes the names of listeners take; in machine code [6], [8] and [10] the addresses of the
+    words, of these names and of the state of the link, 64 bits each; then for each field how many of its numbers were
+    implausible. They start anew after 2 ** 30.
     """
 
-    def __init__(self, name, fields, take, is_extended, sender, called, connection, vehicle):
+    def __init__(self, name, fields, sender, called, connection, vehicle):
         self._name = name
         self._fields = fields
-        self._take = take
-        self._state = connection.link._state if is_extended else None  # frames_plain says what it holds
-        self._sender = sender
-        self._called = called
-        self._system_id = connection.system_id
-        self._listeners = connection.services.listeners
-        self._names = self._listeners.names
-        self._words = vehicle.state.words
+        self.called = called
         self._log = vehicle.texts
         self._told_ms = None
+        self.sender = sender
+        self.listeners = connection.services.listeners
+        self.link = connection.link._state  # frames_plain says what it holds
+        self.words = vehicle.state.words
         self.counts = array("i", [0] * (_FIELDS + len(fields)))
         self.counts[3] = connection.system_id
         self.counts[4] = connection.component_id
+        self.counts[5] = 2 * len(self.listeners.names)
 
     @property
     def taken(self):
@@ -54,27 +58,8 @@ class Reception:
                 found[self._fields[at]] = self.counts[_FIELDS + at]
         return found
 
-    def take(self, message):
-        """Set the quantities, if the sender may."""
-        of = self._sender
-        if of == GROUND_STATION:
-            # Mostly there is one, in the first place.
-            if self._names[0] >> 8 != message._image[7] and not is_heard(self._listeners, message._image[7]):
-                return
-        elif of == OWN_SYSTEM and message._image[7] != self._system_id:
-            return
-        counts = self.counts
-        of = self._state
-        if of is not None:
-            counts[2] = 1 if of[4] - of[3] == 6 else 0  # the bytes of a header
-        self._take(message.wire, self._words, counts, ticks_ms())
-        of = counts[0]
-        if of > 0:
-            self._tell(message)
-        if of >= 0 and self._called is not None:
-            self._called()
-
-    def _tell(self, message):
+    def tell(self, message):
+        """Tell that a number was not plausible, now and then."""
         now_ms = ticks_ms()
         if self._told_ms is None or ticks_diff(now_ms, self._told_ms) >= _QUIET_MS:
             self._told_ms = now_ms
@@ -83,3 +68,50 @@ class Reception:
             if element:
                 value = value[int(element[:-1])]
             self._log(f"warning: {self._name}.{self._fields[self.counts[0] - 1]} not plausible:", value)
+
+
+class Several:
+    """Receptions of the same message, one after another."""
+
+    called = None
+
+    def __init__(self, first, second):
+        self._first = first
+        self._second = second
+
+    def take(self, message, image, now_ms):
+        """Let each take it; all that is to be done then is done."""
+        table = self._first
+        found = table.take(message, image, now_ms)
+        if found:
+            _tell(table, message, found)
+        table = self._second
+        found = table.take(message, image, now_ms)
+        if found:
+            _tell(table, message, found)
+        return 0
+
+
+def _tell(table, message, found):  # apart, since the variables of a larger function lie on the heap
+    if found > 0:
+        table.tell(message)
+    if table.called is not None:
+        table.called()
+
+
+def rarely(table):
+    """Return what lets a Reception take messages that the services hand on: those that are made anew each time."""
+
+    def take(message):
+        found = table.take(message, message._image, ticks_ms())
+        if found:
+            _tell(table, message, found)
+
+    return take
+
+
+def is_from(reception, system):
+    """Return whether a system may send what a Reception takes."""
+    if reception.sender == GROUND_STATION:
+        return is_heard(reception.listeners, system)
+    return reception.sender == ANY or system == reception.counts[3]

@@ -30,9 +30,9 @@ def outcome(steps, paths, calls):
     called = {}
     for table, reception in connection.receptions.items():
         if calls[table] is not None:
-            assert reception._called == getattr(craft, calls[table])
+            assert reception.called == getattr(craft, calls[table])
             called[table] = 0
-            reception._called = counting(called, table)
+            reception.called = counting(called, table)
     now_ms = 0
     for step in steps:
         if isinstance(step, int):

@@ -17,13 +17,14 @@ from codegen.model.code.storage import HALF, SMALL_INT_MAX, Storage
 from codegen.model.dialect.dialect import WireField
 from codegen.model.program import RECEIVED
 from codegen.model.reception import ReceivedField, Reception
+from codegen.model.spec.receive import Sender
 from codegen.model.system import System
 from codegen.model.vehicle import QuantityKind
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
-FIELDS = 5
+FIELDS = 12
 """Where the counts of the fields begin."""
 _OWN = 3
 """Where the system and the component of the vehicle stand."""
@@ -33,7 +34,10 @@ _TOP = 0x8000
 
 @dataclass(frozen=True, slots=True)
 class TakeView:
-    """One table: its function, and what its Reception is made with. ``call`` is "None" or a name in quotes."""
+    """One table: its function, and what its Reception is made with. ``call`` is "None" or a name in quotes.
+
+    ``admitted`` leaves, in machine code, what its sender may not send.
+    """
 
     name: str
     message: str
@@ -43,7 +47,7 @@ class TakeView:
     fields: str
     sender: str
     call: str
-    is_extended: bool
+    admitted: tuple[str, ...]
     lines: tuple[str, ...]
 
 
@@ -51,11 +55,13 @@ class TakeView:
 class ReceivingView:
     """The modules: constants of the state's words, and the tables in the order of their ids.
 
-    ``makes_wholes``: of floats. ``kinds`` are the classes of the messages that are received for them alone.
+    ``makes_wholes``: of floats. ``is_shared``: a message has several tables.
+    ``kinds`` are the classes of the messages that are received for them alone.
     """
 
     imports: tuple[str, ...]
     either: tuple[str, ...]
+    is_shared: bool
     constants: tuple[ConstantView, ...]
     makes_wholes: bool
     kinds: tuple[str, ...]
@@ -69,9 +75,14 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
     takes = tuple(_take(table, classes[table.wire.name], layout, places) for table in system.receptions)
     machine_code = system.spec.project.machine_code
     senders = {("reception", take.sender) for take in takes}
+    is_shared = len({take.class_name for take in takes}) < len(takes)
+    names = ["Reception", "rarely", *(["Several"] if is_shared else [])]
     return ReceivingView(
-        imports=import_lines(["messages"], [("reception", "Reception"), *senders]),
-        either=either_import("receiving", sorted(take.function for take in takes), machine_code=machine_code),
+        imports=import_lines(["messages"], [("message", "keep"), *(("reception", name) for name in names), *senders]),
+        either=either_import(
+            "receiving", sorted([*(take.function for take in takes), "taker"]), machine_code=machine_code
+        ),
+        is_shared=is_shared,
         constants=tuple(ConstantView(name, place) for name, place in sorted(places.items(), key=lambda each: each[1])),
         makes_wholes=any(makes_whole(taken) for table in system.receptions for taken in table.fields),
         kinds=tuple(classes[name] for name in received_beside(system)),
@@ -83,6 +94,7 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
     lines = list(_conditions(table))
     for number, taken in enumerate(table.fields, 1):
         lines += ["", *_Statements(taken, number, layout, places).lines()]
+    lines += ["return counts[0]" if not table.spec.call else "return counts[0] if counts[0] != 0 else -1"]
     labels = [f'"{taken.label}"' for taken in table.fields]
     return TakeView(
         name=table.name,
@@ -93,7 +105,7 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
         fields=f"({', '.join(labels)}{',' if len(labels) == 1 else ''})",
         sender=table.spec.sender.value.upper(),
         call=f'"{call_name(table)}"' if table.spec.call else "None",
-        is_extended=table.has_extensions,
+        admitted=tuple(_admitted(table)),
         lines=tuple(f"    {line}" if line else "" for line in lines),
     )
 
@@ -116,6 +128,23 @@ def call_name(table: Reception) -> str:
     return f"received_{table.name.lower()}"
 
 
+def _admitted(table: Reception) -> Iterator[str]:
+    """Leave what somebody else sends than may, in machine code; receiving_plain.py.j2 has the same for all tables."""
+    if table.spec.sender is Sender.GROUND_STATION:
+        yield "names = ptr8(int(counts[8]) | int(counts[9]) << 32)"
+        yield "at = 0"
+        yield "while at < counts[5] and names[at + 1] != image[7]:  # the system stands in the high byte"
+        yield "    at += 2"
+        yield "if at == counts[5]:"
+        yield "    return 0"
+    elif table.spec.sender is Sender.OWN_SYSTEM:
+        yield "if image[7] != counts[3]:"
+        yield "    return 0"
+    if table.has_extensions:
+        yield "link = ptr32(int(counts[10]) | int(counts[11]) << 32)"
+        yield "counts[2] = 1 if link[4] - link[3] == 6 else 0  # the bytes of a header"
+
+
 def _conditions(table: Reception) -> Iterator[str]:
     """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
     places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
@@ -123,12 +152,12 @@ def _conditions(table: Reception) -> Iterator[str]:
     if others:
         yield f"if {_any(others)}:"
         yield "    counts[0] = -1  # for somebody else"
-        yield "    return"
+        yield "    return 0"
     if table.conditions:
         tests = " or ".join(f"{_number(field, field.offset)} != {number}" for field, number in table.conditions)
         yield f"if {tests}:"
         yield "    counts[0] = -1  # not for this table"
-        yield "    return"
+        yield "    return 0"
     yield "counts[0] = 0"
     yield f"counts[1] = counts[1] + 1 & {_MASK}"
 
