@@ -25,6 +25,7 @@ _RESULT = re.compile(
     r"(?:[ ]?(?P<unit>%|[A-Za-zµ°][A-Za-z°]{0,8}(?:/[A-Za-z]{1,3})?\b))?"
 )
 _GOES_ON = re.compile(r"\s*(?:[*/^\u00d7\u00b7\u00f7]|[-+]\s?[\d(])")
+_BEFORE = re.compile(r"[*/\u00d7x] ?\d[\d.,]* ?(?:[a-z]+ )?$")  # "20 Hz x 23 bytes (11 + 12) = 460": an aside
 _COMMENT = re.compile(r"(?://|#|--|/\*|\*|;)(.*)")
 _PLAIN = ("", "text", "txt", "plain", "console")
 _TOLERANCE = r"[^\n]{0,40}?<=?\s*([0-9.]{1,20})"
@@ -57,6 +58,8 @@ def _examples(text: str, start: int = 0) -> Iterator[tuple[Expression, "re.Match
     for result in _RESULT.finditer(text, start) if "=" in text or "≈" in text else ():
         expression = expression_before(text, result.start())
         if expression is None or expression.start < start or _GOES_ON.match(text, result.end()):
+            continue
+        if text[expression.start] == "(" and _BEFORE.search(text, start, expression.start):
             continue
         value = _in_unit(expression, result)
         if value is not None and not _is_right(value, result) and not _is_right(_in_small(value, result), result):

@@ -66,7 +66,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
         one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
-        if one is not None:
+        if one is not None and not (form is _SIGN and _is_raw(found, unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
             yield reading.found(
@@ -88,6 +88,12 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             yield reading.found(
                 as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
             )
+
+
+def _is_raw(found: "re.Match[str]", unit: Unit, field: WireField) -> bool:
+    """Whether a comment behind a factor tells what is divided: ``relative_alt / 1000  # mm``."""
+    own = field.definition.units
+    return own is not None and Unit.parse(own) == unit and re.search(r"#|//", found[0]) is not None
 
 
 _SUFFIXES = {
