@@ -248,16 +248,28 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     wire[17] = value >> 8 & 0xFF
 
     # drop_rate_comm: 0 (FR-00068.9)
+    wire[18] = 0
+    wire[19] = 0
 
     # errors_comm: 0 (FR-00068.9)
+    wire[20] = 0
+    wire[21] = 0
 
     # errors_count1: 0 (FR-00068.9)
+    wire[22] = 0
+    wire[23] = 0
 
     # errors_count2: 0 (FR-00068.9)
+    wire[24] = 0
+    wire[25] = 0
 
     # errors_count3: 0 (FR-00068.9)
+    wire[26] = 0
+    wire[27] = 0
 
     # errors_count4: 0 (FR-00068.9)
+    wire[28] = 0
+    wire[29] = 0
 
     # battery_remaining [%]: battery.remaining (FR-00068.5)
     value = words[battery + _BATTERY_REMAINING_PCT]
@@ -268,10 +280,22 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     wire[30] = value & 0xFF
 
     # onboard_control_sensors_present_extended: no flag (FR-00068.9)
+    wire[31] = 0
+    wire[32] = 0
+    wire[33] = 0
+    wire[34] = 0
 
     # onboard_control_sensors_enabled_extended: no flag (FR-00068.9)
+    wire[35] = 0
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
 
     # onboard_control_sensors_health_extended: no flag (FR-00068.9)
+    wire[39] = 0
+    wire[40] = 0
+    wire[41] = 0
+    wire[42] = 0
 
 
 def build_battery_status(state, instance=0):
@@ -452,6 +476,7 @@ def write_battery_status(value, place, wire, words, instance):
     wire[48] = 0
 
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
+    wire[49] = 0
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -507,6 +532,14 @@ def write_autopilot_version(value, place, wire, words):
     wire[7] = 0
 
     # uid: 0 (FR-00070.2)
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
+    wire[14] = 0
+    wire[15] = 0
 
     # flight_sw_version: 16777216 (FR-00070.2)
     wire[16] = 0
@@ -515,22 +548,66 @@ def write_autopilot_version(value, place, wire, words):
     wire[19] = 1
 
     # middleware_sw_version: 0 (FR-00070.2)
+    wire[20] = 0
+    wire[21] = 0
+    wire[22] = 0
+    wire[23] = 0
 
     # os_sw_version: 0 (FR-00070.2)
+    wire[24] = 0
+    wire[25] = 0
+    wire[26] = 0
+    wire[27] = 0
 
     # board_version: 0 (FR-00070.2)
+    wire[28] = 0
+    wire[29] = 0
+    wire[30] = 0
+    wire[31] = 0
 
     # vendor_id: 0 (FR-00070.2)
+    wire[32] = 0
+    wire[33] = 0
 
     # product_id: 0 (FR-00070.2)
+    wire[34] = 0
+    wire[35] = 0
 
     # flight_custom_version: 0 (FR-00070.2)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
+    wire[39] = 0
+    wire[40] = 0
+    wire[41] = 0
+    wire[42] = 0
+    wire[43] = 0
 
     # middleware_custom_version: 0 (FR-00070.2)
+    wire[44] = 0
+    wire[45] = 0
+    wire[46] = 0
+    wire[47] = 0
+    wire[48] = 0
+    wire[49] = 0
+    wire[50] = 0
+    wire[51] = 0
 
     # os_custom_version: 0 (FR-00070.2)
+    wire[52] = 0
+    wire[53] = 0
+    wire[54] = 0
+    wire[55] = 0
+    wire[56] = 0
+    wire[57] = 0
+    wire[58] = 0
+    wire[59] = 0
 
     # uid2: 0 (FR-00070.2)
+    place = 0
+    while place < 18:
+        wire[60 + place] = 0
+        place += 1
 
 
 def build_protocol_version(state):
@@ -562,8 +639,24 @@ def write_protocol_version(value, place, wire, words):
     wire[5] = 0
 
     # spec_version_hash: 0 (FR-00070.2)
+    wire[6] = 0
+    wire[7] = 0
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
 
     # library_version_hash: 0 (FR-00070.2)
+    wire[14] = 0
+    wire[15] = 0
+    wire[16] = 0
+    wire[17] = 0
+    wire[18] = 0
+    wire[19] = 0
+    wire[20] = 0
+    wire[21] = 0
 
 
 def build_battery_status_v2(state, instance=0):

@@ -90,6 +90,10 @@ def encode_heartbeat(link, state):
 def write_heartbeat(value, place, wire, words):
     """Write the payload of HEARTBEAT (0), FR-00074.1."""
     # custom_mode: 0 (FR-00074.1)
+    wire[0] = 0
+    wire[1] = 0
+    wire[2] = 0
+    wire[3] = 0
 
     # type: MAV_TYPE_BATTERY (FR-00074.1)
     wire[4] = 36
@@ -98,6 +102,7 @@ def write_heartbeat(value, place, wire, words):
     wire[5] = 8
 
     # base_mode: no flag (FR-00074.1)
+    wire[6] = 0
 
     # system_status: MAV_STATE_ACTIVE (FR-00074.1)
     wire[7] = 4
@@ -288,6 +293,7 @@ def write_battery_status(value, place, wire, words, instance):
     wire[48] = 0
 
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
+    wire[49] = 0
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -343,6 +349,14 @@ def write_autopilot_version(value, place, wire, words):
     wire[7] = 0
 
     # uid: 0 (FR-00070.2)
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
+    wire[14] = 0
+    wire[15] = 0
 
     # flight_sw_version: 16777216 (FR-00070.2)
     wire[16] = 0
@@ -351,22 +365,66 @@ def write_autopilot_version(value, place, wire, words):
     wire[19] = 1
 
     # middleware_sw_version: 0 (FR-00070.2)
+    wire[20] = 0
+    wire[21] = 0
+    wire[22] = 0
+    wire[23] = 0
 
     # os_sw_version: 0 (FR-00070.2)
+    wire[24] = 0
+    wire[25] = 0
+    wire[26] = 0
+    wire[27] = 0
 
     # board_version: 0 (FR-00070.2)
+    wire[28] = 0
+    wire[29] = 0
+    wire[30] = 0
+    wire[31] = 0
 
     # vendor_id: 0 (FR-00070.2)
+    wire[32] = 0
+    wire[33] = 0
 
     # product_id: 0 (FR-00070.2)
+    wire[34] = 0
+    wire[35] = 0
 
     # flight_custom_version: 0 (FR-00070.2)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
+    wire[39] = 0
+    wire[40] = 0
+    wire[41] = 0
+    wire[42] = 0
+    wire[43] = 0
 
     # middleware_custom_version: 0 (FR-00070.2)
+    wire[44] = 0
+    wire[45] = 0
+    wire[46] = 0
+    wire[47] = 0
+    wire[48] = 0
+    wire[49] = 0
+    wire[50] = 0
+    wire[51] = 0
 
     # os_custom_version: 0 (FR-00070.2)
+    wire[52] = 0
+    wire[53] = 0
+    wire[54] = 0
+    wire[55] = 0
+    wire[56] = 0
+    wire[57] = 0
+    wire[58] = 0
+    wire[59] = 0
 
     # uid2: 0 (FR-00070.2)
+    place = 0
+    while place < 18:
+        wire[60 + place] = 0
+        place += 1
 
 
 def build_protocol_version(state):
@@ -398,8 +456,24 @@ def write_protocol_version(value, place, wire, words):
     wire[5] = 0
 
     # spec_version_hash: 0 (FR-00070.2)
+    wire[6] = 0
+    wire[7] = 0
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
 
     # library_version_hash: 0 (FR-00070.2)
+    wire[14] = 0
+    wire[15] = 0
+    wire[16] = 0
+    wire[17] = 0
+    wire[18] = 0
+    wire[19] = 0
+    wire[20] = 0
+    wire[21] = 0
 
 
 def build_battery_status_v2(state, instance=0):

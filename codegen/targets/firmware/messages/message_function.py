@@ -140,7 +140,7 @@ def _function(
 ) -> FunctionView:
     body: list[str] = []
     for answer in message.answers:
-        body += ["", *code.needed(answer)]
+        body += ["", *answer.statements(code)]
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
     before = [line for reading in expired for line in ["", *_expiring_of(reading, code, shared)]]

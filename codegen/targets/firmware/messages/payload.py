@@ -3,7 +3,7 @@
 import struct
 from dataclasses import dataclass, field
 
-from codegen.model.answers.answer import Answer, Elements
+from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import FloatParts
 from codegen.model.code.clock import CLOCK
 from codegen.model.code.letters import words_of
@@ -286,10 +286,6 @@ class SpelledCode(PayloadCode):
     def pointers(self) -> list[str]:
         """The statements that make the variables which spelling has turned out to need."""
         return []
-
-    def needed(self, answer: Answer) -> list[str]:
-        """The statements of an answer, as far as they change anything."""
-        return answer.statements(self)
 
     def ending(self) -> list[str]:
         """Return what is left to do once all fields are written."""

@@ -1,6 +1,6 @@
 """The spelling of a message's function in plain Python, for ports without machine code."""
 
-from codegen.model.answers.answer import Answer, Elements
+from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import FloatParts
 from codegen.model.code.payload_code import indented
 from codegen.model.vehicle import Quantity
@@ -99,11 +99,6 @@ class PlainCode(SpelledCode):
         parameters = (f"state.parameters.{name}" for name in self.parameters)
         given = ("time.ticks_ms()", "0", "message.wire", "state.words", *about, *parameters)
         return f"    write_{self.message}", ", ".join(given)
-
-    def needed(self, answer: Answer) -> list[str]:
-        """Of what is always 0 the remark alone: the payload begins with zeros."""
-        lines = answer.statements(self)
-        return lines if answer.used_bytes(0, 255)[1] else [line for line in lines if line.startswith("#")]
 
     def finished(self) -> list[str]:
         """The payload."""
