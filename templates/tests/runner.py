@@ -56,7 +56,7 @@ def soil(message):
     for at in range(message.LENGTH):
         message.wire[at] = 0xFF
     for field in layout_of(type(message)).values():
-        if field[0][-1] == "s":
+        if field[0][-1] == "s" or (field[2] and field[0][-1] == "B"):  # what is a text may lie in bytes
             end = field[1] + int(field[0][1:-1] or 1)
             message.wire[field[1] : end] = kept[field[1] : end]
 

@@ -117,6 +117,7 @@ def test_a_section_that_names_no_aspect_gets_no_evidence(tmp_path: Path) -> None
         "jitter_is_no_drift",
         "faults_do_not_stop_the_loop",
         "day_across_the_wrap",
+        "an_interrupt_ends_one_pass",
     }
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: ad4862a25a5a89a5
+# Inputs: 308ddd04f961be47
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -58,7 +58,7 @@ def soil(message):
     for at in range(message.LENGTH):
         message.wire[at] = 0xFF
     for field in layout_of(type(message)).values():
-        if field[0][-1] == "s":
+        if field[0][-1] == "s" or (field[2] and field[0][-1] == "B"):  # what is a text may lie in bytes
             end = field[1] + int(field[0][1:-1] or 1)
             message.wire[field[1] : end] = kept[field[1] : end]
 
