@@ -111,6 +111,8 @@ WORKLOADS = (
         )
     ),
 )
+BUILT = {"fields": measure.HERE / "fields", "received": measure.ROOT / "tests" / "projects" / "received"}
+"""The projects of scripts that are not about the rover."""
 SCRIPTS = tuple(dict.fromkeys(workload.script for workload in WORKLOADS))
 
 
@@ -132,7 +134,7 @@ def counted(script: str, folder: Path, layouts: Iterable[int] = LAYOUTS) -> list
     mine = [workload for workload in WORKLOADS if workload.script == script]
     if note := problem():
         return [_figure(workload, None, None, note) for workload in mine]
-    modules = _modules(script, folder)
+    modules = modules_of(script, folder)
     lowest: dict[str, float] = {}
     for layout in layouts:
         costs, lengths = instructions(f"cost_{script}.py", layout, modules, folder)
@@ -153,18 +155,15 @@ def _share(workload: Workload, lengths: Mapping[str, int]) -> float | None:
     return lengths[workload.name] / lengths["battery_status"] if workload.by_length else None
 
 
-def _modules(script: str, folder: Path) -> list[Path]:
+def modules_of(script: str, folder: Path) -> list[Path]:
+    """Return the folders with what a script imports, which is built into a folder where it is not the rover's."""
     if script == "codec":
         codec = folder / "codec"
         return [codec if codec.exists() else measure.codec(codec, "BATTERY_STATUS")]
-    if script == "received":
-        generated = folder / "received" / "generated"
-        measure.project(measure.ROOT / "tests" / "projects" / "received", generated.parent)
-        return [generated / "firmware", generated / "mocks"]
     generated = measure.ROOT / "generated"  # the rover, which `codegen build --check` holds to its specification
-    if script == "fields":
-        generated = folder / "fields" / "generated"
-        measure.project(measure.HERE / "fields", generated.parent)
+    if script in BUILT:
+        generated = folder / script / "generated"
+        measure.project(BUILT[script], generated.parent)
     return [generated / "firmware", generated / "mocks"]
 
 

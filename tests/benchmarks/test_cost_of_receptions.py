@@ -1,15 +1,11 @@
 """A message that sets quantities takes at most three times what it takes to parse it."""
 
 import shutil
-import subprocess
-import sys
 from collections.abc import Mapping
-from pathlib import Path
 
 import cost
 import pytest
 
-PROJECTS = Path(__file__).resolve().parents[1] / "projects"
 MOST = 3
 
 
@@ -19,10 +15,7 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, float]:
     if shutil.which("valgrind") and cost.problem():
         pytest.skip(cost.problem())
     folder = tmp_path_factory.mktemp("cost")
-    shutil.copytree(PROJECTS / "received" / "specs", folder / "specs")
-    subprocess.run([Path(sys.executable).parent / "codegen", "build"], cwd=folder, check=True, capture_output=True)
-    modules = [folder / "generated" / name for name in ("firmware", "mocks")]
-    costs, said = cost.instructions("cost_received.py", 0, modules, folder)
+    costs, said = cost.instructions("cost_received.py", 0, cost.modules_of("received", folder), folder)
     assert set(said.values()) == {1}
     assert len(said) == len(costs) - 1 == 9
     return {name: value - costs["nothing"] for name, value in costs.items()}
