@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 6a90b4ec468c60f1
+# Inputs: 050aa52a2c0b5721
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -51,15 +51,15 @@ class Sender:
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
         views = [None] * (longest + 1)  # a list that is as long from the start keeps no more room than it needs
-        lengths = lengths or ((0, longest),)
-        for first, last in lengths:
-            for length in range(first, last + 1):
-                views[length] = frame[2 : 2 + extra + length]
-        frame[1] = lengths[0][1]
         # Who makes it finds here where the payload goes, and the frame by its length. The buffer of a link that sends
         # MAVLink 1, or signs, is not for that: there is one that holds nothing.
         self._none = None if version == 2 and not signing else bytes(1)
         self.room = (address(self._none or frame) + 12, views)
+        lengths = lengths or ((0, longest),)
+        frame[1] = lengths[0][1]
+        for first, last in lengths:
+            for length in range(first, last + 1):
+                self._new_view(length)
         encode = encoder(frame, views, self._new_view)
         self.encode = _signed(encode, signing) if signing else encode
 

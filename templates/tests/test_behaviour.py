@@ -1,17 +1,13 @@
 """The checks of behaviour.py, in one run of each interpreter; a test is named by its check and criterion."""
 
-import ast
-
 import pytest
-from interpreters import HERE
+from interpreters import checks_of
 
 
 def _checks():
-    """Return criterion and name of each check, without running it."""
-    for statement in ast.parse((HERE / "behaviour.py").read_text()).body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
-            for criterion, check in (entry.elts for entry in statement.value.elts):
-                yield criterion.value, check.id
+    """Return criterion and name of each check."""
+    for criterion, check in (entry.elts for entry in checks_of("behaviour.py")):
+        yield criterion.value, check.id
 
 
 def _cases():

@@ -1,12 +1,11 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: f59fe5e6482a4ef8
+# Inputs: 68089a2cde6a1188
 """The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
 
-import ast
 import socket
 
 import pytest
-from interpreters import HERE
+from interpreters import HERE, checks_of
 from program_facts import CRITERIA
 
 LONG = ("day", "heap")  # simulated days: they take longer than all others together
@@ -14,13 +13,10 @@ ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not hav
 
 
 def _checks(script):
-    """Return the name of each check of a script, and the criteria that it shows, without running it."""
-    module = ast.parse((HERE / f"{script}_checks.py").read_text())
-    for statement in module.body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
-            for check, *aspects in (entry.elts for entry in statement.value.elts):
-                criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]
-                yield check.id, list(dict.fromkeys(criteria))
+    """Return the name of each check of a script, and the criteria that it shows."""
+    for check, *aspects in (entry.elts for entry in checks_of(f"{script}_checks.py")):
+        criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]
+        yield check.id, list(dict.fromkeys(criteria))
 
 
 def _cases():

@@ -80,7 +80,7 @@ class Several:
         self._second = second
 
     def take(self, message, image, now_ms):
-        """Let each take it; all that is to be done then is done."""
+        """Let each take it; all that is to be done then is done. A loop would need the heap for its variables."""
         table = self._first
         found = table.take(message, image, now_ms)
         if found:

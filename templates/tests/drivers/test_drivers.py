@@ -3,23 +3,14 @@
 A test is named by its script and check.
 """
 
-import ast
-
 import pytest
-from interpreters import HERE
-
-
-def _checks(path):
-    """Return the name of each check of a script, without running it."""
-    for statement in ast.parse(path.read_text()).body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
-            yield from (entry.id for entry in statement.value.elts)
+from interpreters import HERE, checks_of
 
 
 def _cases():
     for interpreter in ("cpython", "micropython"):
         for path in sorted(HERE.glob("*_driver.py")):
-            for name in _checks(path):
+            for name in (check.id for check in checks_of(path.name)):
                 case = f"{interpreter}-{path.name.removesuffix('_driver.py')}-{name}"
                 yield pytest.param(interpreter, path.name, name, id=case)
 

@@ -1,18 +1,14 @@
 """The checks of sources_behaviour.py, in one run of each interpreter; a test is named by its sensor and check."""
 
-import ast
-
 import pytest
-from interpreters import HERE
+from interpreters import checks_of
 from source_facts import CRITERIA, SOURCES
 
 
 def _checks():
-    """Return aspect and name of each check, without running it."""
-    for statement in ast.parse((HERE / "sources_behaviour.py").read_text()).body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
-            for aspect, check in (entry.elts for entry in statement.value.elts):
-                yield aspect.value, check.id
+    """Return aspect and name of each check."""
+    for aspect, check in (entry.elts for entry in checks_of("sources_behaviour.py")):
+        yield aspect.value, check.id
 
 
 def _cases():

@@ -8,6 +8,7 @@ import sys
 
 from nmea import Nmea
 from nmea_lines import LINES, ROWS
+from sim_nmea import checksum
 
 try:
     from micropython import mem_total  # bytes that were ever allocated
@@ -100,14 +101,6 @@ def told():
     for kind in ("GSA", "VTG", "RMC", "GGA"):
         bench.hear(line(LINES[kind][0]))
     return bench
-
-
-def checksum(text):
-    """Return the checksum of what stands between the dollar and the star."""
-    total = 0
-    for byte in text.encode():
-        total ^= byte
-    return total
 
 
 def line(text):

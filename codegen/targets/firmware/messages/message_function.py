@@ -62,7 +62,7 @@ class SharedView:
 class FunctionsView:
     """The module: constants of the state's words, texts, and a function for each message in the order of their ids.
 
-    Machine code shares nothing: a call is dear there.
+    Nothing is ``shared`` in machine code but the end of messages that go out seldom: a call is dear there.
     """
 
     imports: tuple[str, ...]
