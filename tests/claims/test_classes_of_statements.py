@@ -10,6 +10,7 @@ TWINS = [
     ("claim-scaling", "SCALED_PRESSURE.temperature = 2150 means 21.5 degC.", "SCALED_PRESSURE.temperature = 215 means 21.5 degC.", "is 2150"),
     ("claim-scaling", "At 5 Hz `interval_us` of MESSAGE_INTERVAL will read 200000.", "At 5 Hz `interval_us` of MESSAGE_INTERVAL will read 200.", "5 Hz is 200000"),
     ("claim-scaling", "To get m, DISTANCE_SENSOR.current_distance is divided by 100.", "To get m, DISTANCE_SENSOR.current_distance is divided by 1000.", "is in cm"),
+    ("claim-scaling", "GPS_RAW_INT.lat is scaled by 10000000.", "GPS_RAW_INT.lat is scaled by 100000.", "is in degE7"),
     ("claim-range", "`rssi` of RC_CHANNELS ends at 255.", "`rssi` of RC_CHANNELS ends at 65535.", "its maximum is 255"),
     ("claim-range", "`temperature` of SCALED_PRESSURE2 cannot be more than 327.67 degC.", "`temperature` of SCALED_PRESSURE2 cannot be more than 655.35 degC.", "not 655.35 degC"),
     ("claim-range", "GPS2_RAW.cog goes from 0 to 35999.", "GPS2_RAW.cog goes from 0 to 3599.", "a full turn is 36000"),

@@ -108,6 +108,7 @@ CASES = [
     (claim("Drift in one day of a loop that adds 10 us to each period", "{} s"), "345.6", "345.7"),
     (claim("Control slots from one battery update to the next", "{}"), "40", "41"),
     (claim("Slots within one turn of `ticks_us()`", "{}"), "429496.7296", "429496.7297"),
+    (claim("Slots within one turn of `ticks_ms()`", "{}"), "429496729.6", "429496729.7"),
     (claim("Frames (48 bytes) that a full buffer of 1024 bytes holds", "{}"), "21", "22"),
     (claim("Link at 57600 baud, 10 bits per byte", "{} bytes/s"), "5760", "5761"),
     (

@@ -15,7 +15,7 @@ from codegen.diff.report.markdown import code, plain, review_markdown
 from codegen.diff.report.page import review_page
 from codegen.diff.report.review import Review, review
 from codegen.diff.system.system import Comparison
-from codegen.diff.system.trace_rules import DOC, REQUIREMENT_TEXT
+from codegen.diff.system.trace_rules import DOC, REQUIREMENT_TEXT, UNTESTED
 from codegen.findings.comment import MOST_CHARACTERS
 from codegen.source import Place
 
@@ -52,6 +52,14 @@ def test_what_is_only_counted_is_counted_in_words_that_agree(count: int, said: s
     found = reviewed(change(), elsewhere=count)
     assert said in review_markdown(found)
     assert said in review_page(found)
+
+
+@pytest.mark.parametrize(("count", "said"), [(0, ""), (1, "1 is lost"), (2, "2 are lost")])
+def test_what_is_lost_is_counted_in_words_that_agree(count: int, said: str) -> None:
+    lost = [changed(UNTESTED, f"FR-{each}.1", "a", None, (Place(f"{each}"), None)) for each in range(count)]
+    other = changed(REQUIREMENT_TEXT, "FR-9.1", "a", "b", (Place("x"), Place("x")))
+    (row,) = re.findall(r"(?m)^\| Requirements \| .*", review_markdown(reviewed(other, *lost)))
+    assert row == f"| Requirements | {count + 1} |  | {said} |  |"
 
 
 def test_long_names_break_between_their_parts() -> None:

@@ -9,12 +9,14 @@ from typing import Any
 import pytest
 
 from codegen.diagnostics import Report
+from codegen.model.quantities.reach import reaches
 from codegen.model.system import System
 from codegen.project.systems import read_system
-from codegen.rules import live_float, stream_rate
+from codegen.rules import live_float, reading_beyond, stream_rate
 from codegen.source import Place
 
 ROVER = Path(__file__).resolve().parents[2] / "specs" / "codegen.yaml"
+RADIO_ROVER = Path(__file__).resolve().parents[1] / "projects" / "radio_rover" / "specs" / "codegen.yaml"
 PLACE = Place("table.yaml")
 
 
@@ -34,6 +36,18 @@ def test_a_stream_may_be_as_fast_as_the_values_are_updated(rover: System, times:
     stream: Any = SimpleNamespace(default_rate=Fraction(1000, period) * Fraction(times))
     found = list(stream_rate.check(replace(rover, messages=(replace(message, stream=stream),))))
     assert [finding.rule.id for finding in found] == ["rate-above-update"] * count
+
+
+@pytest.mark.parametrize(("limits", "count"), [((0, 100), 0), ((0, 99), 1), ((1, 100), 1)])
+def test_an_estimate_lies_between_the_ends_of_its_curve(
+    monkeypatch: pytest.MonkeyPatch, limits: tuple[int, int], count: int
+) -> None:
+    """Whatever a voltage can be, a curve from 0 to 100 % gives nothing beyond."""
+    system = read_system(str(RADIO_ROVER), Report())
+    assert system is not None
+    monkeypatch.setattr(reading_beyond, "reaches", lambda system: {**reaches(system), "pack.charge": limits})
+    found = [finding.message for finding in reading_beyond.check(system)]
+    assert found == ["pack.charge is 0 to 100 %"] * count
 
 
 def scaled(factor: Fraction, size: int) -> Any:
