@@ -76,6 +76,18 @@ def test_every_row_names_what_is_generated(folder: Path) -> None:
     assert [row.label for row in trace.rows if trace.called(row.criterion) != row.criterion] == []
 
 
+@pytest.mark.parametrize("folder", PROJECTS, ids=lambda folder: folder.name)
+def test_every_generated_check_is_run(folder: Path) -> None:
+    """What a script of the suite defines is in its CHECKS, or asked by others; pytest collects what is called test."""
+    scripts = {path: text for path, text in project(folder)[1].items() if "\nCHECKS = " in text}
+    assert scripts
+    for path, text in scripts.items():
+        script = ast.parse(text)
+        defined = {node.name for node in script.body if isinstance(node, ast.FunctionDef)}
+        used = {node.id for node in ast.walk(script) if isinstance(node, ast.Name)}
+        assert {name for name in defined - used if not name.startswith("test_")} == set(), path
+
+
 def test_every_generated_test_is_collected() -> None:
     """pytest's own names, case by case; and what it collects beside them shows no criterion."""
     options = ["--collect-only", "-q", "-p", "no:cacheprovider", "-c", os.devnull, "--rootdir", "."]
