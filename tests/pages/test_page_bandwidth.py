@@ -2,6 +2,8 @@
 
 import re
 from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from lxml import html
@@ -11,6 +13,7 @@ from codegen.model.price import Range, frame_size, message_price, price
 from codegen.model.spec.spec import Generation
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.pages.bars import Amount, chart
+from codegen.targets.pages.budget import beyond_version_1
 
 
 def rows_of(page: html.HtmlElement, box: str) -> list[list[str]]:
@@ -161,3 +164,9 @@ def test_more_than_a_link_carries_is_said_in_words() -> None:
     """And the bar ends where the link does."""
     over = chart("x", "", "", "%", [Amount("a", Range(Fraction(90), Fraction(250)), "", style="over")], Fraction(100))
     assert (over.bars[0].low, over.bars[0].more, over.bars[0].style) == (90, 10, "over")
+
+
+@pytest.mark.parametrize(("number", "stream", "is_beyond"), [(255, "S", False), (256, "S", True), (256, None, False)])
+def test_the_one_byte_of_an_id_has_255_in_it(number: int, stream: str | None, is_beyond: bool) -> None:
+    message: Any = SimpleNamespace(name="M", stream=stream, wire=SimpleNamespace(id=number))
+    assert beyond_version_1([message]) == ("M",) * is_beyond

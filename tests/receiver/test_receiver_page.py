@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from codegen.targets.receiver.view import _arguments
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "receiver.md").read_text()
 BIN = Path(sys.executable).parent
@@ -31,3 +33,12 @@ def test_the_table_is_the_projects():
     lines = re.search(r"```yaml\n# specs/receiver.yaml\n(.*?)```", PAGE, re.DOTALL)[1].splitlines()
     written = (ROOT / "specs" / "receiver.yaml").read_text().splitlines()
     assert {line.partition("#")[0].rstrip() for line in lines} <= set(written)
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [("a", ["a"]), ("a, b", ["a", "b"]), ("a, f(b, g(c, d)), e", ["a", "f(b, g(c, d))", "e"])],
+)
+def test_a_long_call_is_cut_between_its_own_arguments(text, arguments):
+    """Not between those of a call among them."""
+    assert list(_arguments(text)) == arguments

@@ -32,6 +32,8 @@ _IDLE = frozenset((
     "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
     "only", "time",
 ))  # fmt: skip
+_MOST_WORDS = 3
+"""The last words before a unit that can be the name of a field: "the current ground speed"."""
 _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = re.compile(
@@ -68,11 +70,11 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if len(span.topic.document) > _MANY and not any(span.named(0, len(span.text))):
             continue
         fields: list[WireField] = []
-        for start in range(max(len(words) - 3, 0), len(words)):
-            words = words[start:] if not fields else words
-            fields = fields or [
-                field for field in messages[0].fields if _is_called(field, words) and _is_kin(field, unit, words)
-            ]
+        for count in range(min(len(words), _MOST_WORDS), 0, -1):
+            words = words[-count:]
+            fields = [field for field in messages[0].fields if _is_called(field, words) and _is_kin(field, unit, words)]
+            if fields:
+                break
         if not fields or any(
             has_unit(field, unit) for message in messages for field in message.fields if _is_called(field, words)
         ):
