@@ -73,7 +73,7 @@ mutation: $(INSTALLED)
 	$(BIN)/python benchmarks/mutation.py $(FAULTS)
 
 # Which of ten faults in each stage of the generator its own tests notice. The first run finds out which lines each file of
-# tests reaches, which takes half an hour; later ones take some minutes. FAULTS="--folders diff --count 20 --seed 2".
+# tests reaches, in about as long as these tests take. FAULTS="--folders diff --count 20 --seed 2" draws others.
 generator-mutation: $(INSTALLED)
 	$(BIN)/python benchmarks/generator_mutation.py $(FAULTS)
 

@@ -15,7 +15,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -24,7 +24,7 @@ from queue import Queue
 from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
-from quality_results import read, store
+from quality_results import left_by, store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
@@ -60,7 +60,7 @@ def main() -> int:
     firmware_hash = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
     drawing = {"seed": arguments.seed, "drawn": len(drawn), "firmware": firmware_hash}
     known_as = {mutant: list(fault_of(mutant, texts[mutant.file])) for mutant in tried}
-    left = _left(arguments.program, drawing) if arguments.again else list(known_as.values())
+    left = left_by("mutation", arguments.program, drawing) if arguments.again else list(known_as.values())
     asked = [mutant for mutant in tried if known_as[mutant] in left]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
@@ -87,14 +87,6 @@ def main() -> int:
         found = {**drawing, "equivalent": len(drawn) - len(tried), "left": left}
         store("mutation", arguments.program, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
-
-
-def _left(program: str, drawing: Mapping[str, object]) -> list[list[str]]:
-    """Return the faults that the stored run has not noticed; one of other faults says nothing about these."""
-    stored = read().get("mutation", {}).get(program, {})
-    if any(stored.get(key) != value for key, value in drawing.items()):
-        raise SystemExit("the stored run drew other faults, or from another firmware: try all of them")
-    return [list(each) for each in stored["left"]]
 
 
 @contextmanager

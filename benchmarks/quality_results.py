@@ -1,6 +1,7 @@
 """What the commands about tests have found, stored for docs/quality.md: benchmarks/results/quality.json."""
 
 import json
+from collections.abc import Mapping
 from typing import Any
 
 from results import FOLDER
@@ -21,3 +22,11 @@ def store(command: str, given: str, found: Found) -> None:
     known = read()
     known.setdefault(command, {})[given] = found
     FILE.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+def left_by(command: str, given: str, drawing: Mapping[str, object]) -> list[list[str]]:
+    """Return the faults that the stored run has not noticed; one of other faults says nothing about these."""
+    stored = read().get(command, {}).get(given, {})
+    if any(stored.get(key) != value for key, value in drawing.items()):
+        raise SystemExit("the stored run drew other faults, or from other sources: try all of them")
+    return [list(each) for each in stored["left"]]

@@ -1,33 +1,32 @@
 # ruff: noqa: S603, S607, T201  it runs tests, and says how far it is
-"""Which lines of codegen each file of tests reaches, found once by coverage and kept in build/mutation.
+"""Which lines of a stage each file of tests reaches, found once by marks in its blocks and kept in build/mutation.
 
-Each file of tests runs in a process of its own, and so do the programs that it starts: what one file asks and keeps in
-memory hides no line from the next. A file that fails in a copy of the repository, as those do that look at its history,
-is left out.
+Each file of tests runs in a process of its own: what one file asks and keeps in memory hides no line from the next. It
+runs in a copy of the repository whose stages are written anew (`marks.py`), so that a file of tests that fails is one
+that looks at the text of the sources or at their history, or one that does not pass by itself: it is left out.
 """
 
 import hashlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from queue import Queue
-from threading import Lock
 
-from coverage import CoverageData
+from marks import MODULE, VARIABLE, Marker, module
 from results import ROOT
 
 KEPT = ROOT / "build" / "mutation" / "reached.json"
-OPTIONS = ("-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist")
+OPTIONS = ("-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-W", "ignore")
 SUITES = (
-    *("access", "boards", "broken", "claims", "cli", "codec", "dialect", "diff", "emit", "importing", "markdown"),
-    *("loop", "programs", "projects", "receiver", "resolve", "rover", "sim", "sources", "spec", "start", "trace"),
+    *("access", "boards", "broken", "cache", "claims", "cli", "codec", "dialect", "diff", "emit", "importing", "loop"),
+    *("markdown", "pages", "population", "programs", "projects", "receiver", "resolve", "rover", "sim", "sources"),
+    *("spec", "start", "trace"),
 )
 """Folders of tests/ that judge what the generator does. Others judge its form, what was stored, or the templates."""
 
@@ -63,63 +62,77 @@ def surroundings(copy: Path) -> dict[str, str]:
     return {**known, "PYTHONPATH": str(copy), "TMPDIR": str(temporary), "XDG_CACHE_HOME": str(temporary / "cache")}
 
 
-def reached(folders: Iterable[str], copies: "Queue[Path]", longest: float) -> dict[str, Reached]:
-    """Return by path of a file of tests what it reaches; what is known of the same sources is not run again.
+def reached(suites: Iterable[str], stages: Iterable[str], place: Path, longest: float) -> dict[str, Reached]:
+    """Return by path of a file of tests what it reaches of the stages, which are folders of codegen.
 
-    One that takes longer than ``longest`` seconds is left out, as one is that fails.
+    What is known of the same stages is not run again. One that takes longer than ``longest`` seconds is left out, as
+    one is that fails. The copy is made in the folder ``place``.
     """
+    paths = sorted(path for stage in stages for path in (ROOT / "codegen" / stage).rglob("*.py"))
     sources = hashlib.sha256()
-    for path in sorted((ROOT / "codegen").rglob("*.py")):
+    for path in paths:
         sources.update(path.read_bytes())
     known = json.loads(KEPT.read_text()) if KEPT.exists() else {}
-    files = [path for folder in folders for path in sorted((ROOT / "tests" / folder).glob("test_*.py"))]
+    files = [path for suite in suites for path in sorted((ROOT / "tests" / suite).glob("test_*.py"))]
     names = {
         str(path.relative_to(ROOT)): hashlib.sha256(sources.digest() + path.read_bytes()).hexdigest() for path in files
     }
     wanted = [name for name, key in names.items() if known.get(name, {}).get("key") != key]
-
-    writing = Lock()
-
-    def one(name: str) -> None:
-        copy = copies.get()
-        try:
-            found = _reached_by(copy, name, longest)
-        finally:
-            copies.put(copy)
-        with writing:  # after each: it takes long, and may be ended
-            known[name] = {"key": names[name], **asdict(found)}
-            KEPT.write_text(json.dumps(known), encoding="utf-8")
+    if wanted:
+        KEPT.parent.mkdir(parents=True, exist_ok=True)
+        copy = copy_of_repository(place / "marked")
+        blocks = _mark(copy, [str(path.relative_to(ROOT)) for path in paths])
+    for name in wanted:
+        found = _reached_by(copy, name, blocks, longest)
+        known[name] = {"key": names[name], **asdict(found)}
+        KEPT.write_text(json.dumps(known), encoding="utf-8")  # after each: it takes long, and may be ended
         state = "" if found.passed else ": it fails in a copy, or takes too long, and is left out"
         print(f"{name}: {found.seconds:.0f} s{state}", flush=True)
-
-    KEPT.parent.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(copies.qsize()) as pool:
-        list(pool.map(one, wanted))
     return {name: Reached(known[name]["passed"], known[name]["seconds"], known[name]["lines"]) for name in names}
 
 
-def _reached_by(copy: Path, name: str, longest: float) -> Reached:
-    folder = copy.parent / f"{copy.name}-{Path(name).stem}-{Path(name).parent.name}"
-    folder.mkdir()
-    (folder / "rc").write_text(
-        f"[run]\nparallel = true\npatch = subprocess\nsource = {copy}/codegen\ndata_file = {folder}/data\n"
-        "disable_warnings = no-data-collected, module-not-measured, couldnt-parse\n"
-    )
-    command = [sys.executable, "-m", "coverage", "run", f"--rcfile={folder}/rc", "-m", "pytest", *OPTIONS, name]
+def _mark(copy: Path, names: Iterable[str]) -> list[tuple[str, list[int]]]:
+    """Mark modules of a copy, and return by the number of a byte what it stands for."""
+    marker = Marker()
+    for name in names:
+        text = (copy / name).read_text(encoding="utf-8")
+        (copy / name).write_text(marker.marked(name, text), encoding="utf-8")
+    (copy / f"{MODULE}.py").write_text(module(len(marker.blocks)), encoding="utf-8")
+    return marker.blocks
+
+
+def _reached_by(copy: Path, name: str, blocks: list[tuple[str, list[int]]], longest: float) -> Reached:
+    marks = copy.parent / "marks"
+    marks.write_bytes(bytes(len(blocks)))
+    environment = {**surroundings(copy), VARIABLE: str(marks)}
     begun = time.monotonic()
-    try:
-        done = subprocess.run(
-            command, cwd=copy, env=surroundings(copy), capture_output=True, timeout=longest, check=False
-        )
-        passed = done.returncode == 0
-    except subprocess.TimeoutExpired:
-        passed = False
+    done = tests_of(copy, [name], environment, longest)
     seconds = time.monotonic() - begun
     lines: dict[str, set[int]] = {}
-    for path in folder.glob("data*"):
-        data = CoverageData(str(path))
-        data.read()
-        for file in data.measured_files():
-            lines.setdefault(os.path.relpath(file, copy), set()).update(data.lines(file) or ())
-    shutil.rmtree(folder)
+    for (file, own), mark in zip(blocks, marks.read_bytes(), strict=True):
+        if mark:
+            lines.setdefault(file, set()).update(own)
+    passed = done is not None and done.returncode == 0
     return Reached(passed, round(seconds, 1), {file: sorted(found) for file, found in sorted(lines.items()) if found})
+
+
+def tests_of(
+    copy: Path, tests: Iterable[str], environment: dict[str, str], longest: float
+) -> subprocess.CompletedProcess[str] | None:
+    """Run tests in a copy until one fails; return how it went, or None where it takes longer than ``longest`` seconds.
+
+    Whatever the tests have started ends with them.
+    """
+    command = [sys.executable, "-m", "pytest", *OPTIONS, *tests]
+    with subprocess.Popen(
+        command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        start_new_session=True,
+    ) as running:  # fmt: skip
+        try:
+            output, _ = running.communicate(timeout=longest)
+        except subprocess.TimeoutExpired:
+            return None
+        finally:
+            if running.poll() is None:
+                os.killpg(running.pid, signal.SIGKILL)
+    return subprocess.CompletedProcess(command, running.returncode, output)
