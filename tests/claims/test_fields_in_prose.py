@@ -41,6 +41,7 @@ RIGHT = [
     "HEARTBEAT as declared in the XML: `type`, `autopilot`, `base_mode`, `custom_mode`.",
     "GPS_RAW_INT: `fix_type` is 0 = no GPS, 3 = 3D fix.",
     "GPS_RAW_INT.vel is in cm/s; we show it in m/s after division by 100.",
+    "The fifth cell in BATTERY_STATUS: `uint16_t voltages[4]`.",
     "## VFR_HUD\n\nStrange green boxes are in km.",
     "GPS_RAW_INT_V2 has a field `satelites_visible`; GPS_RAW_INT has not.",
     "Our own topic `satelites_visible` is filled from GPS_RAW_INT and SATELLITES_X.",
