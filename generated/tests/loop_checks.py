@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 5fe0cf8a3755fa9f
+# Inputs: 05c0e757a305d82e
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -196,6 +196,7 @@ CHECKS = (
     (faults_do_not_stop_the_loop, "control.grid"),
     (an_interrupt_ends_one_pass, "control.grid"),
 )
+LONG = (control_keeps_its_grid, missed_slots_are_reported, load_is_the_share_of_time)
 
 if __name__ == "__main__":
     main(CHECKS)

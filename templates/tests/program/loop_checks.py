@@ -194,6 +194,7 @@ CHECKS = (
     (faults_do_not_stop_the_loop, "control.grid"),
     (an_interrupt_ends_one_pass, "control.grid"),
 )
+LONG = (control_keeps_its_grid, missed_slots_are_reported, load_is_the_share_of_time)
 
 if __name__ == "__main__":
     main(CHECKS)
