@@ -515,12 +515,12 @@ def outcome(check):
 
 
 def outcomes(checks, subject, asked):
-    """Yield name and outcome of each check that is asked for; without a subject it is left out."""
+    """Yield name and outcome of each check that is asked for, as asked; without a subject it is left out."""
     if IS_MICROPYTHON:
         machine.reset_analog()
-    for check, *_ in checks:
-        if check.__name__ in asked:
-            yield check.__name__, outcome(check) if subject else "left out: there is nothing of it"
+    known = {check.__name__: check for check, *_ in checks}
+    for name in asked:
+        yield name, outcome(known[name]) if subject else "left out: there is nothing of it"
 
 
 def main(checks, subject=True):
