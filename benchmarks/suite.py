@@ -11,8 +11,8 @@ import resource
 import subprocess
 import sys
 
-from results import ROOT
 from mutation import PROGRAMS
+from results import ROOT
 
 
 def main() -> int:

@@ -68,7 +68,7 @@ def outcomes(tests: Path, interpreter: str, *asked: str, most_hanging: int = 3) 
 
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_each_has_its_own_outcome(tests: Path, interpreter: str) -> None:
-    """One that ends the process, one that hangs, and a script that cannot be imported: the others are run all the same."""
+    """One that ends the process, one that hangs, a script that cannot be imported: the others are run all the same."""
     names = ("odd passes", "odd fails", "odd ends", "odd hangs", "broken first", "loop control_keeps_its_grid")
     found = outcomes(tests, interpreter, *names)
     assert set(found) == set(names)
@@ -87,6 +87,6 @@ def test_what_ends_the_process_is_run_alone(tests: Path) -> None:
 
 
 def test_where_many_hang_the_others_are_told_apart(tests: Path) -> None:
-    """A program that stands still would take a minute for each of its checks: they fail, and say that they were not run."""
+    """A program that stands still would take a minute for each check: they fail, and say that they were not run."""
     found = outcomes(tests, "micropython", "odd hangs", "odd passes", most_hanging=1)
     assert found == {"odd hangs": "does not end within 4 s", "odd passes": "not run: 1 others do not end"}
