@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 48371fff09dc7066
+# Inputs: aa08770794097243
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -207,6 +207,7 @@ CHECKS = (
     (an_interrupt_ends_one_pass, "control.grid"),
     (what_is_old_is_forgotten_unasked, "quantity.stale_after"),
 )
+LONG = (control_keeps_its_grid, missed_slots_are_reported, load_is_the_share_of_time)
 
 if __name__ == "__main__":
     main(CHECKS)

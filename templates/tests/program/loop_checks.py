@@ -205,6 +205,7 @@ CHECKS = (
     (an_interrupt_ends_one_pass, "control.grid"),
     (what_is_old_is_forgotten_unasked, "quantity.stale_after"),
 )
+LONG = (control_keeps_its_grid, missed_slots_are_reported, load_is_the_share_of_time)
 
 if __name__ == "__main__":
     main(CHECKS)
