@@ -7,8 +7,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from codegen.claims import own
+from codegen.claims.elsewhere import is_elsewhere
+from codegen.claims.evidence import FIRM, evidence_of
 from codegen.claims.own.worked.examples import EXAMPLE
 from codegen.claims.reading import Reading, merged
+from codegen.claims.rules import as_sure
 from codegen.diagnostics import Diagnostic
 from codegen.rules.checks import checks_in
 
@@ -18,7 +21,15 @@ LIKELY = "likely, not certain"
 
 def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
     """What is said of messages, fields and entries, and differs from the dialect; some of it several times."""
-    return tuple(finding for check in checks_in(__name__) for finding in check(reading))
+    found = (finding for check in checks_in(__name__) for finding in check(reading))
+    return tuple(_as_firm(reading, finding) for finding in found if not is_elsewhere(reading, finding))
+
+
+def _as_firm(reading: Reading, finding: Diagnostic) -> Diagnostic:
+    """A finding that the structure of the document does not bear out is likely only."""
+    if not finding.is_error or evidence_of(reading, finding) in FIRM:
+        return finding
+    return replace(finding, rule=as_sure(finding.rule, is_sure=False))
 
 
 def of_project(reading: Reading) -> tuple[Diagnostic, ...]:
