@@ -62,7 +62,7 @@ def _is_taken_from(reading: Reading, place: Place) -> bool:
     return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
 
 
-_SECTION = re.compile(r"\d+(?:\.\d+)+\.?\s+[A-Z]")
+_SECTION = re.compile(r"\d+(?:\.\d+)+\.?\s+(?:[A-Z][a-z]{2,}|An?) [a-z`]")
 _TAKEN = re.compile(r"\s*[A-Za-z_]\w*\s*[:=]\s*(?!self\.|this\.)[A-Za-z_]\w*\.[A-Za-z_]\w*\s*,")
 
 

@@ -31,17 +31,22 @@ _OWN_RULES = frozenset((
 _SUBJECT = re.compile(r"(?P<first>[A-Z][A-Za-z0-9_]*)(?:\.(?P<field>\w+))?(?:: (?P<entry>[A-Z][A-Z0-9_]+) is\b)?")
 _IN = re.compile(r"\bin (?P<first>[A-Z][A-Z0-9_]*)\.(?P<field>\w+)(?P<entry>\b)")
 _HEDGED = words(
-    REPLACED, PAST, CHANGED, MISTAKEN, SUPPOSED, ASKED, r"\bclaim", r"\baccording\b", r"n't\b", r"\bnever\b",
-    r"\bnot (?!known|available|used|provided|set|supported|measured|given|present|valid|fitted|signed|needed)",
-    r"\bno longer\b", r"\bprivate\b", r"\bcustom\b", r"\binternal",
-)  # fmt: skip
+    *(REPLACED, PAST, CHANGED, MISTAKEN, SUPPOSED, ASKED, r"\bclaim", r"\baccording\b", r"\bno longer\b"),
+    *(r"\bprivate\b", r"\bcustom\b", r"\binternal"),
+)
 """Words of a sentence that make it doubtful whether it claims a value of the dialect's field."""
+_DENIED = words(
+    r"\bnot (?!known|available|used|provided|set|supported|measured|given|present|valid|fitted|signed|needed)",
+    *(r"n't\b", r"\bnever\b"),
+)
+"""Words that deny the clause in which they stand."""
 _PLANNED = words(PROPOSED)
 """The same, unless the document defines the message itself."""
 _OWN = words(OWN)
-"""Words of somebody's own things: what stands beside the name of a message or an entry is claimed of it all the same."""
+"""Words of somebody's own things: the name of a message or an entry beside a number goes for itself."""
 _COMPARED = words(r"\blike\b", r"\bthan\b", r"\bvs\b", r"\binto\b", r"\bonly\b", r"\bhere\b", r"\bthere\b")
 """The same up to the end of a clause."""
+_COMMA = re.compile(r"[,;]")
 _CLAUSE = re.compile(r"[,;.()|]")
 _ABSENT = re.compile(
     r"\b(?:unknown|invalid|missing|absent|unused|unset|n/a|no (?:data|value|sensor|estimate|fix|\w+)"
@@ -81,7 +86,8 @@ def _of_span(reading: Reading, span: Span, at: int, finding: Diagnostic) -> Evid
     low, high = around(span, at)
     end = _CLAUSE.search(span.text, at + 1, high)
     clause = end.start() if end is not None else high
-    if _HEDGED.search(span.text, low, high):
+    start = max((each.end() for each in _COMMA.finditer(span.text, low, at)), default=low)
+    if _HEDGED.search(span.text, low, high) or _DENIED.search(span.text, start, clause):
         return Evidence.WORDS
     if not reading.proposed and _PLANNED.search(span.text, low, high):
         return Evidence.WORDS

@@ -26,7 +26,7 @@ def of_message(span: Span, at: int, name: str, rule: str) -> Evidence:
     if any(is_beside(span, offset, at) for offset in named):
         return _kind_of(span, min(named), at)
     topic = span.topic
-    low, high = around(span, at)
+    low, _ = around(span, at)
     others = {str(message_of(term.value)) for _, term in span.sentence.within(*near(at), "MC")} - {name}
     if not others and not span.is_code and _is_bound_above(span, name) and closed(span.text[low:at]):
         return Evidence.ITEM if span.kind is PassageKind.ITEM else Evidence.PASSAGE
@@ -120,7 +120,6 @@ def _is_bound_above(span: Span, message: str) -> bool:
 
 def _is_bound(reading: Reading, span: Span, offset: int, message: str) -> bool:
     """Whether only one message can be meant by a field's name without it."""
-    text = span.text
     names = [str(message_of(term.value)) for _, term in span.sentence.within(*near(offset), "MC")]
     if span.is_code:
         before = [str(message_of(term.value)) for _, term in span.sentence.within(0, offset, "MC")]

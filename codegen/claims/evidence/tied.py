@@ -8,9 +8,11 @@ from codegen.load.prose import PassageKind
 
 _LINKS = frozenset((
     "is", "are", "has", "have", "a", "an", "the", "its", "of", "in", "as", "with", "be", "must", "it", "called",
+    "which",
     "type", "unit", "units", "value", "values", "field", "fields", "array", "element", "elements", "entries", "both",
     "all", "each", "id", "ids", "message", "messages", "msg", "number", "no", "crc", "extra", "seed", "payload",
-    "length", "size", "len", "min", "max", "bytes", "byte", "bits", "bit", "frame", "base", "name", "mavlink", "v", "without",
+    "length", "size", "len", "min", "max", "bytes", "byte", "bits", "bit", "frame", "base", "name", "mavlink", "v",
+    "without",
     "extensions", "extension", "long", "command", "means", "sent", "encoded", "given", "measured", "expressed", "comes",
     "first", "second", "third", "last", "on", "wire", "at", "offset", "order", "if", "when", "unknown", "invalid",
     "not", "known", "available", "provided", "for", "enum", "pub", "const", "let", "static", "define", "raw", "holds",
@@ -67,8 +69,8 @@ def is_alone(span: Span, offset: int) -> bool:
     """Return whether a name is all of its cell, but for what stands behind it in parentheses."""
     low = span.text.rfind("|", 0, offset) + 1
     high = span.text.find("|", offset)
-    cell = span.text[low : high if high >= 0 else len(span.text)]
-    return _ALONE.fullmatch(cell) is not None
+    written = span.text[low : high if high >= 0 else len(span.text)]
+    return _ALONE.fullmatch(written) is not None
 
 
 _ALONE = re.compile(r"\s*[MFPVN][^A-Za-z|]*(?:[,/&]\s*[MFP]\s*)*(?:\([^)]*\))?\s*")
