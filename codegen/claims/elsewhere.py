@@ -2,8 +2,9 @@
 
 import re
 from bisect import bisect_right
+from collections.abc import Iterator
 
-from codegen.claims.enclosing import members_of_type
+from codegen.claims.enclosing import is_of_own_type, members_of_type
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import CodeBlock, Passage, PassageKind
@@ -16,6 +17,7 @@ _CITED = re.compile(
 _CAPITALS = re.compile(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
 _GENERIC = re.compile(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
 _CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
+_OF_MEMBERS = frozenset(("claim-struct", "claim-unit", "claim-sentinel", "claim-offset"))
 _NUMBERS = frozenset(("claim-message-id", "claim-crc-extra", "claim-message-size"))
 _BETWEEN = re.compile(
     r"[^\w.!?]*(?:(?:with|has|is|its|the|and|of|message|msg|number|no|id|crc|extra|crc_extra|seed|\d+)[^\w.!?]+)*",
@@ -32,10 +34,11 @@ def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
     """Whether a finding is about something else than what the document itself says of the dialect."""
     return (
         _is_cited(reading, finding.place)
+        or finding.place.line in _lines_of_others(reading)
         or _is_number_of_section(reading, finding.place)
-        or (finding.rule.id in ("claim-struct", "claim-unit") and _is_taken_from(reading, finding.place))
+        or (finding.rule.id in _OF_MEMBERS and _is_taken_from(reading, finding.place))
         or (finding.rule.id in _NUMBERS and _is_of_nearer(reading, finding))
-        or (finding.rule.id == "claim-struct" and _is_own_member(reading, finding))
+        or (finding.rule.id in _OF_MEMBERS and _is_own_member(reading, finding))
     )
 
 
@@ -48,6 +51,35 @@ def _citations(reading: Reading) -> tuple[tuple[Place, Place], ...]:
         for found in _CITED.finditer(part.text)
         if " " in found[0].strip()
     )
+
+
+@once
+def _lines_of_others(reading: Reading) -> frozenset[int]:
+    """The lines of sections and types that are said to be of no MAVLink message: "Raw frame (not MAVLink)"."""
+    found: set[int] = set()
+    level = 0
+    for part in reading.prose.parts:
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING and (not level or part.level <= level):
+            level = part.level if _NO_MAVLINK.search(part.text) else 0
+        elif level:
+            last = part.anchors[-1][1] if isinstance(part, Passage) else part.lines[-1].place
+            found.update(range(part.place.line, last.line + 1))
+        if isinstance(part, CodeBlock):
+            found.update(_others_in(part))
+    return frozenset(found)
+
+
+def _others_in(code: CodeBlock) -> Iterator[int]:
+    """The lines of the type below a comment of code that says so."""
+    is_other = False
+    for line in code.lines:
+        is_other |= _NO_MAVLINK.search(line.text) is not None
+        if is_other:
+            yield line.place.line
+            is_other = not line.text.lstrip().startswith("}")
+
+
+_NO_MAVLINK = re.compile(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
 
 
 def _is_number_of_section(reading: Reading, place: Place) -> bool:
@@ -122,9 +154,12 @@ def _offset(part: Passage, place: Place) -> int:
 
 
 def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
-    """Whether a declaration is one of a type of which most members are no fields of the message."""
+    """Whether a declaration is in somebody's own type, or in one of which most members are no fields of the message."""
     message = reading.messages.get(finding.message.partition(".")[0])
     members = members_of_type(reading, finding.place)
     if message is None or not members:
         return False
-    return _HALF * sum(message.field(_CAMEL.sub(r"_\1", name).lower()) is not None for name in members) < len(members)
+    if is_of_own_type(reading, finding.place, message.name):
+        return True
+    known = [name for name in members if message.field(name) or message.field(_CAMEL.sub(r"_\1", name).lower())]
+    return _HALF * len(known) < len(members)

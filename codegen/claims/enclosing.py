@@ -8,35 +8,68 @@ from codegen.once import once
 from codegen.source import Place
 
 _TYPE = re.compile(
-    r"\b(?:struct|class|interface|type|impl|union|message)\s+(?:__attribute__\S*\s+)?(?P<name>[A-Za-z_]\w*)"
-    r"|\}\s*(?P<behind>[A-Za-z_]\w*)\s*;"
+    r"\b(?:struct|class|interface|type|impl|union|message)\s+(?:__attribute__\S*\s+)?(?P<name>(?!__attribute__)[A-Za-z_]\w*)"
 )
 _CLOSED = re.compile(r"\s*\}")
 _PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _AROUND = frozenset(("mavlink", "msg", "message", "t", "data", "struct", "payload", "packet", "wire", "fields"))
 """Words of a type's name besides those of its message."""
+_ALIKE = 4
+"""So many letters of two words make one short for the other."""
 _UPPER = 60
 """How many lines around a member its type is looked for."""
 
 
 def is_of_type(reading: Reading, place: Place, message: str) -> bool:
-    """Whether the type around a line bears the name of a message, in whatever way a language spells it."""
+    """Return whether the type around a line bears the name of a message, in whatever way a language spells it."""
+    name = _type_around(reading, place)
+    return name is not None and is_named(name, message)
+
+
+def is_of_own_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether the type around a line is somebody's own.
+
+    Its name has no word of the message, or there is another type with the name of the message.
+    """
+    name = _type_around(reading, place)
+    if name is None or is_named(name, message):
+        return False
+    own = message.lower().split("_")
+    is_like = any(word[:_ALIKE] == other[:_ALIKE] for word in _words(name) for other in own)
+    return not is_like or any(is_named(other, message) for other in _types(reading))
+
+
+def _type_around(reading: Reading, place: Place) -> str | None:
+    """The name of the type that is declared around a line."""
     for code in _blocks_at(reading, place.line):
-        lines = code.lines
-        index = place.line - lines[0].place.line
+        lines, index = code.lines, place.line - code.place.line
         for line in reversed(lines[max(index - _UPPER, 0) : index + 1]):
             found = _TYPE.search(line.text)
             if found is not None and found["name"]:
-                return is_named(found["name"], message)
+                return found["name"]
             if line.place.line < place.line and _CLOSED.match(line.text):
-                return False
+                return None
             if "{" in line.text and "typedef" in line.text:
                 break
         for line in lines[index : index + _UPPER]:
-            found = re.match(r"\s*\}\s*(?P<name>\w+)", line.text)
+            found = _BEHIND.match(line.text)
             if found is not None:
-                return is_named(found["name"], message)
-    return False
+                return found["name"]
+    return None
+
+
+_BEHIND = re.compile(r"\s*\}\s*(?P<name>[A-Za-z_]\w*)\s*;")
+
+
+@once
+def _types(reading: Reading) -> tuple[str, ...]:
+    """The names of all types that the code of a document declares."""
+    found = (_TYPE.search(line.text) or _BEHIND.match(line.text) for code in reading.prose.code for line in code.lines)
+    return tuple(each["name"] for each in found if each is not None and each["name"])
+
+
+def _words(name: str) -> set[str]:
+    return {part.lower() for part in _PARTS.findall(name)} - _AROUND
 
 
 def _blocks_at(reading: Reading, line: int) -> tuple[CodeBlock, ...]:

@@ -105,7 +105,7 @@ def _of_span(reading: Reading, span: Span, at: int, finding: Diagnostic) -> Evid
         return Evidence.WORDS
     if field is not None:
         return of_field(reading, span, at, name, field, finding.rule.id)
-    return of_message(span, at, name, finding.rule.id)
+    return of_message(reading, span, at, name, finding.rule.id)
 
 
 def _says_unknown(span: Span, at: int) -> bool:

@@ -12,9 +12,10 @@ from codegen.claims.rules import SCALING, SIZE
 from codegen.claims.statements.sentence import NamedField
 from codegen.claims.statements.spans import Span, head_of, is_data
 from codegen.load.prose import PassageKind
+from codegen.once import once
 
 
-def of_message(span: Span, at: int, name: str, rule: str) -> Evidence:
+def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> Evidence:
     """Return that of what is said of a whole message: its id, CRC_EXTRA, size."""
     named = [offset for offset, term in span.sentence.within(*near(at), "MF") if message_of(term.value) == name]
     if span.kind is PassageKind.ROW:
@@ -28,7 +29,7 @@ def of_message(span: Span, at: int, name: str, rule: str) -> Evidence:
     topic = span.topic
     low, _ = around(span, at)
     others = {str(message_of(term.value)) for _, term in span.sentence.within(*near(at), "MC")} - {name}
-    if not others and not span.is_code and _is_bound_above(span, name) and closed(span.text[low:at]):
+    if not others and not span.is_code and _is_bound_above(reading, span, name) and closed(span.text[low:at]):
         return Evidence.ITEM if span.kind is PassageKind.ITEM else Evidence.PASSAGE
     if span.is_code and not span.is_comment and _is_constant(span, at, name):
         return Evidence.CODE
@@ -108,14 +109,21 @@ def _is_of(span: Span, offset: int, message: str) -> bool:
 _OF = re.compile(r"(?: field)? of (?:the )?(?P<message>M)\b")
 
 
-def _is_bound_above(span: Span, message: str) -> bool:
+@once
+def _headed(reading: Reading) -> frozenset[str]:
+    """The messages that headings name: each for its own section, and not for the rest of the document."""
+    headings = (part for part in reading.prose.passages if part.kind is PassageKind.HEADING)
+    return frozenset(message.name for part in headings for message in reading.named(part))
+
+
+def _is_bound_above(reading: Reading, span: Span, message: str) -> bool:
     """Whether the headings, the words above a list, or else the whole document name one message only, and this one."""
     topic = span.topic
     if span.kind in (PassageKind.ITEM, PassageKind.ROW) and topic.above:
         return [each.name for each in topic.above] == [message]
     if topic.headings:
         return topic.headings[0].name == message
-    return [each.name for each in topic.document] == [message]
+    return [each.name for each in topic.document] == [message] and message not in _headed(reading)
 
 
 def _is_bound(reading: Reading, span: Span, offset: int, message: str) -> bool:
@@ -128,7 +136,7 @@ def _is_bound(reading: Reading, span: Span, offset: int, message: str) -> bool:
         return is_of_type(reading, span.place(offset), message)
     if names:
         return set(names) == {message}
-    return _is_bound_above(span, message)
+    return _is_bound_above(reading, span, message)
 
 
 def _names_before(span: Span, offset: int, message: str) -> bool:

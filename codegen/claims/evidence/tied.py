@@ -15,7 +15,7 @@ _LINKS = frozenset((
     "without",
     "extensions", "extension", "long", "command", "means", "sent", "encoded", "given", "measured", "expressed", "comes",
     "first", "second", "third", "last", "on", "wire", "at", "offset", "order", "if", "when", "unknown", "invalid",
-    "not", "known", "available", "provided", "for", "enum", "pub", "const", "let", "static", "define", "raw", "holds",
+    "not", "known", "available", "provided", "for", "enum", "pub", "const", "static", "define", "raw", "holds",
     "from", "to", "u", "x", "ext", "note", "numeric", "room", "thing", "param", "parameter", "minimal", "form",
     "and", "minlength", "maxlength", "crcextra", "msg_id", "float", "floats", "characters", "chars",
 ))  # fmt: skip

@@ -135,8 +135,8 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and _NEXT.search(gap):
             return  # "`a`, uint16 `b`", "`a` and a uint16 `b`"
-        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T", behind):
-            return  # a choice of types
+        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T|::", behind):
+            return  # a choice of types, or a conversion
         stated = stated_type(term)
         if _is_foreign(span, stated, offset):
             continue
