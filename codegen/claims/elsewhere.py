@@ -4,7 +4,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from codegen.claims.enclosing import is_of_own_type, members_of_type
+from codegen.claims.enclosing import is_beside_type, is_of_other_type, members_of_type
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import CodeBlock, Passage, PassageKind
@@ -159,7 +159,9 @@ def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
     members = members_of_type(reading, finding.place)
     if message is None or not members:
         return False
-    if is_of_own_type(reading, finding.place, message.name):
+    if is_beside_type(reading, finding.place, message.name):
         return True
     known = [name for name in members if message.field(name) or message.field(_CAMEL.sub(r"_\1", name).lower())]
+    if len(known) < len(members) and is_of_other_type(reading, finding.place, message.name):
+        return True
     return _HALF * len(known) < len(members)

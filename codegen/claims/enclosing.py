@@ -26,17 +26,19 @@ def is_of_type(reading: Reading, place: Place, message: str) -> bool:
     return name is not None and is_named(name, message)
 
 
-def is_of_own_type(reading: Reading, place: Place, message: str) -> bool:
-    """Return whether the type around a line is somebody's own.
+def is_of_other_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether the name of the type around a line has no word of a message."""
+    name = _type_around(reading, place)
+    own = message.lower().split("_")
+    return name is not None and not any(word[:_ALIKE] == other[:_ALIKE] for word in _words(name) for other in own)
 
-    Its name has no word of the message, or there is another type with the name of the message.
-    """
+
+def is_beside_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether another type than the one around a line bears the name of a message."""
     name = _type_around(reading, place)
     if name is None or is_named(name, message):
         return False
-    own = message.lower().split("_")
-    is_like = any(word[:_ALIKE] == other[:_ALIKE] for word in _words(name) for other in own)
-    return not is_like or any(is_named(other, message) for other in _types(reading))
+    return any(is_named(other, message) for other in _types(reading))
 
 
 def _type_around(reading: Reading, place: Place) -> str | None:
@@ -116,6 +118,6 @@ def members_of_type(reading: Reading, place: Place) -> tuple[str, ...]:
                 break
             found = _MEMBER.match(line.text)
             if found is not None:
-                names.append(found["first"] or found["last"])
+                names.append((found["first"] or found["last"]).rstrip("_"))
         return tuple(names)
     return ()

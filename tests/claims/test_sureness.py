@@ -71,10 +71,11 @@ SURE = [
 ]
 LIKELY_ONLY = [
     "We fetch GPS_RAW_INT, whose `alt` the pilot reads in cm.",
-    "GLOBAL_POSITION_INT brings an `alt` that the pilot reads in cm.",
-    "```c\nstruct pose {\n    uint32_t time_boot_ms;\n    float roll;\n    int16_t yaw;\n};\n/* ATTITUDE */\n```",
+    "ATTITUDE is read.\n\n```c\nstruct pose {\n    float roll;\n    int16_t yaw;\n};\n```",
 ]
 SILENT = [
+    "ATTITUDE is read.\n\n```c\nstruct pose {\n    float roll;\n    int16_t yaw;\n    char label[8];\n};\n```",
+    "ATTITUDE is read.\n\n## Raw frame (not MAVLink)\n\n| Field | Type |\n|---|---|\n| roll | int16_t |",
     'The sheet says "GLOBAL_POSITION_INT.alt is in cm".',
     "> GLOBAL_POSITION_INT.alt is in cm.",
     "HEARTBEAT is sent by all.\n\nPUMP_STATE (id 42150) is our own.",

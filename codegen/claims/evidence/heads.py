@@ -1,6 +1,7 @@
 """What the heading of a column has to be for a cell to say what is looked for."""
 
 import re
+from functools import cache
 
 from codegen.claims.ruled_out import is_own_column
 from codegen.claims.statements.spans import Span, head_of
@@ -28,10 +29,15 @@ _HEADS = {
     "claim-wire-order": r"order|position|#",
 }
 """By kind of finding, what the heading of a column has to be for a cell to be sure of what it says."""
-_HEAD = {rule: re.compile(rf"(?:{heads})(?: ?[(\[].*)?", re.IGNORECASE) for rule, heads in _HEADS.items()}
+
+
+@cache
+def _head(rule: str) -> "re.Pattern[str] | None":
+    heads = _HEADS.get(rule)
+    return None if heads is None else re.compile(rf"(?:{heads})(?: ?[(\[].*)?", re.IGNORECASE)
 
 
 def is_headed(span: Span, at: int, rule: str) -> bool:
     """Return whether the column of a value is one of such values, and nobody's own."""
-    head, known = head_of(span, at), _HEAD.get(rule)
+    head, known = head_of(span, at), _head(rule)
     return known is not None and known.fullmatch(head.strip("*_` ")) is not None and not is_own_column(head)
