@@ -26,16 +26,5 @@ class Evidence(Enum):
     """Anything else that was understood of the text."""
 
 
-FIRM = frozenset(
-    {
-        Evidence.DEFINITION,
-        Evidence.COLUMN,
-        Evidence.ITEM,
-        Evidence.CODE,
-        Evidence.BESIDE,
-        Evidence.LIST,
-        Evidence.SENTENCE,
-        Evidence.PASSAGE,
-    }
-)
+FIRM = frozenset(Evidence) - {Evidence.WORDS}
 """What a certain finding stands on."""
