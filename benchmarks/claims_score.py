@@ -1,10 +1,11 @@
 # ruff: noqa: T201  what is printed is the answer
 """How right the checker of documents is: precision and recall on the documents of tests/claims/corpus.
 
-    python benchmarks/claims_score.py [--wrong] [--kinds] FOLDER...
+    python benchmarks/claims_score.py [--wrong] [--kinds] [--evidence] FOLDER...
 
 A folder is one of tests/claims/corpus. The README of the corpus says how it is counted.
 --wrong lists what was missed and what was found wrongly.
+--evidence tells by what findings stand on how many are right.
 """
 
 import argparse
@@ -17,7 +18,8 @@ from typing import Any
 
 import yaml
 
-from codegen.claims.reading import Reference
+from codegen.claims.evidence import FIRM, Evidence, evidence_of
+from codegen.claims.reading import Reference, read_document
 from codegen.commands.documents import check_documents, dialect_reference
 from codegen.diagnostics import Diagnostic, Report
 
@@ -32,7 +34,10 @@ Fault = dict[str, Any]
 
 @dataclass(frozen=True)
 class Score:
-    """What came of some documents: findings that are right, those that are wrong, faults found and all faults."""
+    """What came of some documents: findings that are right, those that are wrong, faults found and all faults.
+
+    ``surely_found`` are the faults that certain findings find.
+    """
 
     right: int
     wrong: int
@@ -40,6 +45,7 @@ class Score:
     faults: int
     sure: int
     sure_and_right: int
+    surely_found: int
 
     @property
     def precision(self) -> float:
@@ -58,7 +64,8 @@ class Score:
         return (
             f"precision {100 * self.precision:.1f} % ({self.right} of {findings}), "
             f"recall {100 * self.recall:.1f} % ({self.found} of {self.faults}), "
-            f"of the sure findings {sure:.1f} % are right ({self.sure_and_right} of {self.sure})"
+            f"of the sure findings {sure:.1f} % are right ({self.sure_and_right} of {self.sure}), "
+            f"and they find {100 * self.surely_found / self.faults if self.faults else 100:.1f} % of the faults"
         )
 
 
@@ -116,7 +123,7 @@ def documents(folder: str) -> Iterator[tuple[Path, list[Fault]]]:
 
 def score(folders: Iterable[str], *, lists: bool = False) -> Score:
     """Return what came of all documents of some folders; `lists` prints what is not as it should be."""
-    total = [0, 0, 0, 0, 0, 0]
+    total = [0] * 7
     for folder in folders:
         for path, faults in documents(folder):
             right, wrong, found = judged(findings_of(path), faults)
@@ -128,6 +135,7 @@ def score(folders: Iterable[str], *, lists: bool = False) -> Score:
                 faults,
                 certain,
                 [finding for finding in right if finding.is_error],
+                judged(certain, faults)[2],
             )
             total = [a + b for a, b in zip(total, map(len, parts), strict=True)]
             for finding in wrong if lists else ():
@@ -137,6 +145,20 @@ def score(folders: Iterable[str], *, lists: bool = False) -> Score:
                     what = f"{fault['message']}.{fault['field'] or ''} {fault['claimed']} for {fault['dialect']}"
                     print(f"missed  {folder}/{path.name}:{fault['line']}: {fault['kind']}: {what}")
     return Score(*total)
+
+
+def by_evidence(folders: Iterable[str]) -> dict[Evidence, tuple[int, int]]:
+    """Return by kind of evidence how many findings are right, and how many there are."""
+    counted: dict[Evidence, tuple[int, int]] = {}
+    for folder in folders:
+        for path, faults in documents(folder):
+            reading = read_document(path.read_text(), str(path), reference())
+            right, wrong, _ = judged(findings_of(path), faults)
+            for finding in (*right, *wrong):
+                kind = evidence_of(reading, finding)
+                some, all_of = counted.get(kind, (0, 0))
+                counted[kind] = (some + (finding in right), all_of + 1)
+    return counted
 
 
 def kinds(folder: str) -> dict[str, tuple[int, int]]:
@@ -156,11 +178,21 @@ def main() -> int:
     parser.add_argument("folders", nargs="+", metavar="FOLDER", choices=FOLDERS)
     parser.add_argument("--wrong", action="store_true", help="list what was missed and what was found wrongly")
     parser.add_argument("--kinds", action="store_true", help="tell how many faults of each kind are found")
+    parser.add_argument(
+        "--evidence", action="store_true", help="tell how many findings of each kind of evidence are right"
+    )
     arguments = parser.parse_args()
     for folder in arguments.folders:
         print(f"{folder}: {score([folder], lists=arguments.wrong)}")
         for kind, (found, faults) in kinds(folder).items() if arguments.kinds else ():
             print(f"  {kind:<16}{found:>3} of {faults}")
+    if len(arguments.folders) > 1:
+        print(f"all: {score(arguments.folders)}")
+    if arguments.evidence:
+        found_by = by_evidence(arguments.folders)
+        for each in Evidence:
+            right, total = found_by.get(each, (0, 0))
+            print(f"  {each.value:<12}{'certain' if each in FIRM else 'likely':<9}{right:>4} of {total} right")
     return 0
 
 

@@ -3,12 +3,13 @@
 A module with a function ``check`` that lies here, or in ``own``, is run; nothing lists it.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from codegen.claims import own
 from codegen.claims.own.worked.examples import EXAMPLE
 from codegen.claims.reading import Reading, merged
+from codegen.claims.rules import as_sure
 from codegen.diagnostics import Diagnostic
 from codegen.rules.checks import checks_in
 
@@ -18,7 +19,19 @@ LIKELY = "likely, not certain"
 
 def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
     """What is said of messages, fields and entries, and differs from the dialect; some of it several times."""
-    return tuple(finding for check in checks_in(__name__) for finding in check(reading))
+    found = [finding for check in checks_in(__name__) for finding in check(reading)]
+    return tuple(_borne_out(reading, found)) if found else ()
+
+
+def _borne_out(reading: Reading, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """The findings about what the document itself says; those that its structure does not bear out are likely only."""
+    from codegen.claims.elsewhere import is_elsewhere
+    from codegen.claims.evidence import FIRM, evidence_of
+
+    for finding in found:
+        if not is_elsewhere(reading, finding):
+            is_likely = finding.is_error and evidence_of(reading, finding) not in FIRM
+            yield replace(finding, rule=as_sure(finding.rule, is_sure=False)) if is_likely else finding
 
 
 def of_project(reading: Reading) -> tuple[Diagnostic, ...]:

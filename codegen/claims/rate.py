@@ -44,6 +44,8 @@ _CUT = re.compile(
     r"|\bmost\b|\bless\b|\bbelow\b|\bup to\b",
     re.IGNORECASE,
 )
+_SEVERAL = re.compile(r"\b\d+ [A-Za-z]+ (?:at|with) $")
+"""Before a rate: several senders, whose bytes add up."""
 _FRAMES = re.compile(r"\bframes?\b|\bpackets?\b|on the wire", re.IGNORECASE)
 _OFF = Fraction(1, 10)
 """By how much bytes per second may be off that are about so many."""
@@ -61,7 +63,8 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             inside = between(mentions, start, end)
             rates = _rates(passage.text, start, end) or _rates(passage.text, 0, start)
             lead = _COSTS.search(passage.text, max(start, found.start() - 40), found.start())
-            if not inside and lead is not None and Fraction(lead["rate"]) and found["bytes"]:
+            is_of_several = lead is not None and _SEVERAL.search(passage.text, 0, lead.start("rate")) is not None
+            if not inside and lead is not None and not is_of_several and Fraction(lead["rate"]) and found["bytes"]:
                 yield from _unnamed(reading, passage, found, Fraction(lead["rate"]))
             if len({mention.name for mention in inside}) != 1 or not rates or _CUT.search(passage.text, start, end):
                 continue

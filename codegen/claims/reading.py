@@ -42,6 +42,7 @@ _TYPE_NAME = re.compile(
     r"|CRC_EXTRA))?\b"
 )
 _CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
+_CITED = re.compile(r"^ {0,3}>", re.MULTILINE)
 _MOST_RELATED = 8
 """How many repetitions of a claim are listed."""
 _FAR = 300
@@ -84,7 +85,7 @@ class Reading:
 
     ``quoted`` are the definitions of its XML, and ``proposed`` its messages as they would go over the wire; for the
     rest of the document they take the place of messages of the dialect. ``messages`` has all of them by name,
-    ``sightings`` the lines that name one, in order.
+    ``sightings`` the lines that name one, in order, ``cited`` the lines that repeat what somebody else wrote ("> ...").
     """
 
     prose: Prose
@@ -96,6 +97,7 @@ class Reading:
     mentions: Mapping[int, tuple[Mention, ...]]
     once: Mapping[int, tuple[WireMessage, ...]]
     sightings: tuple[tuple[int, str], ...]
+    cited: frozenset[int] = frozenset()
 
     def mentioned(self, passage: Passage) -> tuple[Mention, ...]:
         """The messages that a passage names, in order."""
@@ -187,6 +189,7 @@ def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
             if found
         },
         sightings=tuple(sorted(seen)),
+        cited=frozenset(text.count("\n", 0, found.start()) + 1 for found in _CITED.finditer(text)),
     )
 
 

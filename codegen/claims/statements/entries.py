@@ -10,7 +10,7 @@ from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, REPLACED, SUPPOSED
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
-from codegen.claims.statements.spans import Span, head_of
+from codegen.claims.statements.spans import Span, head_of, spans
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -335,3 +335,47 @@ def _enum_called(reading: Reading, span: Span, found: "re.Match[str]") -> _Subje
         if joined in (bare, bare.removeprefix("mav")):
             return _Subject(name, enum)
     return None
+
+
+def is_borne_out(reading: Reading, span: Span, name: str, field: str | None) -> bool:
+    """Whether most of the values in a part, or in the list that it is of, are right for the enum of a subject.
+
+    ``name`` is that of the enum, or of the message whose ``field`` has it.
+    """
+    message = reading.messages.get(name)
+    found = message.field(field) if message is not None and field is not None else None
+    enum = reading.enums.get((found.definition.enum or "") if found is not None else name)
+    if enum is None:
+        return False
+    known, run = _borne_out(reading), _lists(reading).get(id(span), (span,))
+    for parts in ((span,), run):
+        key = (id(parts[0]), len(parts), enum.name)
+        if key not in known:
+            known[key] = _is_mostly_right(parts, enum)
+        if known[key]:
+            return True
+    return False
+
+
+def _is_mostly_right(parts: Sequence[Span], enum: EnumDefinition) -> bool:
+    pairs = [pair for part in parts for pair in _pairs(part, 0, len(part.text))]
+    right = {value for value, words, _ in pairs if meaning(enum).is_named(value, words)}
+    wrong = [value for value, words, _ in pairs if meaning(enum).meant_otherwise(value, words) is not None]
+    return len(right) >= _FEWEST and len(right) >= len(wrong)
+
+
+@once
+def _borne_out(_: Reading) -> dict[tuple[int, int, str], bool]:
+    """What was found out of the lists of a document, by their first part, their length and an enum."""
+    return {}
+
+
+@once
+def _lists(reading: Reading) -> dict[int, tuple[Span, ...]]:
+    """By the identity of each item and row those that follow each other without a break, itself among them."""
+    found: dict[int, tuple[Span, ...]] = {}
+    for kind, run in groupby(spans(reading), lambda span: (span.kind, span.is_code)):
+        if kind[0] in (PassageKind.ITEM, PassageKind.ROW):
+            parts = tuple(run)
+            found.update(dict.fromkeys(map(id, parts), parts))
+    return found

@@ -16,7 +16,8 @@ from codegen.load.prose import PassageKind
 _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
 _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
-    r"\b(?:extensions?|extension fields?)\b(?! of (?!M))|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
+    r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
+    r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
 _VERBS = frozenset((
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",

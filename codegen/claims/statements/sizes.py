@@ -94,7 +94,8 @@ _BESIDE = re.compile(
 _VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
 _BEHIND = re.compile(
     r"(?: |-)?(?:long |of |in )?(?:the )?(?P<payload>payload|base\b)"
-    r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|a)(?: whole| v2)? (?:wire|link|line|frame|packet)|(?:of air )?per"
+    r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|an?)(?: whole| full| complete"
+    r"| v[12]| (?:un)?signed| mavlink N){0,4} (?:wire|link|line|frame|packet)|(?:of air )?per"
     r" frame|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
 )

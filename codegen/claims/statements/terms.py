@@ -269,6 +269,8 @@ def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
 
 def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     """The symbol of a unit; one that is a word as often has to stand where a unit does."""
+    if text[max(start - 1, 0) : start] == "/":
+        return None  # what something is divided by, "ft/min", where the unit before it is not known
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():

@@ -133,15 +133,18 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             and not is_data(span)
         ):
             return
-        if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and "," in gap:
-            return  # "`a`, uint16 `b`"
-        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T", behind):
-            return  # a choice of types
+        if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and _NEXT.search(gap):
+            return  # "`a`, uint16 `b`", "`a` and a uint16 `b`"
+        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T|::", behind):
+            return  # a choice of types, or a conversion
         stated = stated_type(term)
         if _is_foreign(span, stated, offset):
             continue
         yield from _found(reading, said, offset, stated, term.written)
         return
+
+
+_NEXT = re.compile(r",|\b(?:and|plus|with)\b")
 
 
 def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:

@@ -163,12 +163,18 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
     term = said.span.sentence.term(offset)
     unit = term.value
     assert isinstance(unit, Unit)
+    if _AS_TYPE.search(said.span.text, max(offset - 12, 0), offset) and term.written in ("byte", "bytes"):
+        return
     one = claimed(reading, said, offset, lambda field: has_unit(field, unit))
     if one is not None:
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
             as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
         )
+
+
+_AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
+"""Before "bytes": it is the type that is told."""
 
 
 def _own(field: WireField) -> str:

@@ -37,7 +37,7 @@ def worded_unit(written: str) -> Unit | None:
     names = list(dict.fromkeys(_worded(folded)))
     if len(names) == 1:
         return Unit.parse(names[0])
-    per = re.fullmatch(r"(\w+)(?:\s+per\s+|/)(\w+)", folded)
+    per = re.fullmatch(r"(\w+|\u00b0)(?:\s+per\s+|/)(\w+)", folded)
     parts = [worded_unit(part) for part in per.groups()] if per else []
     return Unit.parse("/".join(part.name for part in parts if part)) if parts and all(parts) else None
 

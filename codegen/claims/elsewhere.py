@@ -1,0 +1,167 @@
+"""Findings that are none: what a document cites, what it says of a nearer name, and what it says of its own types."""
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+
+from codegen.claims.enclosing import is_beside_type, is_of_other_type, members_of_type
+from codegen.claims.reading import Reading
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.once import once
+from codegen.source import Place
+
+_CITED = re.compile(
+    r"(?:(?<=[\s(|\u2013\u2014])|^)[\"\u201c](?=\S)[^\"\u201c\u201d]{2,300}[\"\u201d](?=[\s.,;:!?)|]|$)"
+)
+_CAPITALS = re.compile(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
+_GENERIC = re.compile(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
+_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
+_OF_MEMBERS = frozenset(("claim-struct", "claim-unit", "claim-sentinel", "claim-offset"))
+_NUMBERS = frozenset(("claim-message-id", "claim-crc-extra", "claim-message-size"))
+_BETWEEN = re.compile(
+    r"[^\w.!?]*(?:(?:with|has|is|its|the|and|of|message|msg|number|no|id|crc|extra|crc_extra|seed|\d+)[^\w.!?]+)*",
+    re.IGNORECASE,
+)
+_NEAR = 80
+"""Characters before a number in which the name that it belongs to is looked for."""
+_NEXT = 24
+"""Characters behind a number in which its name may stand, "12 (NAME)"."""
+_HALF = 2
+
+
+def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
+    """Whether a finding is about something else than what the document itself says of the dialect."""
+    return (
+        _is_cited(reading, finding.place)
+        or finding.place.line in _lines_of_others(reading)
+        or _is_number_of_section(reading, finding.place)
+        or (finding.rule.id in _OF_MEMBERS and _is_taken_from(reading, finding.place))
+        or (finding.rule.id in _NUMBERS and _is_of_nearer(reading, finding))
+        or (finding.rule.id in _OF_MEMBERS and _is_own_member(reading, finding))
+    )
+
+
+@once
+def _citations(reading: Reading) -> tuple[tuple[Place, Place], ...]:
+    """Where the words begin and end that stand in quotation marks."""
+    return tuple(
+        (part.place_at(found.start()), part.place_at(found.end() - 1))
+        for part in reading.prose.passages
+        for found in _CITED.finditer(part.text)
+        if " " in found[0].strip()
+    )
+
+
+@once
+def _lines_of_others(reading: Reading) -> frozenset[int]:
+    """The lines of sections and types that are said to be of no MAVLink message: "Raw frame (not MAVLink)"."""
+    found: set[int] = set()
+    level = 0
+    for part in reading.prose.parts:
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING and (not level or part.level <= level):
+            level = part.level if _NO_MAVLINK.search(part.text) else 0
+        elif level:
+            last = part.anchors[-1][1] if isinstance(part, Passage) else part.lines[-1].place
+            found.update(range(part.place.line, last.line + 1))
+        if isinstance(part, CodeBlock):
+            found.update(_others_in(part))
+    return frozenset(found)
+
+
+def _others_in(code: CodeBlock) -> Iterator[int]:
+    """The lines of the type below a comment of code that says so."""
+    is_other = False
+    for line in code.lines:
+        is_other |= _NO_MAVLINK.search(line.text) is not None
+        if is_other:
+            yield line.place.line
+            is_other = not line.text.lstrip().startswith("}")
+
+
+_NO_MAVLINK = re.compile(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
+
+
+def _is_number_of_section(reading: Reading, place: Place) -> bool:
+    """Whether a number is that of a paragraph, "6.6 An unknown ..."."""
+    parts = _parts_at(reading, place.line)
+    return any(isinstance(part, Passage) and part.place == place and _SECTION.match(part.text) for part in parts)
+
+
+def _is_taken_from(reading: Reading, place: Place) -> bool:
+    """Whether a line of code copies a member of another object: what its comment says is said of that."""
+    codes = (part for part in _parts_at(reading, place.line) if isinstance(part, CodeBlock))
+    return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
+
+
+_SECTION = re.compile(r"\d+(?:\.\d+)+\.?\s+(?:[A-Z][a-z]{2,}|An?) [a-z`]")
+_TAKEN = re.compile(r"\s*[A-Za-z_]\w*\s*[:=]\s*(?!self\.|this\.)[A-Za-z_]\w*\.[A-Za-z_]\w*\s*,")
+
+
+def _is_cited(reading: Reading, place: Place) -> bool:
+    if place.line in reading.cited:
+        return True
+    found = _citations(reading)
+    index = bisect_right(found, place, key=lambda each: each[0]) - 1
+    return index >= 0 and place <= found[index][1]
+
+
+def _is_of_nearer(reading: Reading, finding: Diagnostic) -> bool:
+    """Whether the name beside a number, "OTHER_NAME (id 5)", is not the one that the finding gives it to."""
+    before, behind = _around(reading, finding.place)
+    own = finding.message.partition(" ")[0]
+    names = [found for found in _CAPITALS.finditer(before) if not _GENERIC.fullmatch(found[0])]
+    if not names or own in names[-1][0] or own in behind:
+        return False
+    return _BETWEEN.fullmatch(before, names[-1].end()) is not None
+
+
+def _around(reading: Reading, place: Place) -> tuple[str, str]:
+    """The characters before a place, of its passage or its block of code, and some of those behind it."""
+    for part in _parts_at(reading, place.line):
+        if isinstance(part, Passage):
+            if part.kind is PassageKind.ROW:
+                continue
+            offset = _offset(part, place)
+            return part.text[max(offset - _NEAR, 0) : offset], part.text[offset : offset + _NEXT]
+        index = place.line - part.place.line
+        lines = part.lines[max(index - 2, 0) : index + 1]
+        column = place.column - lines[-1].place.column
+        before = "\n".join([*(line.text for line in lines[:-1]), lines[-1].text[:column]])
+        return before[-_NEAR:], lines[-1].text
+    return "", ""
+
+
+def _parts_at(reading: Reading, line: int) -> list[Passage | CodeBlock]:
+    """The parts of a document that a line is in."""
+    return _by_line(reading).get(line, [])
+
+
+@once
+def _by_line(reading: Reading) -> dict[int, list[Passage | CodeBlock]]:
+    found: dict[int, list[Passage | CodeBlock]] = {}
+    for part in reading.prose.parts:
+        last = part.anchors[-1][1] if isinstance(part, Passage) else part.lines[-1].place
+        for line in range(part.place.line, last.line + 1):
+            found.setdefault(line, []).append(part)
+    return found
+
+
+def _offset(part: Passage, place: Place) -> int:
+    """Where a place is in the text of a passage."""
+    start, at = part.anchors[max(bisect_right(part.anchors, place, key=lambda anchor: anchor[1]) - 1, 0)]
+    return start + (place.column - at.column if place.line == at.line else 0)
+
+
+def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
+    """Whether a declaration is in somebody's own type, or in one of which most members are no fields of the message."""
+    message = reading.messages.get(finding.message.partition(".")[0])
+    members = members_of_type(reading, finding.place)
+    if message is None or not members:
+        return False
+    if is_beside_type(reading, finding.place, message.name):
+        return True
+    known = [name for name in members if message.field(name) or message.field(_CAMEL.sub(r"_\1", name).lower())]
+    if len(known) < len(members) and is_of_other_type(reading, finding.place, message.name):
+        return True
+    return _HALF * len(known) < len(members)

@@ -1,0 +1,123 @@
+"""The type that encloses a line of code: whether a member there is one of a message, or of somebody's own type."""
+
+import re
+
+from codegen.claims.reading import Reading
+from codegen.load.prose import CodeBlock
+from codegen.once import once
+from codegen.source import Place
+
+_TYPE = re.compile(
+    r"\b(?:struct|class|interface|type|impl|union|message)\s+(?:__attribute__\S*\s+)?(?P<name>(?!__attribute__)[A-Za-z_]\w*)"
+)
+_CLOSED = re.compile(r"\s*\}")
+_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_AROUND = frozenset(("mavlink", "msg", "message", "t", "data", "struct", "payload", "packet", "wire", "fields"))
+"""Words of a type's name besides those of its message."""
+_ALIKE = 4
+"""So many letters of two words make one short for the other."""
+_UPPER = 60
+"""How many lines around a member its type is looked for."""
+
+
+def is_of_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether the type around a line bears the name of a message, in whatever way a language spells it."""
+    name = _type_around(reading, place)
+    return name is not None and is_named(name, message)
+
+
+def is_of_other_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether the name of the type around a line has no word of a message."""
+    name = _type_around(reading, place)
+    own = message.lower().split("_")
+    return name is not None and not any(word[:_ALIKE] == other[:_ALIKE] for word in _words(name) for other in own)
+
+
+def is_beside_type(reading: Reading, place: Place, message: str) -> bool:
+    """Return whether another type than the one around a line bears the name of a message."""
+    name = _type_around(reading, place)
+    if name is None or is_named(name, message):
+        return False
+    return any(is_named(other, message) for other in _types(reading))
+
+
+def _type_around(reading: Reading, place: Place) -> str | None:
+    """The name of the type that is declared around a line."""
+    for code in _blocks_at(reading, place.line):
+        lines, index = code.lines, place.line - code.place.line
+        for line in reversed(lines[max(index - _UPPER, 0) : index + 1]):
+            found = _TYPE.search(line.text)
+            if found is not None and found["name"]:
+                return found["name"]
+            if line.place.line < place.line and _CLOSED.match(line.text):
+                return None
+            if "{" in line.text and "typedef" in line.text:
+                break
+        for line in lines[index : index + _UPPER]:
+            found = _BEHIND.match(line.text)
+            if found is not None:
+                return found["name"]
+    return None
+
+
+_BEHIND = re.compile(r"\s*\}\s*(?P<name>[A-Za-z_]\w*)\s*;")
+
+
+@once
+def _types(reading: Reading) -> tuple[str, ...]:
+    """The names of all types that the code of a document declares."""
+    found = (_TYPE.search(line.text) or _BEHIND.match(line.text) for code in reading.prose.code for line in code.lines)
+    return tuple(each["name"] for each in found if each is not None and each["name"])
+
+
+def _words(name: str) -> set[str]:
+    return {part.lower() for part in _PARTS.findall(name)} - _AROUND
+
+
+def _blocks_at(reading: Reading, line: int) -> tuple[CodeBlock, ...]:
+    return _blocks(reading).get(line, ())
+
+
+@once
+def _blocks(reading: Reading) -> dict[int, tuple[CodeBlock, ...]]:
+    """The block of code by each of its lines."""
+    return {line.place.line: (code,) for code in reading.prose.code for line in code.lines}
+
+
+def is_named(name: str, message: str) -> bool:
+    """Whether the name of a type is that of a message, as "GpsRawInt" or "mavlink_gps_raw_int_t"."""
+    parts = [part.lower() for part in _PARTS.findall(name)]
+    own = "".join(part for part in parts if part not in _AROUND)
+    plain = message.replace("_", "").lower()
+    return own == plain or "".join(parts) == plain
+
+
+_MEMBER = re.compile(
+    r"\s*(?:(?:pub|public|private|readonly|const)\s+)*(?:(?P<first>[A-Za-z_]\w*)\??\s*:\s*[^:=]"
+    r"|(?:unsigned\s+)?[A-Za-z_]\w*\s+(?P<last>[A-Za-z_]\w*)\s*(?:\[[^\]]*\])?\s*;)"
+)
+
+
+def members_of_type(reading: Reading, place: Place) -> tuple[str, ...]:
+    """The names of the members of the type that is declared around a line; none outside of types."""
+    for code in _blocks_at(reading, place.line):
+        lines = code.lines
+        index = place.line - lines[0].place.line
+        first = index
+        while (
+            first > max(index - _UPPER, 0)
+            and not _TYPE.search(lines[first].text)
+            and not _CLOSED.match(lines[first - 1].text)
+        ):
+            first -= 1
+        if not _TYPE.search(lines[first].text):
+            return ()
+        names = []
+        for line in lines[first + 1 : first + 2 * _UPPER]:
+            if _CLOSED.match(line.text):
+                break
+            found = _MEMBER.match(line.text)
+            if found is not None:
+                names.append((found["first"] or found["last"]).rstrip("_"))
+        return tuple(names)
+    return ()
