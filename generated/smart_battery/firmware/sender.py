@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 050aa52a2c0b5721
+# Inputs: cc3124ee7ca8d334
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -62,6 +62,8 @@ class Sender:
                 self._new_view(length)
         encode = encoder(frame, views, self._new_view)
         self.encode = _signed(encode, signing) if signing else encode
+        # An attribute of its own is found much sooner than a method of a class that others are derived from.
+        self.send_frame = _frame_sender(self, frame[self._sequence_at : self._sequence_at + 1])
 
     @property
     def version(self):
@@ -90,15 +92,6 @@ class Sender:
         """
         return self.send_frame(self.encode(message))
 
-    def send_frame(self, frame):
-        """Write a frame that was made for this sender just now, as send() does with a message's."""
-        written = self._write(frame)
-        at = self._sequence_at
-        self._frame[at] = (self._frame[at] + 1) & 0xFF
-        if written != _len(frame):
-            self.tx_errors += 1
-        return written
-
     def _new_view(self, length):
         """Return the view of a length, made now where there is none."""
         views = self.room[1]
@@ -107,11 +100,24 @@ class Sender:
             views[length] = self._frame[2 : 2 + extra + length]
         return views[length]
 
-    def _write(self, frame):
+
+def _frame_sender(sender, sequence):
+    """Return send_frame(frame), which writes a frame that was made just now, as send() does with a message's.
+
+    `sequence` is where the number of the frame stands. One variable more, and they would lie on the heap at each call.
+    """
+
+    def send_frame(frame):
         try:
-            return self.stream.write(frame) or 0
+            written = sender.stream.write(frame) or 0
         except OSError:
-            return 0
+            written = 0
+        sequence[0] = (sequence[0] + 1) & 0xFF
+        if written != _len(frame):
+            sender.tx_errors += 1
+        return written
+
+    return send_frame
 
 
 def _signed(encode, signing):
