@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: d0658906a6d5e900
+# Inputs: d05587181b7d678f
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
@@ -32,8 +32,6 @@ Each function has few locals: MicroPython puts those of larger ones on the heap 
 
 from checksum import TABLE
 
-_BYTES = (bytes, bytearray, memoryview)
-
 
 def address(_data):
     """Return 0: only machine code goes to bytes by their address."""
@@ -59,11 +57,12 @@ def encoder(frame, views, new_view):
 def taker(receiver):
     """Return the function put(data), which takes as much of what arrived into a receiver's buffer as that holds.
 
-    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, or these are not bytes.
+    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, and for all but bytes if
+    nobody says how many of them count.
     """
 
     def put(data):
-        if receiver._state[12] or (receiver._state[17] == 0 and type(data) not in _BYTES):
+        if receiver._state[12] or (receiver._state[17] == 0 and type(data) is not bytes):
             receiver._put_more(data)
         else:
             _take_in(receiver, receiver._state, receiver._buffer, data)

@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: cc3124ee7ca8d334
+# Inputs: e0e45f63c4d665c1
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -63,7 +63,7 @@ class Sender:
         encode = encoder(frame, views, self._new_view)
         self.encode = _signed(encode, signing) if signing else encode
         # An attribute of its own is found much sooner than a method of a class that others are derived from.
-        self.send_frame = _frame_sender(self, frame[self._sequence_at : self._sequence_at + 1])
+        self.send_frame = _frame_sender(self, frame, self._sequence_at)
 
     @property
     def version(self):
@@ -101,23 +101,28 @@ class Sender:
         return views[length]
 
 
-def _frame_sender(sender, sequence):
-    """Return send_frame(frame), which writes a frame that was made just now, as send() does with a message's.
-
-    `sequence` is where the number of the frame stands. One variable more, and they would lie on the heap at each call.
-    """
+def _frame_sender(sender, buffer, at):
+    """Return send_frame(frame), which writes a frame that was made just now, as send() does with a message's."""
+    write = _writer(sender)
 
     def send_frame(frame):
-        try:
-            written = sender.stream.write(frame) or 0
-        except OSError:
-            written = 0
-        sequence[0] = (sequence[0] + 1) & 0xFF
+        written = write(frame)
+        buffer[at] = (buffer[at] + 1) & 0xFF
         if written != _len(frame):
             sender.tx_errors += 1
         return written
 
     return send_frame
+
+
+def _writer(sender):  # apart, since the variables of a larger function that catches something lie on the heap
+    def write(frame):
+        try:
+            return sender.stream.write(frame) or 0
+        except OSError:
+            return 0
+
+    return write
 
 
 def _signed(encode, signing):

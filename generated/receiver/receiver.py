@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: dd046c8f811f140c
+# Inputs: f81ad3dbd9e9a993
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -107,7 +107,9 @@ class Receiver:
         data = self._arrived[0]
         self._arrived[0] = None
         state[12] = 0
-        if state[2] < (state[17] or len(data)):
+        if not 0 < state[17] <= len(data):
+            state[17] = len(data)
+        if state[2] < state[17]:
             self.put(data)
         else:
             state[2] = state[17] = 0

@@ -30,8 +30,6 @@ Each function has few locals: MicroPython puts those of larger ones on the heap 
 
 from checksum import TABLE
 
-_BYTES = (bytes, bytearray, memoryview)
-
 
 def address(_data):
     """Return 0: only machine code goes to bytes by their address."""
@@ -57,11 +55,12 @@ def encoder(frame, views, new_view):
 def taker(receiver):
     """Return the function put(data), which takes as much of what arrived into a receiver's buffer as that holds.
 
-    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, or these are not bytes.
+    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, and for all but bytes if
+    nobody says how many of them count.
     """
 
     def put(data):
-        if receiver._state[12] or (receiver._state[17] == 0 and type(data) not in _BYTES):
+        if receiver._state[12] or (receiver._state[17] == 0 and type(data) is not bytes):
             receiver._put_more(data)
         else:
             _take_in(receiver, receiver._state, receiver._buffer, data)

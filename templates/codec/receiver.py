@@ -105,7 +105,9 @@ class Receiver:
         data = self._arrived[0]
         self._arrived[0] = None
         state[12] = 0
-        if state[2] < (state[17] or len(data)):
+        if not 0 < state[17] <= len(data):
+            state[17] = len(data)
+        if state[2] < state[17]:
             self.put(data)
         else:
             state[2] = state[17] = 0

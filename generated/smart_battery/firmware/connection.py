@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 68bcf6eb352af21d
+# Inputs: 1c533661b84ca9b8
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -298,13 +298,15 @@ class Connection:
 
     def _has_place(self, message, number, now_ms):
         """Turn to who has sent a message; return whether there is a place for who it is of."""
-        if number == _HEARTBEAT:
-            wire = message.wire
-            if wire[_TYPE] != _MAV_TYPE_GCS and wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID:
-                return True  # no vehicle is a station
-        station, ends = self.station, self._ends
-        address = station.address
-        if station.is_heard and address is ends[0] and address == ends[1]:
+        if (  # no vehicle is a station
+            number == _HEARTBEAT
+            and message.wire[_TYPE] != _MAV_TYPE_GCS
+            and message.wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID
+        ):
+            return True
+        station = self.station
+        ends = self._ends
+        if station.is_heard and station.address is ends[0] and station.address == ends[1]:
             station.heard_ms = now_ms  # most often it is the one at hand
             return True
         station = self._stations.hear(ends[1], now_ms)
