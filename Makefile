@@ -18,7 +18,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind tools lint clean benchmarks costs conformance mutation generator-mutation soak fuzz quality reference docs
+.PHONY: build test suite browser valgrind tools lint clean benchmarks costs conformance mutation generator-mutation soak fuzz quality reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -43,6 +43,11 @@ test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
 	step "stored benchmarks" $(BIN)/python benchmarks/report.py --state; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \
 	echo "Everything is in order."
+
+# Some five seconds, after each edit: the generated suite of the rover on both interpreters, all but what simulates
+# minutes and days. SUITE="--program boat", SUITE=--whole.
+suite: $(INSTALLED)
+	@$(BIN)/python benchmarks/suite.py $(SUITE)
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check --fix

@@ -110,15 +110,30 @@ def long_first(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
     """Let each worker of xdist begin with its share of the long tests, so that none is left when the others are done.
 
     A worker gets as many tests in a row as another at first, and then some of those that another one has not begun.
+    Tests that wait for the same run are of one worker.
     """
     long = [item for item in items if item.get_closest_marker("long") or item.get_closest_marker("days")]
     chosen = set(long)
+    runs: dict[object, list[pytest.Item]] = {}
+    for item in long:
+        runs.setdefault(_run_of(item), []).append(item)
+    shares: list[list[pytest.Item]] = [[] for _ in range(workers)]
+    for run in runs.values():
+        min(shares, key=len).extend(run)
     others = iter([item for item in items if item not in chosen])
     shared: list[pytest.Item] = []
-    for worker in range(workers):
-        shared += long[worker::workers]
-        shared += islice(others, len(items) * (worker + 1) // workers - len(shared))
+    for worker, share in enumerate(shares):
+        shared += share
+        shared += islice(others, max(0, len(items) * (worker + 1) // workers - len(shared)))
     return [*shared, *others]
+
+
+def _run_of(item: pytest.Item) -> object:
+    """What several tests wait for: one run has all checks of a program that simulate days on an interpreter."""
+    if item.get_closest_marker("days") is None:
+        return item
+    assert isinstance(item, pytest.Function)
+    return item.path, item.callspec.params["interpreter"]
 
 
 @pytest.hookimpl(optionalhook=True)

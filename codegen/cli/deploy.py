@@ -47,7 +47,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 
 
 def add_board_options(parser: argparse.ArgumentParser) -> None:
-    """Which board, and which program: ``deploy`` and ``bench`` ask for both."""
+    """Add the options that name the board and the program: ``deploy`` and ``bench`` ask for both."""
     parser.add_argument(
         "--port", metavar="P", help="serial port, such as /dev/ttyACM0 or COM3 (default: the only board)"
     )
@@ -184,7 +184,7 @@ def _summary(todo: "Plan") -> str:
 
 
 def _show_log(connection: "Connection", system: "System", seconds: float, board: "Board", report: "Report") -> None:
-    """What the program says; an exception is a finding, whether the program ends with it or not."""
+    """Print what the program says; an exception is a finding, whether the program ends with it or not."""
     from codegen.deploy.findings import PROGRAM_ENDED
     from codegen.source import Place
 

@@ -86,7 +86,7 @@ def _read(path: str, arguments: argparse.Namespace, report: "Report") -> "Stated
 
 
 def _tell(stated: "StatedFile") -> None:
-    """What is no requirement, in one line: everything else of a file is in the documents or has a finding."""
+    """Tell in one line what is no requirement: everything else of a file is in the documents or has a finding."""
     if stated.left_out:
         listed = ", ".join(f"{number} {what}" for what, number in sorted(stated.left_out.items()))
         print(f"not imported, as it is no requirement: {listed}", file=sys.stderr)

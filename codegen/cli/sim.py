@@ -192,7 +192,7 @@ def _check_files(arguments: argparse.Namespace) -> None:
 
 
 def _check_written(option: str, path: str | None) -> None:
-    """Whether a file can be written in the end. UsageError: it cannot."""
+    """Raise UsageError where a file cannot be written in the end."""
     if path is None:
         return
     folder = os.path.dirname(os.path.abspath(path))

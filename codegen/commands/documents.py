@@ -153,7 +153,7 @@ def _are_in(findings: Iterable[Diagnostic], lines: Collection[int]) -> bool:
 
 
 def _of_project_there(text: str, path: str, reference: Reference, files: Files, overlay: str) -> tuple[Diagnostic, ...]:
-    """What is said of a project that differs from what it would be with an overlay; no more than without it."""
+    """Return what is said of a project that differs from what it would be with an overlay."""
     other = reference.others[overlay](files)
     return of_project(read_document(text, path, other)) if other is not None else ()
 

@@ -108,7 +108,7 @@ def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sour
 
 
 def _check_cast(product: Product, cell: Cell, target: Target, report: Report) -> None:
-    """What a cast of the document would do on the wire."""
+    """Report what a cast of the document would do on the wire."""
     if product.cast is None:
         return
     cast, wire_type = WIRE_TYPES[product.cast], target.field.type

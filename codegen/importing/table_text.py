@@ -31,7 +31,8 @@ def answer_line(answer: ReadAnswer, document: str) -> str:
     if answer.reading.answer is not None:
         return f"  {answer.target.label}: {answer.reading.answer}  # {comment}"
     proposal = "..." if answer.reading.proposal is None else answer.reading.proposal
-    return f"  # {answer.target.label}: {proposal}  # {comment}: {_plain(answer.written) or 'nothing'}"
+    written = _plain(answer.written)
+    return f"  # {answer.target.label}: {proposal}  # {comment}" + (f": {written}" if written else "")
 
 
 def source_comment(answer: ReadAnswer, document: str) -> str:

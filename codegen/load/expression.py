@@ -165,14 +165,14 @@ def _number(written: str) -> Fraction:
 
 
 def _is_range(text: str, run: Sequence[_Token]) -> bool:
-    """Whether a hyphen between numbers without a space may be no minus: 0-4095, 2022-03-26."""
+    """Return whether a hyphen between numbers without a space may be no minus: 0-4095, 2022-03-26."""
     return any(
         token.text == "-" and text[token.start - 1].isalnum() and text[token.end].isalnum() for token in run[1:-1]
     )
 
 
 def _evaluated(tokens: Sequence[_Token]) -> _Term | None:
-    """What the tokens come to; None where they are no complete expression, or cannot be worked out."""
+    """Return the value of the tokens; None where they are no complete expression, or cannot be worked out."""
     parser = _Parser(tokens)
     found = parser.sum()
     return found if parser.is_at_end else None
@@ -240,7 +240,7 @@ class _Parser:
         return None if path is None else _Term(Fraction(1), path)
 
     def _after_bracket(self) -> _Term | None:
-        """What is in a bracket, or what follows one with a wire type in it, as C casts."""
+        """Return the value of a bracket, or of what follows one with a wire type in it, as C casts."""
         written = self._text(0)
         if written not in SPELLINGS or self._text(1) != ")":
             return self._closed()

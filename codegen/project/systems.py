@@ -94,7 +94,7 @@ def read_own_scenarios(project_file: str, systems: Sequence[System], report: Rep
 
 
 def check_scenarios(project_file: str, systems: Sequence[System], report: Report) -> None:
-    """What is wrong with the scenarios beside a project file, which may have none.
+    """Report what is wrong with the scenarios beside a project file, which may have none.
 
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """

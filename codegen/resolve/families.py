@@ -110,7 +110,7 @@ class ParameterFamilies:
         return spec.default * count, None
 
     def check_defaults(self) -> None:
-        """Whether each default of board.yaml is for a parameter of its own instance."""
+        """Report each default of board.yaml that is for a parameter of another instance."""
         families = self._spec.parameters.parameters
         for component, written in self._spec.board.instances.items():
             parts = self._instances.get(component, ())

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 42c6c7984ab950b4
+# Inputs: 25ddf95a2bd08b69
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -304,6 +304,16 @@ CHECKS = (
     (told_of_all_when_their_turn_comes, "message.change"),
     (told_besides, "message.besides"),
     (told_of_the_generation_that_is_chosen, "generations.choice"),
+)
+LONG = (
+    told_to_who_appears,
+    told_again_after_a_silence,
+    told_after_days_of_silence,
+    a_port_that_takes_nothing_loses_none,
+    told_of_a_change,
+    told_of_all_when_their_turn_comes,
+    told_besides,
+    told_of_the_generation_that_is_chosen,
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/day_checks.py: do not edit.
-# Inputs: f3abcdccb96f4d9e
+# Inputs: 938450bb5b97802c
 """A simulated day across the turn of ticks_ms(): no drift, no gap, and everything works after it.
 
 The hours around the turn have more passes than those before and after, in which ticks_us() turns as often.
@@ -62,6 +62,7 @@ def day_across_the_wrap():
 
 
 CHECKS = ((day_across_the_wrap, "control.grid"),)
+LONG = (day_across_the_wrap,)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: afd0f69e9ddf3994
+# Inputs: 9b05b25efb4ca127
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -358,6 +358,14 @@ CHECKS = (
     (high_value_is_warned_about_at_intervals, "quantity.warn_above"),
     (late_reading_is_refused_in_the_program, "reading.read_limit"),
     (good_count_is_good, "component.mock"),
+)
+LONG = (
+    change_of_health_is_logged_once,
+    health_is_told_after_days,
+    pin_counts_from_the_next_start,
+    read_often_enough,
+    runs_without_a_converter,
+    high_value_is_warned_about_at_intervals,
 )
 
 if __name__ == "__main__":

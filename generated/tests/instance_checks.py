@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: 8ff089b3be14a76c
+# Inputs: b637b821fdd07a80
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -335,6 +335,15 @@ CHECKS = (
     (arming_says_which, "component.own_failsafe"),
     (health_of_each_is_its_own, "component.own_failsafe"),
     (several_allocate_nothing, "component.several"),
+)
+LONG = (
+    each_is_told_once,
+    each_fails_by_itself,
+    one_that_is_off_is_left_out,
+    each_that_is_on_is_reported,
+    highest_of_two_acts,
+    lower_level_does_not_act_later,
+    several_allocate_nothing,
 )
 
 if __name__ == "__main__":

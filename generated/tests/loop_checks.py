@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 5fe0cf8a3755fa9f
+# Inputs: aa08770794097243
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -13,7 +13,7 @@ from program_bench import (
     ready_craft,
     run,
 )
-from program_facts import CONTROL_US, FAILSAFES, FORCE_ARM, LINKS_US, MEASURED, REPORT_MS
+from program_facts import CONTROL_US, FAILSAFES, FORCE_ARM, FORGETS, LINKS_US, MEASURED, REPORT_MS
 
 
 def _timed(craft):
@@ -186,6 +186,16 @@ def an_interrupt_ends_one_pass():
         assert craft.port.looks - looks >= SECOND_US // LINKS_US - 1
 
 
+def what_is_old_is_forgotten_unasked():
+    """With each report one of what grows old has its turn, so that none is left until the ticks have come round."""
+    needs(FORGETS, "something that is forgotten with time")
+    craft = ready_craft()
+    turns = []
+    craft.state.forget_next = lambda: turns.append(mock_time.elapsed_us())
+    run(craft, 5 * REPORT_MS * 1000)
+    assert 4 <= len(turns) <= 6, turns
+
+
 CHECKS = (
     (control_keeps_its_grid, "control.grid"),
     (jitter_is_no_drift, "control.grid"),
@@ -195,7 +205,9 @@ CHECKS = (
     (load_is_the_share_of_time, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),
     (an_interrupt_ends_one_pass, "control.grid"),
+    (what_is_old_is_forgotten_unasked, "quantity.stale_after"),
 )
+LONG = (control_keeps_its_grid, missed_slots_are_reported, load_is_the_share_of_time)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: dd902e965a21cac8
+# Inputs: bb0e393010503e2e
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -186,6 +186,10 @@ CHECKS = (
     (multiplier_counts_from_the_next_start, "storage.reboot", "quantity.calibration"),
     (system_id_counts_from_the_next_start, "storage.reboot"),
 )
+LONG = (set_answers_with_the_value, refused_values_change_nothing)
+
+SUBJECT = PARAMETERS
+"""Without it there is nothing to check."""
 
 if __name__ == "__main__":
-    main(CHECKS, PARAMETERS)
+    main(CHECKS, SUBJECT)

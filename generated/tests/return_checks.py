@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: 4119ead31db1fe0e
+# Inputs: dd47b1e48a6d2737
 """What was gone and comes back, such as a pack that is exchanged: it counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
@@ -256,6 +256,14 @@ CHECKS = (
     (counting_begins_anew, "quantity.returns"),
     (its_info_is_sent_at_once, "quantity.returns"),
     (one_that_is_gone_allocates_nothing, "quantity.returns"),
+)
+LONG = (
+    gone_and_back_counts_once,
+    only_what_is_below_the_limit_is_gone,
+    what_wavers_comes_back_once,
+    a_failed_reading_says_nothing,
+    counting_begins_anew,
+    one_that_is_gone_allocates_nothing,
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 6ef3c3edf127d205
+# Inputs: a0c883aa4fa8f9dc
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -381,6 +381,20 @@ CHECKS = (
     (a_station_that_starts_again_is_served_at_once, "services.stations"),
     (there_is_no_place_for_a_fifth, "services.stations"),
     (too_much_is_left_out_from_the_end, "services.stations"),
+)
+LONG = (
+    all_of_four_are_served,
+    rates_are_of_who_asked,
+    lists_of_parameters_go_side_by_side,
+    bytes_that_are_no_frame_change_nothing,
+    vehicles_are_no_stations,
+    the_declared_address_is_served_while_nobody_is_there,
+    the_declared_address_keeps_its_rates,
+    who_comes_back_finds_its_rates,
+    who_comes_back_is_told_what_it_missed,
+    a_station_that_starts_again_is_served_at_once,
+    there_is_no_place_for_a_fifth,
+    too_much_is_left_out_from_the_end,
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 0bbafd51e6da0161
+# Inputs: b1b26ed6c86ed984
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -542,6 +542,22 @@ CHECKS = (
     (lack_of_memory_does_not_end_the_program, "storage.kept"),
     (a_fault_beside_a_save_is_none_of_it, "storage.kept"),
 )
+LONG = (
+    damaged_files_give_defaults_and_a_warning,
+    power_cut_leaves_old_or_new,
+    failed_write_keeps_the_old_values,
+    save_is_done_in_steps,
+    saving_waits_while_armed,
+    flash_is_not_worn_out,
+    credit_comes_back,
+    code_that_changes_parameters_does_not_keep_the_board,
+    save_waits_while_armed,
+    failed_save_is_tried_again,
+    a_fault_beside_a_save_is_none_of_it,
+)
+
+SUBJECT = PARAMETERS
+"""Without it there is nothing to check."""
 
 if __name__ == "__main__":
-    main(CHECKS, PARAMETERS)
+    main(CHECKS, SUBJECT)

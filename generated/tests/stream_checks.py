@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 814e354999eee028
+# Inputs: 5b2774ccad341e39
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -421,6 +421,16 @@ CHECKS = (
     (tables_are_asked_for_together, "services.intervals"),
     (data_streams_by_request, "services.data_streams"),
     (repeated_requests_keep_the_phase, "services.data_streams"),
+)
+LONG = (
+    rates_by_parameter,
+    default_rates,
+    fixed_rates,
+    streams_go_on_across_the_wrap,
+    streams_go_on_after_standing_still,
+    intervals_on_one_link,
+    data_streams_by_request,
+    repeated_requests_keep_the_phase,
 )
 
 if __name__ == "__main__":

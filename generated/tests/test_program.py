@@ -1,49 +1,63 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 68089a2cde6a1188
-"""The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
+# Inputs: 38288afb6967ba44
+"""The checks of the program, in one run of each interpreter; a test is named by its check and criteria.
 
-import socket
+Those that a script lists as LONG simulate minutes or days: `-m "not days"` leaves them out, and they have another run.
+"""
 
 import pytest
+from grouped import outcomes
 from interpreters import HERE, checks_of
 from program_facts import CRITERIA
+from selection import selected
 
-LONG = ("day", "heap")  # simulated days: they take longer than all others together
 ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not have
+LIMIT_S = 60  # for all checks of a run; on an idle computer they take two seconds
+LONG_LIMIT_S = 120  # for all that are long
 
 
-def _checks(script):
-    """Return the name of each check of a script, and the criteria that it shows."""
-    for check, *aspects in (entry.elts for entry in checks_of(f"{script}_checks.py")):
-        criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]
-        yield check.id, list(dict.fromkeys(criteria))
+def _checks():
+    """Return script and name of each check, the criteria that it shows, and whether it is long."""
+    for script in sorted(path.name.removesuffix("_checks.py") for path in HERE.glob("*_checks.py")):
+        long = {check.id for check in checks_of(f"{script}_checks.py", "LONG")}
+        for check, *aspects in (entry.elts for entry in checks_of(f"{script}_checks.py")):
+            criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]
+            yield script, check.id, list(dict.fromkeys(criteria)), check.id in long
 
 
 def _cases():
-    scripts = sorted(path.name.removesuffix("_checks.py") for path in HERE.glob("*_checks.py"))
-    for script in sorted(scripts, key=lambda name: name in LONG):
-        for interpreter in ("cpython", "micropython"):
+    checks = sorted(_checks(), key=lambda check: check[-1])
+    for interpreter in ("cpython", "micropython"):
+        for script, name, criteria, is_long in checks:
             if interpreter == "micropython" or script not in ONLY_MICROPYTHON:
-                for name, criteria in _checks(script):
-                    marks = [pytest.mark.requirement(*criteria)] if criteria else []
-                    marks += [pytest.mark.days] if script in LONG else []
-                    case = "-".join((interpreter, script, name, *criteria))
-                    yield pytest.param(interpreter, script, name, id=case, marks=marks)
+                marks = [pytest.mark.requirement(*criteria)] if criteria else []
+                marks += [pytest.mark.days] if is_long else []
+                case = "-".join((interpreter, script, name, *criteria))
+                yield pytest.param(interpreter, script, name, id=case, marks=marks)
 
 
-def _free_port():
-    """Return the number of a UDP port that nobody has."""
-    with socket.socket(type=socket.SOCK_DGRAM) as free:
-        free.bind(("127.0.0.1", 0))
-        return (str(free.getsockname()[1]),)
+@pytest.fixture(scope="session")
+def checked(once):
+    """What a check finds, in the run of all those like `item` that are selected."""
+
+    def by(interpreter, script, name, item):
+        is_long = item.get_closest_marker("days") is not None
+
+        def run():
+            asked = [(each["script"], each["name"]) for each in selected(item)]
+            return outcomes(interpreter, asked, LONG_LIMIT_S if is_long else LIMIT_S)
+
+        found = once(f"{interpreter}-{'long' if is_long else 'program'}", run)
+        assert "" not in found, found[""]
+        return found[f"{script} {name}"]
+
+    return by
 
 
 @pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
-def test_program(interpreter, script, name, printed, request):
+def test_program(interpreter, script, name, checked, request):
     """The vehicle does what the criterion says."""
-    found = printed(interpreter, f"{script}_checks.py", _free_port, request.node)
-    assert "" not in found, found[""]
-    outcome = found[name]
+    outcome = checked(interpreter, script, name, request.node)
     if outcome is not None and outcome.startswith("left out: "):
         pytest.skip(outcome)
     assert outcome is None, outcome

@@ -11,12 +11,15 @@ import time
 
 import pytest
 from interpreters import CASES, HERE, run_under
+from selection import selected
 
 
 def pytest_configure(config):
     """Make the markers known."""
     config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
-    config.addinivalue_line("markers", "days: goes through simulated days, which take longer than all other tests")
+    config.addinivalue_line(
+        "markers", "days: goes through minutes or days of simulated time, which takes longer than all other tests"
+    )
 
 
 def pytest_collection_modifyitems(items):
@@ -47,44 +50,48 @@ def modules():
 
 
 @pytest.fixture(scope="session")
-def printed(request, tmp_path_factory):
-    """What a script prints, as JSON: it runs once, however many processes pytest-xdist lets ask.
-
-    A script that is given the names of checks runs these alone: those of all tests like `item` that are selected.
-    """
+def once(request, tmp_path_factory):
+    """What a function returns, as JSON: it is called once for each name, however many processes pytest-xdist has."""
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
-
     known = {}
 
-    def by(interpreter, script, arguments=tuple, item=None):
-        if (interpreter, script) not in known:
-            names = _asked(item) if item else ()
-            known[interpreter, script] = found(interpreter, script, lambda: (*arguments(), *names))
-        return known[interpreter, script]
+    def by(name, make):
+        if name not in known:
+            known[name] = found(shared / f"{name}.json", make)
+        return known[name]
 
-    def found(interpreter, script, arguments):
-        path = shared / f"{interpreter}-{script}.json"
+    def found(path, make):
         try:
             os.close(os.open(path.with_suffix(".started"), os.O_CREAT | os.O_EXCL))
         except FileExistsError:
             return _awaited(path)
         try:
-            text = run_under(interpreter, script, *arguments())
+            made = make()
         except AssertionError as error:  # who waits for it is told, too
-            text = json.dumps({"": str(error)})
-        path.with_suffix(".part").write_text(text)
+            made = {"": str(error)}
+        path.with_suffix(".part").write_text(json.dumps(made))
         path.with_suffix(".part").replace(path)
-        return json.loads(text)
+        return made
 
     return by
 
 
-def _asked(item):
-    """Return the `name` of each selected test of a function, with the parameters of `item` beside it."""
-    alike = {**item.callspec.params, "name": None}
-    others = [each for each in item.session.items if each.path == item.path and each.originalname == item.originalname]
-    return [each.callspec.params["name"] for each in others if {**each.callspec.params, "name": None} == alike]
+@pytest.fixture(scope="session")
+def printed(once):
+    """What a script prints, as JSON, in one run of it.
+
+    A script that is given the names of checks runs these alone: those of all tests like `item` that are selected.
+    """
+
+    def by(interpreter, script, item=None):
+        def run():
+            names = [each["name"] for each in selected(item)] if item else ()
+            return json.loads(run_under(interpreter, script, *names))
+
+        return once(f"{interpreter}-{script}", run)
+
+    return by
 
 
 def _awaited(path):

@@ -13,6 +13,9 @@ from codegen.cli import progress
 
 progress._SOON_S = {soon}
 with progress.working("reading [all] of it") as now:
+    line = getattr(now, "__self__", None)
+    while line is not None and {soon} == 0 and line._shown is None:  # rich is imported meanwhile
+        time.sleep(0.01)
     time.sleep(0.3)
     now("writing it")
     time.sleep(0.4)

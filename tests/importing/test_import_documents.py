@@ -11,7 +11,7 @@ from codegen.importing.document import document_id, find_fields
 from codegen.importing.existing import table_of
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import Proposal, not_answered_by, propose, report_unmentioned
-from codegen.importing.table_text import Heading, table_text
+from codegen.importing.table_text import Heading, answer_line, table_text
 from codegen.model.system import System
 
 ROOT = Path(__file__).parents[2]
@@ -177,6 +177,7 @@ def test_the_reference_of_a_dialect_is_no_population(plain: Sources) -> None:
     made, findings = proposal(text, plain)
     assert made is not None
     assert [answer.reading.answer for answer in made.answers] == [None]
+    assert [answer_line(answer, "a.md") for answer in made.answers] == ["  # id: ...  # a.md line 5"]
     assert ("document-without-values", 3) in findings
 
 

@@ -23,7 +23,7 @@ class Trust:
     stale_after_ms: int | None
 
     def words(self, since: str = "the last good one") -> str:
-        """When that happens, for people; nothing where it does not happen by itself."""
+        """Return when that happens, for people; nothing where it does not happen by itself."""
         causes = []
         if self.invalid_after is not None:
             causes.append(f"after {self.invalid_after} failed readings in a row")

@@ -80,7 +80,7 @@ def _time_problems(name: str, kind: LinkKind, retry: int | None, timeout: int | 
 
 
 def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
-    """Whether a link takes a port that an earlier one takes already."""
+    """Report a link that takes a port which an earlier one takes already."""
     for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tcp_server", "TCP port {}")):
         value = getattr(spec, key)
         if value is None:
@@ -122,7 +122,7 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
 
 
 def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[_Problem]:
-    """What a link needs that the board lacks."""
+    """Yield what a link needs that the board lacks."""
     if kind is LinkKind.USB and not model.spec.usb:
         yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART", None
     if kind.is_wireless and not model.spec.wifi:

@@ -63,7 +63,7 @@ _OWN = ("armed", "ready")
 
 
 def _check_uses(spec: VehicleSpec, quantity: Quantity, modes: Mapping[int, Mode], report: Report) -> None:
-    """What names a mode elsewhere names one that is declared."""
+    """Report what names a mode elsewhere that is not declared."""
     if len(modes) < len(spec.modes):
         return  # a mode that is wrong may be the one that is meant
     known = ", ".join(f"{mode.number} {mode.name}" for mode in modes.values())

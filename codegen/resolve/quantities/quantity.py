@@ -89,7 +89,7 @@ def resolve_quantity(around: Surroundings, index: Mapping[str, Requirement]) -> 
 
 
 def _trust(derivation: Derivation | None, around: Surroundings) -> Trust:
-    """When it is no longer believed: as is written, or with the quantity that it is counted of."""
+    """Return when it is no longer believed: as is written, or with the quantity that it is counted of."""
     basis = derivation.ages_with if derivation else None
     spec = around.spec if basis is None else around.others[basis]
     stale_ms = None
@@ -99,7 +99,7 @@ def _trust(derivation: Derivation | None, around: Surroundings) -> Trust:
 
 
 def _check(around: Surroundings) -> None:
-    """What can be told without the rest of the specification."""
+    """Report what is wrong without a look at the rest of the specification."""
     spec, name = around.spec, around.name
     if not is_name(name) or name in _RESERVED_QUANTITIES:
         around.bad("", f"{name} cannot be the name of a quantity", hint="choose another name")
@@ -117,7 +117,7 @@ def _check(around: Surroundings) -> None:
 
 
 def _check_reach(around: Surroundings) -> None:
-    """Whether what it reaches is an amount in its unit, or such a fact of each instance."""
+    """Report what it reaches, unless that is an amount in its unit, or such a fact of each instance."""
     written, unit = around.spec.reaches or "", Unit.parse(around.spec.unit or "")
     names = [written] if read_measure(written) else [part.facts.get(written) for part in around.parts]
     lacking = next((part for part, name in zip(around.parts, names, strict=False) if name is None), None)
@@ -134,7 +134,7 @@ def _check_reach(around: Surroundings) -> None:
 
 
 def _check_age(around: Surroundings) -> None:
-    """Whether what no reading gives can become too old: code sets it, as a whole, and it can be unknown."""
+    """Report stale_after where it says nothing: only what code sets as a whole, and can be unknown, grows old."""
     spec, name = around.spec, around.name
     if any(written.is_named for written in spec.derivations):
         around.bad("stale_after", f"{name} is not set by code, so stale_after says nothing")

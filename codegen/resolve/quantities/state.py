@@ -113,7 +113,7 @@ def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
 
 
 def _check_names(quantities: Mapping[str, Quantity], report: Report) -> None:
-    """Whether each name in the firmware belongs to one quantity of the component."""
+    """Report a name in the firmware that belongs to several quantities of the component."""
     owners: dict[str, Quantity] = {}
     for quantity in quantities.values():
         for name in sorted({quantity.name, quantity.attribute, *quantity.derivation.names(quantity)}):

@@ -178,7 +178,7 @@ class _Resolver:
             say(SCENARIO_EVENT, event.at("courses"), "courses belong to a swap")
 
     def _check_swaps(self, events: Sequence[tuple[Event, EventSpec]]) -> None:
-        """Whether each begins after the one before it has ended."""
+        """Report each that begins before the one before it has ended."""
         ends: dict[str, int] = {}
         for swap, spec in events:
             if isinstance(swap, Swap):

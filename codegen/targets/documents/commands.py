@@ -56,7 +56,7 @@ def param_words(param: CommandParam) -> str:
 
 
 def when_words(command: Command) -> str:
-    """When a command is done, for whom, and whether it takes long."""
+    """Return when a command is done, for whom, and whether it takes long."""
     words = [command.spec.allowed.value]
     if command.spec.sender is Sender.GROUND_STATION:
         words.append("for ground stations")

@@ -122,6 +122,31 @@ def _of_list(quantity: Quantity, elements: tuple[int, ...]) -> Iterator[tuple[st
     yield quantity.attribute, quantity.storage.words * max(elements)
 
 
+@dataclass(frozen=True, slots=True)
+class AgedWords:
+    """The words of what is forgotten so long after it was set, by their places in the whole array.
+
+    ``count`` words from ``place`` on have the value, and the one at ``expires`` what age_word() names.
+    """
+
+    place: int
+    count: int
+    expires: int
+
+
+def aged_words(layout: Layout) -> Iterator[AgedWords]:
+    """Yield what is forgotten with time, of each instance."""
+    for block in layout.blocks.values():
+        for quantity in block.component.quantities.values():
+            if not quantity.ages:
+                continue
+            count = quantity.storage.words * max(quantity.elements) if quantity.elements else quantity.words
+            for instance in range(block.component.instances):
+                base = block.base + instance * block.size
+                at, expires = block.offsets[quantity.attribute], block.offsets[age_word(quantity)]
+                yield AgedWords(base + at, count, base + expires)
+
+
 def age_word(quantity: Quantity) -> str:
     """The word with the time until which what code has set is believed, in ms; unknown is for ever."""
     return f"{quantity.attribute}_expires_ms"

@@ -7,6 +7,7 @@ from codegen.render.rendered import rendered
 from codegen.targets.firmware.messages.streams import StreamView, stream_views
 from codegen.targets.firmware.program.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.readings.board import BoardView, ReaderView, board_view, plain_readers
+from codegen.targets.firmware.words import aged_words, word_layout
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.suite.behaviour import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
@@ -44,6 +45,7 @@ class SuiteView:
     checks: tuple[BehaviourCheck, ...]
     expiring: dict[str, tuple[str, ...]]
     ageing: dict[str, tuple[str, ...]]
+    aged: int
     clocked: tuple[str, ...]
 
 
@@ -74,6 +76,7 @@ def render_suite(system: System) -> dict[str, str]:
         has_program=system.program is not None,
         parameters=parameter_views(system),
         checks=behaviour_checks(plain_readers(system), readings, streams, components, shared, withheld),
+        aged=len(tuple(aged_words(word_layout(system)))),
         ageing={path: _ageing(path, system) for path in _aging_paths(system)},
         expiring={component.name: _readers(component.name, system) for component in components},
         clocked=_readers(CLOCK, system),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 4bfa3d63b53bdfcb
+# Inputs: df2196f69165e275
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -270,6 +270,16 @@ CHECKS = (
     (action_that_raises_does_no_harm, "pair.action"),
     (heartbeat_says_critical, "pair.status"),
     (counts_lead_to_both_levels, "component.scenarios"),
+)
+LONG = (
+    low_after_the_timer,
+    each_level_has_its_own_timer,
+    one_good_reading_restarts,
+    unknown_neither_restarts_nor_advances,
+    zero_switches_off,
+    disarmed_it_rests,
+    nothing_clears_it,
+    each_action_is_its_call,
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: ee02677bdb17799b
+# Inputs: fe39d379bdc85755
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_craft, run, run_passes
@@ -201,6 +201,14 @@ CHECKS = (
     (the_other_one_is_sent_in_an_interval, "generations.other"),
     (data_streams_do_not_reach_the_other_one, "generations.other"),
     (no_choice_costs_more_than_it_says, "generations.price"),
+)
+LONG = (
+    only_the_default_is_streamed,
+    a_choice_acts_at_once,
+    the_other_one_is_sent_on_request,
+    the_other_one_is_sent_in_an_interval,
+    data_streams_do_not_reach_the_other_one,
+    no_choice_costs_more_than_it_says,
 )
 
 if __name__ == "__main__":

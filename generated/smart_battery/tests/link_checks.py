@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 3a3642ebee2e015b
+# Inputs: 4a71d2ef458f1919
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -362,6 +362,14 @@ CHECKS = (
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
+)
+LONG = (
+    partial_writes_keep_frames_whole,
+    full_buffer_drops_whole_frames,
+    slow_line_takes_the_whole_list,
+    faults_of_a_line_are_survived,
+    datagrams_over_the_loopback,
+    boards_own_ports,
 )
 
 if __name__ == "__main__":

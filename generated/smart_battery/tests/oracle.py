@@ -1,5 +1,5 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: af831064c9d98cd0
+# Inputs: 32b320d256c68ceb
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
@@ -28,9 +28,9 @@ def dialects(about, messages, here):
     `about` names the XML files, relative to `here`, and has the corrections of what is sent.
     """
     if about["shipped"]:
-        shipped = [importlib.import_module(f"pymavlink.dialects.{wire}.{about['shipped']}") for wire in WIRES]
-        if all(message_class(shipped[0], message) for message in messages):
-            return shipped
+        newest = _shipped("v20", about["shipped"])
+        if all(message_class(newest, message) for message in messages):
+            return [newest, _shipped("v10", about["shipped"])]
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
     return [_generated(files, about.get("corrections", ()), messages, wire) for wire in WIRES]
@@ -39,6 +39,10 @@ def dialects(about, messages, here):
 def message_class(dialect, name):
     """Return pymavlink's class of a message, or None where the dialect does not have it."""
     return getattr(dialect, f"MAVLink_{name.lower()}_message", None)
+
+
+def _shipped(wire, name):
+    return importlib.import_module(f"pymavlink.dialects.{wire}.{name}")
 
 
 def _generated(files, corrections, messages, wire):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 1f3521c036c76fbb
+# Inputs: 1d73f0e2a860e4a0
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -516,17 +516,19 @@ def outcome(check):
     return None
 
 
+def outcomes(checks, subject, asked):
+    """Yield name and outcome of each check that is asked for, as asked; without a subject it is left out."""
+    if IS_MICROPYTHON:
+        machine.reset_analog()
+    known = {check.__name__: check for check, *_ in checks}
+    for name in asked:
+        yield name, outcome(known[name]) if subject else "left out: there is nothing of it"
+
+
 def main(checks, subject=True):
     """Run the checks and print what went wrong in each, or null, by their names; without a subject all are left out.
 
     The script's arguments are the number of a port, and the names of the checks to run; without any, all are.
     """
-    asked = sys.argv[2:]
-    if IS_MICROPYTHON:
-        machine.reset_analog()
-    outcomes = {}
-    for check, *_ in checks:
-        if asked and check.__name__ not in asked:
-            continue
-        outcomes[check.__name__] = outcome(check) if subject else "left out: there is nothing of it"
-    print(json.dumps(outcomes))
+    asked = sys.argv[2:] or [check.__name__ for check, *_ in checks]
+    print(json.dumps(dict(outcomes(checks, subject, asked))))

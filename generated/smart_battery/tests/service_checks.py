@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 29adf5c861dae549
+# Inputs: de12e1e02551114c
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -514,6 +514,7 @@ CHECKS = (
     (garbage_is_survived, "services.garbage"),
     (ground_stations_are_noted, "services.garbage"),
 )
+LONG = (what_stands_is_told_again, checks_are_said_on_request, garbage_is_survived)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stop_checks.py: do not edit.
-# Inputs: c5ca974253981394
+# Inputs: 7ee2d46df3a03c75
 """The user's code: which class is started, and stop_motors(), called in each failure; a fault in it changes nothing."""
 
 import asyncio
@@ -217,5 +217,8 @@ CHECKS = (
     (a_fault_in_it_changes_nothing, "arming.stop"),
 )
 
+SUBJECT = FORCE_ARM is not None
+"""Without it there is nothing to check."""
+
 if __name__ == "__main__":
-    main(CHECKS, FORCE_ARM is not None)
+    main(CHECKS, SUBJECT)

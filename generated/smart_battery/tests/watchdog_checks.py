@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: 69b7187b7c741107
+# Inputs: 67661f03035788dd
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -266,6 +266,14 @@ CHECKS = (
     (a_restart_is_no_warning, "watchdog.told"),
     (a_board_that_refuses, "watchdog.hung"),
     (a_prompt_is_left_alone, "watchdog.hung"),
+)
+LONG = (
+    what_hangs_is_reset,
+    what_always_fails_is_reset,
+    faults_of_the_user_are_no_reason,
+    what_works_is_never_reset,
+    the_reason_is_told,
+    a_board_that_refuses,
 )
 
 if __name__ == "__main__":

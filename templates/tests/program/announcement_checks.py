@@ -303,6 +303,16 @@ CHECKS = (
     (told_besides, "message.besides"),
     (told_of_the_generation_that_is_chosen, "generations.choice"),
 )
+LONG = (
+    told_to_who_appears,
+    told_again_after_a_silence,
+    told_after_days_of_silence,
+    a_port_that_takes_nothing_loses_none,
+    told_of_a_change,
+    told_of_all_when_their_turn_comes,
+    told_besides,
+    told_of_the_generation_that_is_chosen,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

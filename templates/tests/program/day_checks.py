@@ -60,6 +60,7 @@ def day_across_the_wrap():
 
 
 CHECKS = ((day_across_the_wrap, "control.grid"),)
+LONG = (day_across_the_wrap,)
 
 if __name__ == "__main__":
     main(CHECKS)

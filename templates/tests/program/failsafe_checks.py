@@ -269,6 +269,16 @@ CHECKS = (
     (heartbeat_says_critical, "pair.status"),
     (counts_lead_to_both_levels, "component.scenarios"),
 )
+LONG = (
+    low_after_the_timer,
+    each_level_has_its_own_timer,
+    one_good_reading_restarts,
+    unknown_neither_restarts_nor_advances,
+    zero_switches_off,
+    disarmed_it_rests,
+    nothing_clears_it,
+    each_action_is_its_call,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -200,6 +200,14 @@ CHECKS = (
     (data_streams_do_not_reach_the_other_one, "generations.other"),
     (no_choice_costs_more_than_it_says, "generations.price"),
 )
+LONG = (
+    only_the_default_is_streamed,
+    a_choice_acts_at_once,
+    the_other_one_is_sent_on_request,
+    the_other_one_is_sent_in_an_interval,
+    data_streams_do_not_reach_the_other_one,
+    no_choice_costs_more_than_it_says,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -357,6 +357,14 @@ CHECKS = (
     (late_reading_is_refused_in_the_program, "reading.read_limit"),
     (good_count_is_good, "component.mock"),
 )
+LONG = (
+    change_of_health_is_logged_once,
+    health_is_told_after_days,
+    pin_counts_from_the_next_start,
+    read_often_enough,
+    runs_without_a_converter,
+    high_value_is_warned_about_at_intervals,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

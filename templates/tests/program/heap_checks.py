@@ -60,6 +60,7 @@ def heap_is_constant_over_a_day():
 
 
 CHECKS = ((heap_is_constant_over_a_day, "control.memory"),)
+LONG = (heap_is_constant_over_a_day,)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -334,6 +334,15 @@ CHECKS = (
     (health_of_each_is_its_own, "component.own_failsafe"),
     (several_allocate_nothing, "component.several"),
 )
+LONG = (
+    each_is_told_once,
+    each_fails_by_itself,
+    one_that_is_off_is_left_out,
+    each_that_is_on_is_reported,
+    highest_of_two_acts,
+    lower_level_does_not_act_later,
+    several_allocate_nothing,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -361,6 +361,14 @@ CHECKS = (
     (what_arrives_is_counted, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
 )
+LONG = (
+    partial_writes_keep_frames_whole,
+    full_buffer_drops_whole_frames,
+    slow_line_takes_the_whole_list,
+    faults_of_a_line_are_survived,
+    datagrams_over_the_loopback,
+    boards_own_ports,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

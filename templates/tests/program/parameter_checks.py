@@ -184,6 +184,10 @@ CHECKS = (
     (multiplier_counts_from_the_next_start, "storage.reboot", "quantity.calibration"),
     (system_id_counts_from_the_next_start, "storage.reboot"),
 )
+LONG = (set_answers_with_the_value, refused_values_change_nothing)
+
+SUBJECT = PARAMETERS
+"""Without it there is nothing to check."""
 
 if __name__ == "__main__":
-    main(CHECKS, PARAMETERS)
+    main(CHECKS, SUBJECT)

@@ -255,6 +255,14 @@ CHECKS = (
     (its_info_is_sent_at_once, "quantity.returns"),
     (one_that_is_gone_allocates_nothing, "quantity.returns"),
 )
+LONG = (
+    gone_and_back_counts_once,
+    only_what_is_below_the_limit_is_gone,
+    what_wavers_comes_back_once,
+    a_failed_reading_says_nothing,
+    counting_begins_anew,
+    one_that_is_gone_allocates_nothing,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -512,6 +512,7 @@ CHECKS = (
     (garbage_is_survived, "services.garbage"),
     (ground_stations_are_noted, "services.garbage"),
 )
+LONG = (what_stands_is_told_again, checks_are_said_on_request, garbage_is_survived)
 
 if __name__ == "__main__":
     main(CHECKS)

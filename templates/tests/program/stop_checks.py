@@ -215,5 +215,8 @@ CHECKS = (
     (a_fault_in_it_changes_nothing, "arming.stop"),
 )
 
+SUBJECT = FORCE_ARM is not None
+"""Without it there is nothing to check."""
+
 if __name__ == "__main__":
-    main(CHECKS, FORCE_ARM is not None)
+    main(CHECKS, SUBJECT)

@@ -420,6 +420,16 @@ CHECKS = (
     (data_streams_by_request, "services.data_streams"),
     (repeated_requests_keep_the_phase, "services.data_streams"),
 )
+LONG = (
+    rates_by_parameter,
+    default_rates,
+    fixed_rates,
+    streams_go_on_across_the_wrap,
+    streams_go_on_after_standing_still,
+    intervals_on_one_link,
+    data_streams_by_request,
+    repeated_requests_keep_the_phase,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

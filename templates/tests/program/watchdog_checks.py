@@ -265,6 +265,14 @@ CHECKS = (
     (a_board_that_refuses, "watchdog.hung"),
     (a_prompt_is_left_alone, "watchdog.hung"),
 )
+LONG = (
+    what_hangs_is_reset,
+    what_always_fails_is_reset,
+    faults_of_the_user_are_no_reason,
+    what_works_is_never_reset,
+    the_reason_is_told,
+    a_board_that_refuses,
+)
 
 if __name__ == "__main__":
     main(CHECKS)

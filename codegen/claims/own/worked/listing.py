@@ -53,7 +53,7 @@ def numbers(text: str, reading: Reading) -> Iterator[Number]:
         found = []
         for changed in changed_numbers(amount):
             other = [*lines[: place.line - 1], f"{line[:start]}{changed}{line[end:]}", *lines[place.line :]]
-            found.append(_new(_read("\n".join(other), reading, passage, amount, changed), known))
+            found.append(_new(_read("\n".join(other), reading, passage, amount, changed), known, place.line))
             if not found[-1]:
                 break
         yield Number(passage, amount, tuple(found))
@@ -72,13 +72,29 @@ def _read(text: str, reading: Reading, passage: Passage, amount: Amount, changed
     return read_parts(text, replace(reading.prose, parts=parts), reading.reference)
 
 
-def _new(reading: Reading, known: Container[tuple[Place, str]]) -> tuple[Place, ...]:
-    """Where a document has findings that are not known."""
-    for check in _CHECKS:
-        found = [each.place for each in check(reading) if (each.place, each.message) not in known]
+def _new(reading: Reading, known: Container[tuple[Place, str]], line: int) -> tuple[Place, ...]:
+    """Return where a document has findings that are not known: worked examples are about all of it, statements about
+    what is below the heading of the line that was changed.
+    """
+    for check, read in ((check_examples, reading), (check_claims, _section(reading, line))):
+        found = [each.place for each in check(read) if (each.place, each.message) not in known]
         if found:
             return tuple(found)
     return ()
+
+
+def _section(reading: Reading, line: int) -> Reading:
+    """Return a document without what stands below other headings than a line does."""
+    parts = reading.prose.parts
+    headings = {
+        at: part.place_at(0).line
+        for at, part in enumerate(parts)
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING
+    }
+    start = max((at for at, above in headings.items() if above <= line), default=0)
+    end = min((at for at in headings if at > start), default=len(parts))
+    near = tuple(part for at, part in enumerate(parts) if start <= at < end or at in headings)
+    return replace(reading, prose=replace(reading.prose, parts=near))
 
 
 def changed_numbers(amount: Amount) -> tuple[str, ...]:

@@ -84,7 +84,7 @@ def _read_gga(words, values):
 
 
 def _read_rmc(words, values):
-    """Whether there is a fix at all, position, speed, course, time."""
+    """Read whether there is a fix at all, position, speed, course, time."""
     if words[_FIELDS + 6] == 65 and words[_FIELDS + 36] not in (78, 69):  # active; of modes none, estimated
         _put_position(words, values, 3)
         _put_motion(words, values, 7, 8)
@@ -97,7 +97,7 @@ def _read_rmc(words, values):
 
 
 def _read_gsa(words, values):
-    """Whether the fix has a height, and the dilution."""
+    """Read whether the fix has a height, and the dilution."""
     fix = _number(words, 2, 1)
     words[_IS_2D] = 1 if fix == 2 else 0
     if fix == 1:

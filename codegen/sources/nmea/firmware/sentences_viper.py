@@ -92,7 +92,7 @@ def _read_gga(words, values):
 
 @micropython.viper
 def _read_rmc(words, values):
-    """Whether there is a fix at all, position, speed, course, time."""
+    """Read whether there is a fix at all, position, speed, course, time."""
     word = ptr32(words)
     mode = word[_FIELDS + 36]
     if word[_FIELDS + 6] == 65 and mode != 78 and mode != 69:  # A is active; of modes N is none, E estimated
@@ -109,7 +109,7 @@ def _read_rmc(words, values):
 
 @micropython.viper
 def _read_gsa(words, values):
-    """Whether the fix has a height, and the dilution."""
+    """Read whether the fix has a height, and the dilution."""
     value = ptr32(values)
     fix = int(_number(words, 2, 1))
     ptr32(words)[_IS_2D] = 0

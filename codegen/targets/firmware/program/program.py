@@ -16,7 +16,7 @@ from codegen.targets.firmware.program.commands import MethodView, ModeView, meth
 from codegen.targets.firmware.program.main_loop import CallView, JobView, call_views, job_views, own_words
 from codegen.targets.firmware.program.watchdog import WatchdogView, watchdog_view
 from codegen.targets.firmware.program.watching import watched, watching
-from codegen.targets.firmware.words import ConstantView, Layout
+from codegen.targets.firmware.words import ConstantView, Layout, aged_words
 from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
@@ -112,6 +112,7 @@ class ProgramView:
     methods: tuple[MethodView, ...]
     takes_long: bool
     numbered: bool
+    forgets: bool
     modes: tuple[ModeView, ...]
     mode_statements: tuple[str, ...]
     cited: dict[str, str]
@@ -175,6 +176,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
         commands=tuple(AnsweredView(each.name, each.method) for each in program.built_in if each.method),
         methods=method_views(program),
         takes_long=_takes_long(program),
+        forgets=bool(tuple(aged_words(layout))),
         numbered=any(number_at(message) is not None for message in system.messages),
         modes=mode_views(program.modes),
         mode_statements=mode_statements(program.modes),

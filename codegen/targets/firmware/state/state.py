@@ -22,7 +22,7 @@ from codegen.targets.firmware.readings.measured_view import (
 from codegen.targets.firmware.readings.reading import WAITING, expires
 from codegen.targets.firmware.readings.sum_words import fulls, rest_words
 from codegen.targets.firmware.state.attribute import VIEWS, AttributeView, LineView, attributes, initial_words
-from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ
+from codegen.targets.firmware.words import TREND_WORDS, AgedWords, Block, ConstantView, Layout, aged_words, differ
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
@@ -80,7 +80,8 @@ class ComponentView:
 class StateView:
     """The module: what it imports, the constants of its words, and the components in order.
 
-    ``modules`` are those of views that not every state has, ``kinds`` those of them that words.py is told of.
+    ``modules`` are those of views that not every state has, ``kinds`` those of them that words.py is told of. ``aged``
+    is what is forgotten so long after it was set.
     """
 
     imports: tuple[str, ...]
@@ -90,6 +91,7 @@ class StateView:
     size: int
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
+    aged: tuple[AgedWords, ...]
     has_estimate: bool
     modules: tuple[str, ...]
     is_measured: bool
@@ -123,15 +125,17 @@ def state_view(system: System, layout: Layout) -> StateView:
     ]
     readings = [f"read_{reading.name}" for reading in system.readings() if reading.is_first]
     readings += [f"expire_{component.name}" for component in measured if component.expires]
+    aged = tuple(aged_words(layout))
     machine_code = system.spec.project.machine_code
     return StateView(
-        imports=import_lines(["time"] if measured or CLOCK in system.components else [], names),
+        imports=import_lines(["time"] if measured or aged or CLOCK in system.components else [], names),
         kinds=tuple(sorted(kinds)),
         reading_imports=either_import("state", sorted(readings), machine_code=machine_code) if readings else (),
         constants=tuple(constants),
         size=layout.size,
         components=components,
         families=_families(system),
+        aged=aged,
         has_estimate=has_estimate,
         modules=tuple(sorted(modules | ({"wide"} if "rows" in modules else set()))),
         is_measured=bool(measured),

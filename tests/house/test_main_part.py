@@ -1,0 +1,51 @@
+"""The main part of the generated suite stays short: what simulates more than some seconds is listed as LONG.
+
+How long it takes, `make suite` prints; a test counts how often the clock moves, which is the same on any computer.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from generated_suite import scripts_of
+
+ROVER = Path(__file__).resolve().parents[2] / "generated"
+MOST = 2300  # five seconds of the rover's main loop, with its readings
+COUNTING = """
+import importlib, json, sys
+import program_bench, mock_time
+moves, advance = [0], mock_time.advance_us
+def counted(duration):
+    moves[0] += 1
+    advance(duration)
+mock_time.advance_us = counted
+found = {}
+for asked in sys.argv[2:]:
+    script, name = asked.split()
+    moves[0] = 0
+    program_bench.outcome(getattr(importlib.import_module(script), name))
+    found[asked] = moves[0]
+print(json.dumps(found))
+"""
+
+
+def test_what_takes_long_is_listed_as_long() -> None:
+    """No check that every edit runs goes through more than five seconds, or moves the clock so often."""
+    tests = ROVER / "tests"
+    checks_of = scripts_of(tests).checks_of
+    asked = []
+    for path in sorted(tests.glob("*_checks.py")):
+        long = {check.id for check in checks_of(path.name, "LONG")}
+        names = [entry.elts[0].id for entry in checks_of(path.name)]
+        assert long <= set(names), path.name
+        asked += [f"{path.stem} {name}" for name in names if name not in long and path.stem != "steady_checks"]
+    path = os.pathsep.join(str(ROVER / name) for name in ("firmware", "mocks", "tests"))
+    done = subprocess.run(
+        [sys.executable, "-c", COUNTING, "9", *asked],
+        capture_output=True, text=True, check=True, env={**os.environ, "PYTHONPATH": path},
+    )  # fmt: skip
+    moves = json.loads(done.stdout)
+    assert len(moves) > 100
+    assert {check: count for check, count in moves.items() if count > MOST} == {}
