@@ -31,7 +31,7 @@ PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "b
 LONGEST = 6
 """What takes so many times as long as the suite without any fault says nothing, and is left for --again.
 
-A script of the suite that hangs is over after two minutes, and its check fails: it is the computer that is busy.
+A check that hangs is left after two minutes at most, and fails: it is the computer that is busy.
 """
 
 

@@ -1,15 +1,15 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 8743ab1285590494
+# Inputs: 4ce5f6f8ac27e8fa
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
 which the tests make it, were they wrong.
 """
 
-import ast
 import importlib
 import inspect
 import json
+import re
 import struct
 from functools import cache
 
@@ -19,6 +19,7 @@ from oracle import message_class
 from pymavlink.generator.mavcrc import x25crc
 
 ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
+CONSTANT = re.compile(r"^_*(\w+) = (?:const\()?(\d\w*)\)?(?:  #.*)?$", re.MULTILINE)
 TARGETS = ("target_system", "target", "target_component")
 
 
@@ -158,12 +159,8 @@ def distance(one, other):
 def constants():
     """Return file, name and number of each constant of the firmware: `NAME = 5`, or with const()."""
     for path in sorted((HERE.parent / "firmware").glob("*.py")):
-        for statement in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
-                value = statement.value
-                value = value.args[0] if ast.unparse(value).startswith("const(") else value
-                if isinstance(value, ast.Constant) and isinstance(value.value, int):
-                    yield path.name, statement.targets[0].id.lstrip("_"), value.value
+        for name, number in CONSTANT.findall(path.read_text(encoding="utf-8")):
+            yield path.name, name, int(number, 0)
 
 
 def numbers_of(modules):
