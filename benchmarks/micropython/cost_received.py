@@ -75,21 +75,23 @@ def taken(name, both=False):
     def work(rounds):
         put(frame)
         message = receive()
+        number, tables = message.ID, connection.tables
         before = reception.taken
-        takers = message._taker
+        of_all = message._take
         if not both:
-            keep(message, "_taker", reception)
+            keep(message, "_take", reception.take)
         for _ in range(rounds):
             put(frame)
             message = receive()
-            taker = message._taker
-            told = taker.take(message, message._image, 0)
-            if told:
-                if told > 0:
-                    taker.tell(message)
-                if taker.called is not None:
-                    taker.called()
-        keep(message, "_taker", takers)
+            take = message._take
+            found = 0 if take is None else take(0)
+            if found:
+                if found > 0:
+                    tables[number].tell()
+                found = tables[number].called
+                if found is not None:
+                    found()
+        keep(message, "_take", of_all)
         return reception.taken - before
 
     return work

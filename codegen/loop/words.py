@@ -25,7 +25,8 @@ def rows(budget: LoopBudget) -> Iterator[tuple[str, ...]]:
         yield _row(slot.words, rate_words(slot), slot.quiet, budget)
         if slot.serves:
             yield _row("and all messages due", "", slot.busy, budget)
-    yield _row("everything on, messages arrive", "", budget.longest.most, budget)
+    fullest = max(budget.slots, key=lambda slot: slot.most.instructions)
+    yield _row(f"{fullest.words}, everything on", "", fullest.most, budget)
 
 
 def _row(words: str, rate: str, took: Took, budget: LoopBudget) -> tuple[str, ...]:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: bdef72d00aca0ebf
+# Inputs: 1c533661b84ca9b8
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -27,7 +27,8 @@ _ARRIVED = const(0)  # what comes first in a pass: what arrived,
 _STREAMS = const(1)  # or streams, and nothing is taken in,
 _OTHERS = const(2)  # or what else waits, and then streams
 _NUMBER = const(6)  # where the state of a link has the id of a message, frames_plain says more,
-_WORKED = const(15)  # and what is limited in a pass
+_WORKED = const(15)  # what is limited in a pass,
+_SENDER = const(23)  # and system << 8 | component that it came from
 _HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
@@ -55,7 +56,7 @@ class Connection:
 
     `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
     deliver() send, and `streams` are its. What sets quantities is taken after the services, by the Reception that
-    its message names.
+    `tables` has by the id of its message. `twins`, unless None, looks at what comes from the system of the vehicle.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -88,6 +89,8 @@ class Connection:
         self._is_idle = False  # whether nothing was left to do in the last pass
         self._quiet_from_ms = None
         self._forgot_ms = 0
+        self.twins = None
+        self.tables = {}
         self._begin(vehicle)
 
     def _begin(self, vehicle):
@@ -105,10 +108,10 @@ class Connection:
         log = self._log
         budget = self._budget
         most = vehicle.MESSAGES
-        buffered = self.link._state  # frames_plain says what it holds, and the image of a message
-        system_id, component_id = self.system_id, self.component_id
+        buffered = self.link._state  # frames_plain says what it holds
+        system_id = self.system_id
         is_alone = self._stations is None
-        takers = self.services._takers
+        takers, tables = self.services._takers, self.tables
         stations, count = self.stations, len
         is_left = False  # whether there is more to take in
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
@@ -133,9 +136,8 @@ class Connection:
                             try:
                                 message = self.inbox.next(now_ms)
                                 if message is not None:
-                                    sent = message._image
                                     number = buffered[_NUMBER]
-                                    if (sent[7] != system_id or sent[8] != component_id) and (
+                                    if (buffered[_SENDER] >> 8 != system_id or self.is_other(message)) and (
                                         is_alone or self._has_place(message, number, now_ms)
                                     ):
                                         found = takers.get(number)
@@ -144,14 +146,14 @@ class Connection:
                                                 self.services.handle(message)
                                             else:  # it is for everybody
                                                 found[0](message)
-                                        table = message._taker
-                                        if table is not None:
-                                            found = table.take(message, sent, now_ms)
-                                            if found:
-                                                if found > 0:
-                                                    table.tell(message)
-                                                if table.called is not None:
-                                                    table.called()
+                                        take = message._take
+                                        found = 0 if take is None else take(now_ms)
+                                        if found:
+                                            if found > 0:
+                                                tables[number].tell()
+                                            found = tables[number].called
+                                            if found is not None:
+                                                found()
                             except Exception as error:
                                 self._note(error, now_ms)
                             is_left = buffered[0] != buffered[1]
@@ -287,6 +289,13 @@ class Connection:
         station.waiting.append(reply)
         self._is_idle = False
 
+    def is_other(self, message):
+        """Return whether another component has sent a message of the system of this vehicle."""
+        component = self.link._state[_SENDER] & 0xFF
+        if self.twins is not None:
+            self.twins.look_at(message, component)
+        return component != self.component_id
+
     def _has_place(self, message, number, now_ms):
         """Turn to who has sent a message; return whether there is a place for who it is of."""
         if (  # no vehicle is a station
@@ -296,13 +305,14 @@ class Connection:
         ):
             return True
         station = self.station
-        if station.is_heard and station.address == self._ends[1] and station.address is self._ends[0]:
+        ends = self._ends
+        if station.is_heard and station.address is ends[0] and station.address == ends[1]:
             station.heard_ms = now_ms  # most often it is the one at hand
             return True
-        station = self._stations.hear(self._ends[1], now_ms)
+        station = self._stations.hear(ends[1], now_ms)
         if station is None:
             return False
-        if station is not self.station or self._ends[0] is not station.address:
+        if station is not self.station or ends[0] is not station.address:
             self.turn_to(station)
         return True
 

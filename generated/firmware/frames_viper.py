@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: 2a7c0b032d293efe
+# Inputs: 18788459d9916688
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -12,11 +12,10 @@ on.
 # Calls are dear and few; ptr8, ptr16 and ptr32 are viper's own names.
 # ruff: noqa: C901, F821, PLR0912, PLR0915
 
+from array import array
+
 import micropython
 from checksum import TABLE
-
-_bytes, _bytearray = bytes, bytearray
-_BYTES = (bytes, bytearray, memoryview)
 
 
 @micropython.viper
@@ -123,20 +122,20 @@ def encoder(frame, views, new_view):
         high = ptr16(int(low) + 512)
         crc = high[0xFF ^ length] ^ 0xFF
         data = ptr16(int(frame) + 4)
+        crc ^= data[0]  # the next two bytes are in it already
         left = (end - int(data)) >> 3
         while left:
-            crc ^= data[0]
             crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[1]
             crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[2]
             crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[3]
-            crc = low[crc & 0xFF] ^ high[crc >> 8]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[4]
             data = ptr16(int(data) + 8)
             left -= 1
         if (end - int(data)) & 4:
-            crc ^= data[0]
             crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[1]
-            crc = low[crc & 0xFF] ^ high[crc >> 8]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[2]
             data = ptr16(int(data) + 4)
+        crc ^= data[0]
         last = ptr8(data)
         while int(last) < end:
             crc = high[(crc ^ last[0]) & 0xFF] ^ (crc >> 8)
@@ -154,181 +153,216 @@ def encoder(frame, views, new_view):
 def taker(receiver):
     """Return the function put(data) of a receiver, as frames_plain.taker does; it holds the receiver.
 
-    Variables of a closure and its arguments are five at most: more would take memory at each call.
+    Variables of a closure and its arguments are five at most: more would take memory at each call. It names nothing of
+    this module, as encode() does not.
     """
     state_at = address(receiver._state)
     keep_address(receiver._state, 19, receiver._buffer)
     kind_of, length_of = type, len  # found here, they are found sooner than among the built-in names
+    own = (receiver, bytes)
 
     @micropython.viper
     def put(data):
         state = ptr32(int(state_at))
         left = int(state[17])
         if state[12] or left == 0:
-            kind = kind_of(data)
-            if state[12] or (kind is not _bytes and kind is not _bytearray and kind not in _BYTES):
-                receiver._put_more(data)
+            if state[12] == 0 and kind_of(data) is own[1]:
+                left = int(length_of(data))
+            else:
+                own[0]._put_more(data)
                 return
-            left = int(length_of(data))
         # What is left goes to the front.
         target = ptr8(int(state[19]) | int(state[20]) << 32)
         source = ptr8(int(target) + int(state[0]))
-        room = int(state[1]) - int(state[0])
+        kept = int(state[1]) - int(state[0])
         state[0] = 0
-        state[1] = room
+        room = kept
         while room:
             target[0] = source[0]
             target = ptr8(int(target) + 1)
             source = ptr8(int(source) + 1)
             room -= 1
-        room = int(state[13]) - int(state[1])
+        room = int(state[13]) - kept
         left -= int(state[2])
         source = ptr8(data)
         source = ptr8(int(source) + int(state[2]))
         if left > room:
             left = room
-            receiver._arrived[0] = data
+            own[0]._arrived[0] = data
             state[12] = 1
-            state[2] += left
+            state[2] = int(state[2]) + left
         else:
             state[2] = 0
             state[17] = 0
-        state[1] += left
+        state[1] = kept + left
+        end = int(target) + left
         if (int(source) | int(target)) & 3 == 0:
-            # The last word may be a part of one: the buffer ends with a whole one, and so does what is on the heap.
+            # Of 16 bytes the last ones may lie behind it: the buffer has room for them, and the heap consists of such.
             words = ptr32(target)
-            while left > 4:
-                words[0] = ptr32(source)[0]
-                words[1] = ptr32(source)[1]
-                words = ptr32(int(words) + 8)
-                source = ptr8(int(source) + 8)
-                left -= 8
-            if left > 0:
-                words[0] = ptr32(source)[0]
+            others = ptr32(source)
+            while int(words) < end:
+                words[0] = others[0]
+                words[1] = others[1]
+                words[2] = others[2]
+                words[3] = others[3]
+                words = ptr32(int(words) + 16)
+                others = ptr32(int(others) + 16)
             return
-        while left:
+        while int(target) < end:
             target[0] = source[0]
             target = ptr8(int(target) + 1)
             source = ptr8(int(source) + 1)
-            left -= 1
 
     return put
 
 
+def _rows(messages, own):
+    """Return rows in which machine code finds the messages that are used again, and put these into a list.
+
+    A row has the id and 1, the address of the image (2 words) and the place in the list. It is the one that the lowest
+    bits of the id name, or else, where others have the same, one behind it. Behind the last one is a row of zeros.
+    """
+    again = [message for message in messages.values() if message is not False]
+    size = 1
+    while size < 2 * len(again):
+        size *= 2
+    rows = array("i", [0] * (4 * (size + len(again))))
+    for message in again:
+        at = 4 * (message.ID & (size - 1))
+        while rows[at]:
+            at += 4
+        rows[at] = message.ID + 1
+        keep_address(rows, at + 1, message._image)
+        rows[at + 3] = len(own)
+        own.append(message)
+    return rows, size - 1
+
+
 def decoder(receiver):
     """Return the function receive() of a receiver, as frames_plain.decoder does; it holds the receiver."""
+    own = [receiver, receiver._messages.get, None]
+    rows, mask = _rows(receiver._messages, own)
+    own.append(rows)
     state_at = address(receiver._state)
     keep_address(receiver._state, 19, receiver._buffer)
     keep_address(receiver._state, 21, TABLE)
-    known = receiver._messages.get
-    none, made = None, False  # viper compares an object with objects only
+    keep_address(receiver._state, 26, rows)
+    receiver._state[28] = mask
 
     @micropython.viper
     def receive():
         state = ptr32(int(state_at))
         base = int(state[19]) | int(state[20]) << 32
-        low = ptr16(int(state[21]) | int(state[22]) << 32)
-        high = ptr16(int(low) + 512)
         while True:
-            at = int(state[0])
-            size = int(state[1])
+            start = ptr8(base + int(state[0]))
+            end = base + int(state[1])
+            stop = end
             if state[16]:
                 left = int(state[16]) - int(state[15])
-                if left <= 0 and at < size:
+                if left <= 0 and int(start) < end:
                     return None
-                if size > at + left:  # noqa: PLR1730  viper has no min()
-                    size = at + left
-            start = ptr8(base)
-            header = 0
-            while at < size and header == 0:
-                start = ptr8(base + at)
-                if int(start[0]) == 0xFD:
-                    header = 10
-                elif int(start[0]) == 0xFE:
-                    header = 6
-                else:
-                    at += 1
+                if end > int(start) + left:
+                    stop = int(start) + left
+            while int(start) < stop and int(start[0]) != 0xFD and int(start[0]) != 0xFE:
+                start = ptr8(int(start) + 1)
+            at = int(start) - base
             if state[16]:
-                state[15] += at - int(state[0])
-            state[0] = at
-            size = int(state[1])
-            if at + header > size or header == 0:
-                if header == 0 and at < size:
-                    continue
-                if state[12] == 0:
-                    return None
-                receiver._refill()
+                state[15] = int(state[15]) + at - int(state[0])
+            if int(start) == stop and stop < end:
+                state[0] = at
                 continue
-
-            number = int(start[5])
-            signed = 0
-            if header == 10:
+            if int(start[0]) == 0xFD:
+                header = 10
                 number = int(start[7]) | (int(start[8]) << 8) | (int(start[9]) << 16)
                 signed = int(start[2])
-                if signed > 1:
-                    state[8] += 1
-                    state[0] = at + 1
-                    if state[16]:
-                        state[15] += 8
-                    continue
-            message = known(number)
-            if message is none:
-                state[18] += 1
-                state[0] = at + 1
-                if state[16]:
-                    state[15] += 8
-                continue
-            length = int(start[1])
-            whole = header + length + 2 + 13 * signed
-            if at + whole > size:
+                sender = ptr8(int(start) + 4)
+            else:
+                header = 6
+                number = int(start[5])
+                signed = 0
+                sender = ptr8(int(start) + 2)
+            if int(start) + header > end:
+                state[0] = at
                 if state[12] == 0:
                     return None
-                receiver._refill()
+                own[0]._refill()
                 continue
 
-            state[0] = at + whole
+            if signed > 1:
+                state[8] = int(state[8]) + 1
+                state[0] = at + 1
+                if state[16]:
+                    state[15] = int(state[15]) + 8
+                continue
+            row = ptr32((int(state[26]) | int(state[27]) << 32) + ((number & int(state[28])) << 4))
+            left = number + 1
+            while int(row[0]) != left and row[0]:
+                row = ptr32(int(row) + 16)
+            if row[0]:
+                message = own[row[3]]
+            else:
+                message = own[1](number)
+                if message is own[2]:
+                    state[18] = int(state[18]) + 1
+                    state[0] = at + 1
+                    if state[16]:
+                        state[15] = int(state[15]) + 8
+                    continue
+            length = int(start[1])
+            source = ptr8(int(start) + 1)
+            stop = int(start) + header + length  # of the payload
+            left = stop + 2 + 13 * signed
+            if left > end:
+                state[0] = at
+                if state[12] == 0:
+                    return None
+                own[0]._refill()
+                continue
+
+            state[0] = left - base
             state[3] = at
             state[4] = at + header
             state[5] = length
             state[6] = number
             state[9] = signed
             if state[16]:
-                state[15] += header + length
+                state[15] = int(state[15]) + header + length
+            low = ptr16(int(state[21]) | int(state[22]) << 32)
+            high = ptr16(int(low) + 512)
             crc = 0xFFFF
-            left = header + length - 1
-            source = ptr8(int(start) + 1)
             if int(source) & 1:
-                crc = high[(crc ^ source[0]) & 0xFF] ^ (crc >> 8)
+                crc = high[(crc ^ source[0]) & 0xFF] ^ 0xFF
                 source = ptr8(int(source) + 1)
-                left -= 1
             pairs = ptr16(source)
-            while left > 7:
-                crc ^= pairs[0]
+            crc ^= pairs[0]  # as above; behind the last byte stands the checksum of the frame
+            left = stop - 7
+            while int(pairs) < left:
                 crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[1]
                 crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[2]
                 crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[3]
-                crc = low[crc & 0xFF] ^ high[crc >> 8]
+                crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[4]
                 pairs = ptr16(int(pairs) + 8)
-                left -= 8
-            while left > 1:
-                crc ^= pairs[0]
-                crc = low[crc & 0xFF] ^ high[crc >> 8]
+            left = stop - 1
+            while int(pairs) < left:
+                crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[1]
                 pairs = ptr16(int(pairs) + 2)
-                left -= 2
+            crc ^= pairs[0]
             source = ptr8(pairs)
-            if left:
+            if int(source) < stop:
                 crc = high[(crc ^ source[0]) & 0xFF] ^ (crc >> 8)
                 source = ptr8(int(source) + 1)
             state[7] = crc
 
-            if state[14] or message is made:
-                message = receiver._admitted(message)
-                if message is none:
+            if row[0] and state[14] == 0:
+                image = ptr8(int(row[1]) | int(row[2]) << 32)
+            else:
+                message = own[0]._admitted(message)
+                if message is own[2]:
                     continue
-            image = ptr8(message._image)
+                image = ptr8(message._image)
             crc = high[(crc ^ image[3]) & 0xFF] ^ (crc >> 8)
-            if int(source[0]) != crc & 0xFF or int(source[1]) != crc >> 8:
-                receiver._look_within()
+            if int(source[0]) | int(source[1]) << 8 != crc:
+                own[0]._look_within()
                 continue
 
             # Zeros stand in for a truncated end, newer extensions are left out.
@@ -336,37 +370,37 @@ def decoder(receiver):
             left = int(image[4])
             if length < left:
                 words = ptr32(int(payload) + (length & -4))
-                count = ((left + 3) >> 2) - (length >> 2)
-                while count:
+                end = int(payload) + left
+                while int(words) < end:
                     words[0] = 0
                     words = ptr32(int(words) + 4)
-                    count -= 1
                 left = length
-            source = ptr8(int(start) + header)
             target = payload
+            end = int(target) + left
+            source = ptr8(int(start) + header)
             if int(source) & 1 == 0:
                 halves = ptr16(target)
                 pairs = ptr16(source)
-                while left > 7:
+                stop = end - 7
+                while int(halves) < stop:
                     halves[0] = pairs[0]
                     halves[1] = pairs[1]
                     halves[2] = pairs[2]
                     halves[3] = pairs[3]
                     halves = ptr16(int(halves) + 8)
                     pairs = ptr16(int(pairs) + 8)
-                    left -= 8
                 target = ptr8(halves)
                 source = ptr8(pairs)
-            while left:
+            while int(target) < end:
                 target[0] = source[0]
                 target = ptr8(int(target) + 1)
                 source = ptr8(int(source) + 1)
-                left -= 1
-            if header == 10:
-                start = ptr8(int(start) + 2)
-            image[6] = start[2]
-            image[7] = start[3]
-            image[8] = start[4]
+            image[6] = sender[0]
+            image[7] = sender[1]
+            image[8] = sender[2]
+            state[23] = int(sender[1]) << 8 | int(sender[2])
+            state[24] = int(payload)
+            state[25] = int(payload) >> 32
 
             if image[9] | image[10] | image[11] | image[12]:
                 live = ptr32(message.live)
@@ -406,8 +440,8 @@ def decoder(receiver):
                     live[place[1]] = value
                     place = ptr8(int(place) + 3)
                     left -= 1
-            state[10] += 1
-            state[11] += signed
+            state[10] = int(state[10]) + 1
+            state[11] = int(state[11]) + signed
             return message
 
     return receive

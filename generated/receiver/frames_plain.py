@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: 2123bbce181b6a46
+# Inputs: d05587181b7d678f
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
@@ -22,14 +22,15 @@ frame that was found [3] start, [4] payload, [5] length of the payload, [6] mess
 [11] signed ones among them, [18] frames of other messages. Who puts in bytes of which only the first ones count sets
 [17], how many these are; receive() has to have read all before them. Who wants to be asked for more time sets [16], how
 many bytes may be looked at until receive() returns None though there are more, and [15], how many of them were, to 0.
-In machine code [19] and [21] are the addresses of buffer and table, 64 bits each.
+Of the message that was received last [23] is its sender, system << 8 | component, and in machine code [24] the address
+of its payload; there [19], [21] and [26] are the addresses of the buffer, of the table and of the rows in which
+messages are found by their ids, 64 bits each, and [28] is which bits of an id say where to begin. Behind the received
+bytes the buffer has room for 15 more.
 
 Each function has few locals: MicroPython puts those of larger ones on the heap at every call.
 """
 
 from checksum import TABLE
-
-_BYTES = (bytes, bytearray, memoryview)
 
 
 def address(_data):
@@ -56,11 +57,12 @@ def encoder(frame, views, new_view):
 def taker(receiver):
     """Return the function put(data), which takes as much of what arrived into a receiver's buffer as that holds.
 
-    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, or these are not bytes.
+    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, and for all but bytes if
+    nobody says how many of them count.
     """
 
     def put(data):
-        if receiver._state[12] or type(data) not in _BYTES:
+        if receiver._state[12] or (receiver._state[17] == 0 and type(data) is not bytes):
             receiver._put_more(data)
         else:
             _take_in(receiver, receiver._state, receiver._buffer, data)
@@ -83,6 +85,7 @@ def decoder(receiver):
                 message = receiver._admitted(message)
             if message is not None:
                 if _read_frame(receiver._buffer, receiver._state, message._image, message.live):
+                    receiver._state[23] = message._image[7] << 8 | message._image[8]
                     return message
                 receiver._look_within()
         return None
@@ -201,10 +204,10 @@ def _pass_over(state, work):
 def _take_in(receiver, state, buffer, data):
     """Take in data behind what is left, which goes to the front."""
     _move(buffer, state)
-    if _left(data, state) > len(buffer) - state[1]:
+    if _left(data, state) > state[13] - state[1]:
         receiver._arrived[0] = data
         state[12] = 1
-        _append(buffer, data, state, len(buffer) - state[1])
+        _append(buffer, data, state, state[13] - state[1])
     else:
         _append(buffer, data, state, _left(data, state))
         state[2] = state[17] = 0

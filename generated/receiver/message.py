@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 7698a57c96d18f11
+# Inputs: 37bd3ff06937bd07
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -50,7 +50,7 @@ class Message:
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
         keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
-        keep(self, "_taker", None)  # who takes it on a link of a vehicle, see reception.py
+        keep(self, "_take", None)  # what takes it on a link of a vehicle, see reception.py
         if unknown:
             _read_fields().forget(self)
 

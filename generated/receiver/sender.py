@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 050aa52a2c0b5721
+# Inputs: e0e45f63c4d665c1
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -62,6 +62,8 @@ class Sender:
                 self._new_view(length)
         encode = encoder(frame, views, self._new_view)
         self.encode = _signed(encode, signing) if signing else encode
+        # An attribute of its own is found much sooner than a method of a class that others are derived from.
+        self.send_frame = _frame_sender(self, frame, self._sequence_at)
 
     @property
     def version(self):
@@ -90,15 +92,6 @@ class Sender:
         """
         return self.send_frame(self.encode(message))
 
-    def send_frame(self, frame):
-        """Write a frame that was made for this sender just now, as send() does with a message's."""
-        written = self._write(frame)
-        at = self._sequence_at
-        self._frame[at] = (self._frame[at] + 1) & 0xFF
-        if written != _len(frame):
-            self.tx_errors += 1
-        return written
-
     def _new_view(self, length):
         """Return the view of a length, made now where there is none."""
         views = self.room[1]
@@ -107,11 +100,29 @@ class Sender:
             views[length] = self._frame[2 : 2 + extra + length]
         return views[length]
 
-    def _write(self, frame):
+
+def _frame_sender(sender, buffer, at):
+    """Return send_frame(frame), which writes a frame that was made just now, as send() does with a message's."""
+    write = _writer(sender)
+
+    def send_frame(frame):
+        written = write(frame)
+        buffer[at] = (buffer[at] + 1) & 0xFF
+        if written != _len(frame):
+            sender.tx_errors += 1
+        return written
+
+    return send_frame
+
+
+def _writer(sender):  # apart, since the variables of a larger function that catches something lie on the heap
+    def write(frame):
         try:
-            return self.stream.write(frame) or 0
+            return sender.stream.write(frame) or 0
         except OSError:
             return 0
+
+    return write
 
 
 def _signed(encode, signing):

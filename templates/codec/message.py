@@ -48,7 +48,7 @@ class Message:
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
         keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
-        keep(self, "_taker", None)  # who takes it on a link of a vehicle, see reception.py
+        keep(self, "_take", None)  # what takes it on a link of a vehicle, see reception.py
         if unknown:
             _read_fields().forget(self)
 

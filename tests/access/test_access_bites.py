@@ -33,7 +33,7 @@ FAULTS = [
     ("access", 'os.rename(self._path + ".new", self._path)', "pass", "a_new_key_comes_over_a_cable"),
     ("key_service", "if not any(key):", "if False:", "no_key_comes_otherwise"),
     ("key_service", 'getattr(vehicle, "is_armed", False)', "False", "no_key_comes_while_armed"),
-    ("listed_stations", "message._image[7] in self._systems", "True", "only_listed_systems_are_heard"),
+    ("listed_stations", "system in self._systems", "True", "only_listed_systems_are_heard"),
     ("listed_stations", "self.refused += 1", "pass", "only_listed_systems_are_heard"),
     ("streams", "LONGEST, signing, ", "LONGEST, None, ", "who_has_the_key_is_obeyed"),
     ("vehicle", "signing=self.access.signing(port.name)", "signing=None", "unsigned_frames_are_not_obeyed"),

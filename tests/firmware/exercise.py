@@ -128,6 +128,9 @@ class Everything:
     def get(self, _number):
         return False
 
+    def values(self):
+        return ()
+
     def __contains__(self, _number):
         return True
 

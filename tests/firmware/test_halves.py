@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from codegen.answers.halves import float_within, next_float
 from codegen.model.answers.scaling import Scaling
-from codegen.model.code.halves import above, below, equal
+from codegen.model.code.halves import above, below, beyond, equal
 from codegen.model.code.storage import Storage, storage_of
 from codegen.model.spec.population import Rounding
 
@@ -53,6 +53,19 @@ def test_conditions_say_what_arithmetic_says(pair: tuple[Storage, Fraction, Frac
     assert holds(above(halves, exact, storage), value, storage) == (value > limit)
     assert holds(below(halves, exact, storage), value, storage) == (value < limit)
     assert holds(equal(halves, exact, storage), value, storage) == (value == limit)
+
+
+@given(pairs(), st.integers(0, 2**64 - 1))
+def test_beyond_is_outside_of_both_limits(pair: tuple[Storage, Fraction, Fraction], bits: int):
+    """With two limits or one, whatever the highest half says alone."""
+    storage, value, limit = pair
+    halves = [f"half{at}" for at in range(storage.halves)]
+    other = limit * Fraction(bits, 2**64) if not storage.is_float else -limit
+    low, high = sorted((limit, other if storage.is_float else Fraction(int(other))))
+    exact = [bound if storage.is_float else int(bound) for bound in (low, high)]
+    assert holds(beyond(halves, exact[0], exact[1], storage), value, storage) == (not low <= value <= high)
+    assert holds(beyond(halves, exact[0], None, storage), value, storage) == (value < low)
+    assert holds(beyond(halves, None, exact[1], storage), value, storage) == (value > high)
 
 
 def test_a_negative_zero_is_a_zero():

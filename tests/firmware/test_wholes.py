@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-PROGRAM = Path(__file__).resolve().parents[2] / "templates" / "firmware" / "program"
+TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
+PROGRAM = TEMPLATES / "firmware" / "program"
 BIN = Path(sys.executable).parent
 FACTORS = (
     (1, 1),
@@ -28,6 +29,20 @@ SCRIPT = """
 import gc, json, micropython, sys
 sys.path.insert(0, sys.argv[1])
 whole_of_float = __import__("wholes_" + sys.argv[2]).whole_of_float
+if sys.argv[2] == "viper":
+    from array import array
+    from frames_viper import address
+    convert, given = whole_of_float, array("i", [0] * 4)
+    at = address(given)
+
+    def whole_of_float(high, low, numerator, denominator):
+        given[0] = high
+        given[1] = low
+        given[2] = numerator
+        given[3] = denominator
+        convert(at)
+        return given[0]
+
 cases = CASES
 
 def allocated(rounds):
@@ -75,6 +90,8 @@ def test_they_are_the_nearest_ones(interpreter, form, tmp_path):
     script = tmp_path / "wholes.py"
     script.write_text(SCRIPT.replace("CASES", repr(wanted)))
     (tmp_path / f"wholes_{form}.py").write_text((PROGRAM / f"wholes_{form}.py").read_text())
+    for module in ("frames_viper.py", "checksum.py"):
+        (tmp_path / module).write_text((TEMPLATES / "codec" / module).read_text())
     command = [str(BIN / interpreter), "wholes.py", ".", form]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

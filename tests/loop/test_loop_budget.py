@@ -20,6 +20,7 @@ from codegen.loop.load import traffic_load
 from codegen.loop.parts import Part, Work
 from codegen.loop.pass_share import jobs_of_a_pass, messages_of_a_pass
 from codegen.loop.shares import GROUPS, shares
+from codegen.loop.words import rows
 from codegen.model.system import System
 from codegen.project.systems import read_systems
 
@@ -140,6 +141,15 @@ def test_times_follow_from_the_costs_and_the_board() -> None:
     assert links.quiet.instructions < links.busy.instructions < links.most.instructions
     left = budget.left_us(battery.quiet)
     assert left == (2500 - battery.quiet.likely_us, 2500 - (battery.quiet.most_us or 0))
+
+
+def test_the_last_row_is_the_slot_that_takes_longest_with_everything_on() -> None:
+    """Which is not the one that takes longest by default: instances that are off are read in another one."""
+    budget = budget_of(ROVER)
+    *_, (words, rate, likely_us, _, _) = rows(budget)
+    assert (words, rate) == ("battery, everything on", "")
+    assert likely_us == str(round(max(slot.most.likely_us or 0 for slot in budget.slots)))
+    assert slot_of(budget, "battery").most.instructions > slot_of(budget, "links").most.instructions
 
 
 def test_what_is_due_at_once_are_the_messages_of_the_streams() -> None:

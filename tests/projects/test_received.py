@@ -412,10 +412,10 @@ link._state[16] = 0  # without the limit of a pass
 
 def take(message):  # as a pass of the main loop does
     handle(message)
-    table = message._taker
-    found = table.take(message, message._image, 0)
+    table = connection.tables[message.ID]
+    found = message._take(0)
     if found > 0:
-        table.tell(message)
+        table.tell()
     if found and table.called is not None:
         table.called()
 

@@ -35,6 +35,33 @@ def below(halves: Sequence[str], limit: Number, storage: Storage) -> str:
     return _more(halves, split if limit else (*split[:-1], _TOP))
 
 
+def beyond(halves: Sequence[str], low: Number | None, high: Number | None, storage: Storage) -> str:
+    """The condition that what the halves say is less than one limit or more than another; None is no limit.
+
+    Most numbers are far from their limits, and of these the highest half says so at once.
+    """
+    ways = [] if low is None else [below(halves, low, storage)]
+    ways += [] if high is None else [above(halves, high, storage)]
+    far = " or ".join(ways)
+    near = _near(halves[-1], low, high, storage) if " == " in far else ""
+    return f"{near} and ({far})" if near else far
+
+
+def _near(top: str, low: Number | None, high: Number | None, storage: Storage) -> str:
+    """What is so of the highest half of every number beyond a limit, and of few others; empty where nothing is."""
+    if storage.is_float:
+        if low is None or high is None or not low <= 0 <= high:
+            return ""
+        least = min(storage.split(float(limit))[-1] & (_TOP - 1) for limit in (low, high))
+        return f"({top} & 0x{_TOP - 1:X}) >= 0x{least:X}"
+    ways = []
+    for limit, sign in ((low, "<="), (high, ">=")):
+        if limit is not None:
+            (half,), (end,) = _ordered([top], storage.split(int(limit))[-1:], storage)
+            ways.append(f"{half} {sign} 0x{end:X}")
+    return ways[0] if len(ways) == 1 else f"({' or '.join(ways)})"
+
+
 def equal(halves: Sequence[str], number: Number, storage: Storage) -> str:
     """The condition that the halves say a number; 0 has two signs as a float."""
     split = storage.split(float(number) if storage.is_float else int(number))

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: b9e2bbce1f1bd049
-"""Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
+# Inputs: e33650b5c2e2a4e7
+"""Who listens at the other end of a link: the ground stations, and other components, whose HEARTBEAT arrives."""
 
 from array import array
 from time import ticks_diff
@@ -11,54 +11,62 @@ _PLACES = const(4)  # ground stations that are told apart; of more, the one sile
 
 
 class Listeners:
-    """Ground stations or components of one link; one that is silent for `silence_ms` is gone.
+    """Ground stations or other components of one link; one that is silent for `silence_ms` is gone.
 
     `names` has system << 8 | component of each, and 0 for nobody. There are as many places as ground stations need.
+    `last` is the name of the one that was heard last, or 0 if it is gone, and `heard_ms` when that was, None before
+    anybody was. Most often the same one is heard again: who finds that it was not silent has only to set `heard_ms`.
     """
 
     def __init__(self, silence_ms, places=_PLACES):
-        self._silence_ms = silence_ms
+        self.silence_ms = silence_ms
         self.names = array("H", [0] * places)
-        self._heard_ms = [0] * places
-        self._last = 0  # the place of who was heard last
+        self.last = 0
+        self.heard_ms = None
+        self._heard_ms = [0] * places  # that of the last one counts when another one is heard
+        self._place = 0
 
     def hear(self, name, now_ms):
         """Note a HEARTBEAT; return whether it is the first of its sender, or the first after a silence.
 
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
-        place = self._last
-        if self.names[place] != name:
-            place = self._place(name)
-            if place < 0:
-                return self._take_place(name, now_ms)
-            self._last = place
-        is_new = ticks_diff(now_ms, self._heard_ms[place]) >= self._silence_ms
-        self._heard_ms[place] = now_ms
+        self._keep()
+        place = self._find(name)
+        if place >= 0:
+            is_new = self._age_ms(place, now_ms) >= self.silence_ms
+        else:
+            place = self._oldest(now_ms)
+            is_new = self.names[place] == 0
+            self.names[place] = name
+        self._place = place
+        self._heard_ms[place] = self.heard_ms = now_ms
+        self.last = name
         return is_new
 
     def forget_silent(self, now_ms):
         """Forget those who are gone; now and then, for clocks of boards start again after 12 days."""
+        self._keep()
         for place in range(len(self.names)):
-            if self.names[place]:
-                self._forget_if_silent(place, now_ms)
+            if self.names[place] and self._age_ms(place, now_ms) >= self.silence_ms:
+                self.names[place] = 0
+                if place == self._place:
+                    self.last = 0
 
-    def _forget_if_silent(self, place, now_ms):
-        if self._age_ms(place, now_ms) >= self._silence_ms:
-            self.names[place] = 0
+    def _keep(self):
+        if self.last:
+            self._heard_ms[self._place] = self.heard_ms
 
-    def _take_place(self, name, now_ms):
+    def _oldest(self, now_ms):
+        """Return the place of nobody, or else of who is silent for longest."""
         self.forget_silent(now_ms)
         oldest = 0
         for place in range(len(self.names)):
             if self._age_ms(place, now_ms) > self._age_ms(oldest, now_ms):
                 oldest = place
-        is_new = self.names[oldest] == 0
-        self.names[oldest] = name
-        self._heard_ms[oldest] = now_ms
-        return is_new
+        return oldest
 
-    def _place(self, name):
+    def _find(self, name):
         """Return where somebody is, -1 for nowhere."""
         place = 0
         for known in self.names:

@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: e3c3a6a21f407f9e
+# Inputs: f81ad3dbd9e9a993
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -36,9 +36,8 @@ class Receiver:
         self._classes = {message.ID: message for message in messages if isinstance(message, type)}
         # False is a message of a class.
         self._messages = {message.ID: not isinstance(message, type) and message for message in messages}
-        size = (size + 3) & -4  # machine code writes whole words
-        self._buffer = bytearray(size)
-        self._state = state = array("i", [0] * 23)  # frames_plain says what it holds
+        self._buffer = bytearray(size + 15)  # machine code writes 16 bytes at once
+        self._state = state = array("i", [0] * 29)  # frames_plain says what it holds
         state[13] = size
         state[14] = 0 if signing is None else 1
         self._make = None
@@ -95,11 +94,12 @@ class Receiver:
         if not isinstance(data, _BYTES):
             raise TypeError("what arrives is bytes, a bytearray or a memoryview")
         state = self._state
-        kept = b""
         if state[12]:
-            kept = bytes(memoryview(self._arrived[0])[state[2] :])
+            data = bytes(memoryview(self._arrived[0])[state[2] :]) + data
             state[2] = state[12] = 0
-        self.put(kept + data)
+        state[17] = len(data)
+        if data:
+            self.put(data)
 
     def _refill(self):
         """Take in more of the data that are kept; the caller may have made them shorter."""
@@ -107,7 +107,9 @@ class Receiver:
         data = self._arrived[0]
         self._arrived[0] = None
         state[12] = 0
-        if state[2] < (state[17] or len(data)):
+        if not 0 < state[17] <= len(data):
+            state[17] = len(data)
+        if state[2] < state[17]:
             self.put(data)
         else:
             state[2] = state[17] = 0

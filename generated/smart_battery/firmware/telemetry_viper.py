@@ -113,20 +113,20 @@ def _finished(wire_at: int, last_word: int, crc_extra: int) -> int:
     high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
+    value ^= data[0]  # the next two bytes are in it already
     left = (length + 8) >> 3
     while left:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
         data = ptr16(int(data) + 8)
         left -= 1
     if length & 4:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         data = ptr16(int(data) + 4)
+    value ^= data[0]
     last = ptr8(data)
     left = length & 3
     while left:
@@ -202,20 +202,20 @@ def encode_heartbeat(link, state):
     high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
+    value ^= data[0]  # the next two bytes are in it already
     left = (length + 8) >> 3
     while left:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
         data = ptr16(int(data) + 8)
         left -= 1
     if length & 4:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         data = ptr16(int(data) + 4)
+    value ^= data[0]
     last = ptr8(data)
     left = length & 3
     while left:
@@ -438,20 +438,20 @@ def battery_status_frame(link, state, instance: int):
     high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
+    value ^= data[0]  # the next two bytes are in it already
     left = (length + 8) >> 3
     while left:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
         data = ptr16(int(data) + 8)
         left -= 1
     if length & 4:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         data = ptr16(int(data) + 4)
+    value ^= data[0]
     last = ptr8(data)
     left = length & 3
     while left:
@@ -760,20 +760,20 @@ def battery_status_v2_frame(link, state, instance: int):
     high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
+    value ^= data[0]  # the next two bytes are in it already
     left = (length + 8) >> 3
     while left:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
         data = ptr16(int(data) + 8)
         left -= 1
     if length & 4:
-        value ^= data[0]
         value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
         data = ptr16(int(data) + 4)
+    value ^= data[0]
     last = ptr8(data)
     left = length & 3
     while left:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/twins.py: do not edit.
-# Inputs: ceab6ef0f6ddce4b
+# Inputs: 03c91e277664d017
 """Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
 
 import time
@@ -15,7 +15,7 @@ _AGAIN_MS = const(30000)  # from one text to the next
 
 
 class TwinWatch:
-    """Stands before the inbox of a connection and looks at what comes from its own system.
+    """Looks at what comes from the own system of a connection.
 
     A HEARTBEAT with its own ids may be its own, sent back by somebody: one whose sequence number it has not sent of
     late is somebody else's. `kinds` are messages that tell the chip of their sender: id, where the payload has the
@@ -26,7 +26,6 @@ class TwinWatch:
     """
 
     def __init__(self, connection, log, component, kinds, number=None, numbers=()):
-        self._inbox = connection.inbox
         self._connection = connection
         self._log = log
         self._names = (component, number)
@@ -36,16 +35,9 @@ class TwinWatch:
         self._strange = 0
         self._told_ms = [None, None]
 
-    def next(self, now_ms):
-        """Return the next message, or None."""
-        message = self._inbox.next(now_ms)
-        if message is not None:
-            sent = message._image  # frames_plain says what it holds
-            if sent[7] == self._connection.system_id:
-                self._look_at(message, sent[8] == self._connection.component_id)
-        return message
-
-    def _look_at(self, message, is_own):
+    def look_at(self, message, component):
+        """Look at a message that a component with the own system id has sent."""
+        is_own = component == self._connection.component_id
         if is_own and message.ID == messages.Heartbeat.ID:
             self._strange = 0 if self._is_echo(message.source_sequence) else self._strange + 1
             if self._strange >= _STRANGE:
@@ -56,7 +48,7 @@ class TwinWatch:
                     if self._is_of_another_chip(message.wire, kind[1], kind[2]):
                         self._tell(0, self._connection.component_id, None)
                 elif kind[3] is not None and message.wire[kind[3]] in self._numbers:
-                    self._tell(1, message.wire[kind[3]], message.source_component)
+                    self._tell(1, message.wire[kind[3]], component)
 
     def _is_echo(self, sequence):
         connection = self._connection
@@ -84,4 +76,4 @@ class TwinWatch:
 
 def watch_twins(connection, *arguments):
     """Let a connection tell of others that use its ids."""
-    connection.inbox = TwinWatch(connection, *arguments)
+    connection.twins = TwinWatch(connection, *arguments)

@@ -11,22 +11,22 @@ GROUND_STATION = const(1)  # a system of which a ground station's HEARTBEAT is h
 OWN_SYSTEM = const(2)  # another component of this vehicle
 
 _QUIET_MS = const(10000)  # between two texts about implausible numbers
-_FIELDS = const(12)  # where the counts of fields begin
+_FIELDS = const(16)  # where the counts of fields begin
 
 
 class Reception:
     """A table of specs/receives.
 
-    take(message, image, now_ms), with the image of the message and time.ticks_ms(), sets the quantities if the sender
-    may. It returns 0 where nothing more is to be done, and 1 or more where a number was implausible: tell(message) then
-    tells it. Where it returns anything but 0, `called` is called, unless it is None. receiving.py sets take().
+    take(now_ms), at time.ticks_ms(), sets the quantities by what its link has received last, which is in `message`, if
+    the sender may. It returns 0 where nothing more is to be done, and 1 or more where a number was implausible: tell()
+    then tells it. Where it returns anything but 0, `called` is called, unless it is None. receiving.py sets take().
 
     `counts` is what the functions of receiving write, and read: [0] the number of the last field that was implausible,
     from 1, or 0, and -1 for a message that is not for this table, or not for this vehicle; [1] how many messages were
-    taken; [2] whether this one came by MAVLink 1, which has no extensions; [3] and [4] system and component of this
+    taken; [2] not 0 if this one came by MAVLink 1, which has no extensions; [3] and [4] system and component of this
     vehicle; [5] how many bytes the names of listeners take; in machine code [6], [8] and [10] the addresses of the
-    words, of these names and of the state of the link, 64 bits each; then for each field how many of its numbers were
-    implausible. They start anew after 2 ** 30.
+    words, of these names and of the state of the link, 64 bits each, and from [12] on what wholes_viper is given; then
+    for each field how many of its numbers were implausible. They start anew after 2 ** 30.
     """
 
     def __init__(self, name, fields, sender, called, connection, vehicle):
@@ -36,6 +36,7 @@ class Reception:
         self._log = vehicle.texts
         self._told_ms = None
         self.sender = sender
+        self.message = None
         self.listeners = connection.services.listeners
         self.link = connection.link._state  # frames_plain says what it holds
         self.words = vehicle.state.words
@@ -58,13 +59,13 @@ class Reception:
                 found[self._fields[at]] = self.counts[_FIELDS + at]
         return found
 
-    def tell(self, message):
+    def tell(self):
         """Tell that a number was not plausible, now and then."""
         now_ms = ticks_ms()
         if self._told_ms is None or ticks_diff(now_ms, self._told_ms) >= _QUIET_MS:
             self._told_ms = now_ms
             name, _, element = self._fields[self.counts[0] - 1].partition("[")
-            value = message.raw(name)
+            value = self.message.raw(name)
             if element:
                 value = value[int(element[:-1])]
             self._log(f"warning: {self._name}.{self._fields[self.counts[0] - 1]} not plausible:", value)
@@ -79,22 +80,22 @@ class Several:
         self._first = first
         self._second = second
 
-    def take(self, message, image, now_ms):
+    def take(self, now_ms):
         """Let each take it; all that is to be done then is done. A loop would need the heap for its variables."""
         table = self._first
-        found = table.take(message, image, now_ms)
+        found = table.take(now_ms)
         if found:
-            _tell(table, message, found)
+            _tell(table, found)
         table = self._second
-        found = table.take(message, image, now_ms)
+        found = table.take(now_ms)
         if found:
-            _tell(table, message, found)
+            _tell(table, found)
         return 0
 
 
-def _tell(table, message, found):  # apart, since the variables of a larger function lie on the heap
+def _tell(table, found):  # apart, since the variables of a larger function lie on the heap
     if found > 0:
-        table.tell(message)
+        table.tell()
     if table.called is not None:
         table.called()
 
@@ -103,9 +104,11 @@ def rarely(table):
     """Return what lets a Reception take messages that the services hand on: those that are made anew each time."""
 
     def take(message):
-        found = table.take(message, message._image, ticks_ms())
+        table.message = message
+        found = table.take(ticks_ms())
         if found:
-            _tell(table, message, found)
+            _tell(table, found)
+        table.message = None
 
     return take
 

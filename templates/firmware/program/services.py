@@ -1,7 +1,7 @@
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
-from time import ticks_ms
+from time import ticks_diff, ticks_ms
 
 import dialect
 import messages
@@ -10,7 +10,8 @@ from listeners import Listeners
 from micropython import const
 from parameter_service import ParameterService
 
-_COMPONENTS = const(12)  # that are told apart on one link
+_COMPONENTS = const(12)  # that are told apart on one link, beside ground stations
+_SENDER = const(23)  # where the state of a link has system << 8 | component of who has sent what arrived last
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
 
@@ -55,20 +56,19 @@ def _both(first, second):
 class Services:
     """The services of one connection.
 
-    `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
-    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all ground stations that are heard,
-    `components` all components: to each that appears goes what is sent on connection.
+    `ground_station` is (system, component) of the ground station that was heard last, None before the first.
+    `listeners` are all ground stations that are heard, `components` all others: to each that appears goes what is sent
+    on connection.
     What arrives goes to those who take it: take() adds one.
     """
 
     def __init__(self, vehicle, connection):
         self._vehicle = vehicle
         self._connection = connection
+        self._received = connection.link._state  # frames_plain says what it holds
         self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
-        self._station_name = 0
-        self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
         self._takers = {}  # by the ids of messages: who takes them, and where those for this vehicle have their target
@@ -90,14 +90,14 @@ class Services:
 
         The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
         """
-        self.take_any(kind, taker, kind.TARGETS)
+        self.take_any(kind.ID, taker, kind.TARGETS)
 
-    def take_any(self, kind, taker, targets=()):
-        """Call taker(message) with each message of a class, whoever it is for, unless take() was asked, too."""
-        found = self._takers.get(kind.ID)
+    def take_any(self, number, taker, targets=()):
+        """Call taker(message) with each message with an id, whoever it is for, unless take() was asked, too."""
+        found = self._takers.get(number)
         if found is not None:
             taker, targets = _both(found[0], taker), targets or found[1]
-        self._takers[kind.ID] = taker, targets
+        self._takers[number] = taker, targets
 
     def expect(self, ids):
         """Receive messages with these ids, too: absences.py answers that the vehicle has nothing of the kind."""
@@ -137,18 +137,19 @@ class Services:
         return absences.Bare(number)
 
     def _hear(self, message):
-        sent = message._image  # frames_plain says what it holds
-        name = sent[7] << 8 | sent[8]
+        name = self._received[_SENDER]
         now_ms = ticks_ms()
-        if message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS:
-            if name != self._station_name:
-                self._station_name = name
-                self.ground_station = (sent[7], sent[8])
-            self.heard_ms = now_ms
-            if self.listeners.hear(name, now_ms):
-                self._vehicle.remind()
-        if self.components.hear(name, now_ms):
+        is_station = message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS
+        known = self.listeners if is_station else self.components
+        if known.last == name and ticks_diff(now_ms, known.heard_ms) < known.silence_ms:
+            known.heard_ms = now_ms
+            return
+        if known.hear(name, now_ms):
             self._connection.streams.connect()
+            if is_station:
+                self._vehicle.remind()
+        if is_station:
+            self.ground_station = (name >> 8, name & 0xFF)
 
     def _answer_ping(self, message):
         # An addressed PING is the answer to one: it has come back, and is not answered again.

@@ -1,25 +1,37 @@
 """Whole numbers of floats that arrive, by MicroPython's viper emitter; wholes_plain says how."""
 
-# Calls are dear: one function does it all.
-# ruff: noqa: C901, PLR0912
+# Calls are dear: one function does it all; ptr32 is viper's own name.
+# ruff: noqa: C901, F821, PLR0912, PLR0915
 
 import micropython
 
 
 @micropython.viper
-def whole_of_float(high: int, low: int, numerator: int, denominator: int) -> int:
-    """Return the whole number nearest to a float of 32 bits times numerator / denominator, as wholes_plain does."""
-    whole = low | (high & 0x7F | 0x80) << 16
+def whole_of_float(at: int):
+    """Do what wholes_plain does with four words at an address, and put what comes of it into the first of them.
+
+    They are the halves of a float, the high one first, a numerator and a denominator: each argument more takes as long
+    as ten statements.
+    """
+    given = ptr32(at)
+    high = int(given[0])
+    numerator = int(given[2])
+    denominator = int(given[3])
+    whole = int(given[1]) | (high & 0x7F | 0x80) << 16
     shift = 150 - (high >> 7 & 0xFF)  # how many bits of it stand behind the point
     if shift > 60:
-        return 0
+        given[0] = 0
+        return
     # What stands behind the point, times the numerator; `last` is the bit behind that.
     rest = last = 0
     if shift <= 0:
         whole <<= 0 - shift
     else:
-        bits = whole & (1 << shift) - 1 if shift < 24 else whole
-        whole = whole >> shift if shift < 24 else 0
+        bits = whole
+        whole = 0
+        if shift < 24:
+            whole = bits >> shift
+            bits &= (1 << shift) - 1
         if numerator < 0x20000:
             if shift < 24:
                 bits <<= 24 - shift
@@ -38,7 +50,8 @@ def whole_of_float(high: int, low: int, numerator: int, denominator: int) -> int
                 shift -= 1
     result = 0
     left = whole * numerator + rest
-    if whole > 0x1FFFFFFF // numerator:  # a long division, since the product has more than 30 bits
+    if whole | numerator > 0x3FFF and whole > 0x1FFFFFFF // numerator:
+        # A long division, since the product has more than 30 bits.
         left = 0
         bit = 0x20000000
         while bit:
@@ -57,4 +70,4 @@ def whole_of_float(high: int, low: int, numerator: int, denominator: int) -> int
         left = 0
     if 2 * left + last >= denominator:
         result += 1
-    return 0 - result if high & 0x8000 else result
+    given[0] = 0 - result if high & 0x8000 else result

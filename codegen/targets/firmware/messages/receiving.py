@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.code.halves import above, below, equal
+from codegen.model.code.halves import beyond, equal
 from codegen.model.code.payload_code import UNKNOWN, indented
 from codegen.model.code.statements import scaled, tested
 from codegen.model.code.storage import HALF, SMALL_INT_MAX, Storage
@@ -24,10 +24,12 @@ from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
-FIELDS = 12
+FIELDS = 16
 """Where the counts of the fields begin."""
 _OWN = 3
 """Where the system and the component of the vehicle stand."""
+_GIVEN = 12
+"""Where machine code puts what it makes a whole number of."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 
@@ -36,7 +38,8 @@ _TOP = 0x8000
 class TakeView:
     """One table: its function, and what its Reception is made with. ``call`` is "None" or a name in quotes.
 
-    ``admitted`` leaves, in machine code, what its sender may not send.
+    ``lines`` are plain Python. In machine code ``admitted`` leaves what its sender may not send, ``machine_lines`` do
+    the same as ``lines``, and ``has_halves`` and ``makes_wholes`` tell what they use.
     """
 
     name: str
@@ -49,6 +52,9 @@ class TakeView:
     call: str
     admitted: tuple[str, ...]
     lines: tuple[str, ...]
+    machine_lines: tuple[str, ...]
+    has_halves: bool
+    makes_wholes: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,10 +97,8 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
 
 
 def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, int]) -> TakeView:
-    lines = list(_conditions(table))
-    for number, taken in enumerate(table.fields, 1):
-        lines += ["", *_Statements(taken, number, layout, places).lines()]
-    lines += ["return counts[0]" if not table.spec.call else "return counts[0] if counts[0] != 0 else -1"]
+    lines = _lines(table, _Plain(), layout, places)
+    machine_lines = _lines(table, _Machine(), layout, places)
     labels = [f'"{taken.label}"' for taken in table.fields]
     return TakeView(
         name=table.name,
@@ -106,8 +110,19 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
         sender=table.spec.sender.value.upper(),
         call=f'"{call_name(table)}"' if table.spec.call else "None",
         admitted=tuple(_admitted(table)),
-        lines=tuple(f"    {line}" if line else "" for line in lines),
+        lines=lines,
+        machine_lines=machine_lines,
+        has_halves=any("halves[" in line for line in machine_lines),
+        makes_wholes=any(makes_whole(taken) for taken in table.fields),
     )
+
+
+def _lines(table: Reception, code: "_Plain", layout: Layout, places: dict[str, int]) -> tuple[str, ...]:
+    lines = list(_conditions(table, code))
+    for number, taken in enumerate(table.fields, 1):
+        lines += ["", *_Statements(taken, number, code, layout, places).lines()]
+    lines += ["return counts[0]" if not table.spec.call else "return counts[0] if counts[0] != 0 else -1"]
+    return tuple(f"    {line}" if line else "" for line in lines)
 
 
 def makes_whole(taken: ReceivedField) -> bool:
@@ -133,19 +148,18 @@ def _admitted(table: Reception) -> Iterator[str]:
     if table.spec.sender is Sender.GROUND_STATION:
         yield "names = ptr8(int(counts[8]) | int(counts[9]) << 32)"
         yield "at = 0"
-        yield "while at < counts[5] and names[at + 1] != image[7]:  # the system stands in the high byte"
+        yield "while at < counts[5] and names[at + 1] != link[23] >> 8:  # the system stands in the high byte"
         yield "    at += 2"
         yield "if at == counts[5]:"
         yield "    return 0"
     elif table.spec.sender is Sender.OWN_SYSTEM:
-        yield "if image[7] != counts[3]:"
+        yield "if link[23] >> 8 != counts[3]:"
         yield "    return 0"
     if table.has_extensions:
-        yield "link = ptr32(int(counts[10]) | int(counts[11]) << 32)"
-        yield "counts[2] = 1 if link[4] - link[3] == 6 else 0  # the bytes of a header"
+        yield "counts[2] = link[3] + 10 - link[4]  # what its header has less than that of MAVLink 2"
 
 
-def _conditions(table: Reception) -> Iterator[str]:
+def _conditions(table: Reception, code: "_Plain") -> Iterator[str]:
     """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
     places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
     others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
@@ -154,7 +168,7 @@ def _conditions(table: Reception) -> Iterator[str]:
         yield "    counts[0] = -1  # for somebody else"
         yield "    return 0"
     if table.conditions:
-        tests = " or ".join(f"{_number(field, field.offset)} != {number}" for field, number in table.conditions)
+        tests = " or ".join(f"{_number(field, field.offset, code)} != {number}" for field, number in table.conditions)
         yield f"if {tests}:"
         yield "    counts[0] = -1  # not for this table"
         yield "    return 0"
@@ -166,15 +180,42 @@ def _any(tests: list[str]) -> str:
     return tests[0] if len(tests) == 1 else " or ".join(f"({test})" for test in tests)
 
 
-def _half(offset: int) -> str:
-    return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
+class _Plain:
+    """What is spelled differently, in plain Python."""
+
+    def half(self, offset: int) -> str:
+        """A half of a number on the wire: an expression."""
+        return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
+
+    def whole(self, word: str, low: str, factor: Fraction) -> list[str]:
+        """Store the whole number that comes of a float, the high half of which is ``value``, times a factor."""
+        return [f"{word} = whole_of_float(value, {_bare(low)}, {factor.numerator}, {factor.denominator})"]
 
 
-def _number(field: WireField, offset: int) -> str:
+class _Machine(_Plain):
+    """In machine code a half is read at once where it lies at a multiple of two, as most do."""
+
+    def half(self, offset: int) -> str:
+        return super().half(offset) if offset % 2 else f"halves[{offset // 2}]"
+
+    def whole(self, word: str, low: str, factor: Fraction) -> list[str]:
+        given = ("value", _bare(low), factor.numerator, factor.denominator)
+        return [
+            *(f"counts[{at}] = {each}" for at, each in enumerate(given, _GIVEN)),
+            f"whole_of_float(int(counts) + {4 * _GIVEN})",
+            f"{word} = counts[{_GIVEN}]",
+        ]
+
+
+def _bare(half: str) -> str:
+    return half.removeprefix("(").removesuffix(")")
+
+
+def _number(field: WireField, offset: int, code: _Plain) -> str:
     """The expression of a number of one or two bytes."""
-    plain = f"wire[{offset}]" if field.type.size == 1 else _half(offset)
+    plain = f"wire[{offset}]" if field.type.size == 1 else code.half(offset)
     if field.type.minimum == 0:
-        return plain.removeprefix("(").removesuffix(")")
+        return _bare(plain)
     top = 1 << 8 * field.type.size - 1
     return f"({plain} ^ 0x{top:X}) - 0x{top:X}"
 
@@ -182,9 +223,10 @@ def _number(field: WireField, offset: int) -> str:
 class _Statements:
     """The statements of one field, the ``number``-th of its table; ``places`` collects the words that they name."""
 
-    def __init__(self, taken: ReceivedField, number: int, layout: Layout, places: dict[str, int]) -> None:
+    def __init__(self, taken: ReceivedField, number: int, code: _Plain, layout: Layout, places: dict[str, int]) -> None:
         self._taken = taken
         self._number = number
+        self._code = code
         self._layout = layout
         self._places = places
 
@@ -197,7 +239,7 @@ class _Statements:
             return [comment, *self._text()]
         # Of a number of several halves `value` is the highest, which is looked at most.
         halves = self._halves(taken.offset) if self._is_long else []
-        read = halves.pop()[1:-1] if halves else _number(taken.field, taken.offset)
+        read = _bare(halves.pop()) if halves else _number(taken.field, taken.offset, self._code)
         before = [f"value = {read}"]
         tests = [*self._unknown(halves), *self._beyond(halves)]
         store = [*self._store(halves), *self._renewed()]
@@ -219,7 +261,7 @@ class _Statements:
 
     def _halves(self, offset: int) -> list[str]:
         """The halves of a number on the wire, the low one first."""
-        return [_half(offset + 2 * at) for at in range(self._taken.field.type.size // 2)]
+        return [self._code.half(offset + 2 * at) for at in range(self._taken.field.type.size // 2)]
 
     @property
     def _is_long(self) -> bool:
@@ -251,7 +293,7 @@ class _Statements:
             compared = [*halves, "value"] if is_own else self._halves(offset)
             yield equal(compared, Fraction(sentinel), self._wire_storage), "unknown", forget
         else:
-            yield f"{'value' if is_own else _number(taken.field, offset)} == {sentinel}", "unknown", forget
+            yield f"{'value' if is_own else _number(taken.field, offset, self._code)} == {sentinel}", "unknown", forget
 
     def _beyond(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
         """Yield what is not taken."""
@@ -260,17 +302,15 @@ class _Statements:
         least, most = Fraction(field.type.minimum), Fraction(field.type.maximum)
         if not field.type.is_integer:
             least, most = (Fraction(end) for end in self._wire_storage.limits)
-        conditions = []
+        below, above = low if low > least else None, high if high < most else None
         if self._is_long:
-            compared = [*halves, "value"]
-            conditions += [below(compared, low, self._wire_storage)] if low > least else []
-            conditions += [above(compared, high, self._wire_storage)] if high < most else []
+            condition = beyond([*halves, "value"], below, above, self._wire_storage)
         else:
-            conditions += [f"value < {low}"] if low > least else []
-            conditions += [f"value > {high}"] if high < most else []
-        if conditions:
+            tests = [(sign, limit) for sign, limit in (("<", below), (">", above)) if limit is not None]
+            condition = " or ".join(f"value {sign} {limit}" for sign, limit in tests)
+        if condition:
             refuse = [f"counts[0] = {self._number}", self._counted()]
-            yield " or ".join(conditions), "not plausible", refuse
+            yield condition, "not plausible", refuse
 
     def _counted(self) -> str:
         at = FIELDS - 1 + self._number
@@ -289,13 +329,12 @@ class _Statements:
             kept = self._extended(halves, storage.halves)
             return [f"{self._word(word, at)} = {half}" for at, half in enumerate(kept)]
         if not taken.field.type.is_integer:
-            parts = f"{taken.factor.numerator}, {taken.factor.denominator}"
-            return [f"{self._word(word)} = int(whole_of_float(value, {halves[0][1:-1]}, {parts}))"]
+            return self._code.whole(self._word(word), halves[0], taken.factor)
         lines = []
         value = "value"
         if halves:
             # What is within the limits is a number of 30 bits: the halves above its two only have its sign.
-            top = halves[1][1:-1] if len(halves) > 1 else "value"
+            top = _bare(halves[1]) if len(halves) > 1 else "value"
             top = f"(({top}) ^ 0x{_TOP:X}) - 0x{_TOP:X}".replace("(value)", "value") if taken.low < 0 else top
             value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")
         if taken.factor != 1:
@@ -307,7 +346,7 @@ class _Statements:
 
     def _extended(self, halves: list[str], count: int) -> Iterator[str]:
         """As many halves as are kept, the sign in those that the wire does not have."""
-        wire = [*(half[1:-1] for half in halves), "value" if self._is_long else "value & 0xFFFF"]
+        wire = [*(_bare(half) for half in halves), "value" if self._is_long else "value & 0xFFFF"]
         negative = f"value & 0x{_TOP:X} != 0" if self._is_long else "value < 0"
         for at in range(count):
             yield wire[at] if at < len(wire) else f"0xFFFF if {negative} else 0" if self._taken.low < 0 else "0"
