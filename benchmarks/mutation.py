@@ -60,7 +60,8 @@ def main() -> int:
     firmware_hash = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
     drawing = {"seed": arguments.seed, "drawn": len(drawn), "firmware": firmware_hash}
     known_as = {mutant: list(fault_of(mutant, texts[mutant.file])) for mutant in tried}
-    left = left_by("mutation", arguments.program, drawing) if arguments.again else list(known_as.values())
+    given = f"{arguments.program} {arguments.seed}"
+    left = left_by("mutation", given, drawing) if arguments.again else list(known_as.values())
     asked = [mutant for mutant in tried if known_as[mutant] in left]
     print(
         f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
@@ -85,7 +86,7 @@ def main() -> int:
     if arguments.store:
         modules = {name: [noticed[name], all_[name]] for name in sorted(all_)}
         found = {**drawing, "equivalent": len(drawn) - len(tried), "left": left}
-        store("mutation", arguments.program, {**found, "modules": modules})
+        store("mutation", given, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
 
 

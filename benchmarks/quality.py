@@ -139,7 +139,7 @@ The {documents} requirement documents of the rover state {all_criteria} criteria
 
 `make mutation` puts small faults into the firmware, one at a time, drawn by lot from a seed, and runs the generated
 suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with the reason, and left out.
-`make mutation FAULTS="--store"` keeps the numbers.
+`make mutation FAULTS="--store"` keeps the numbers. Checks were written for what the run with seed 1 had not noticed.
 
 {mutation}
 
@@ -216,7 +216,8 @@ def _mutation(what: str, parts: dict[str, Found]) -> str:
     rows: list[tuple[object, ...]] = []
     for part, each in parts.items():
         noticed, tried = (sum(pair[index] for pair in each["modules"].values()) for index in (0, 1))
-        name = f"`{part.split()[0]}/`" if part.startswith("codegen/") else part  # which has its seed behind it
+        name = part.split()[0]  # its seed stands behind it
+        name = f"`{name}/`" if name.startswith("codegen/") else name
         rows.append((name, each["seed"], tried, noticed, f"{100 * noticed / max(1, tried):.0f} %"))
     return _table((what, "seed", "faults", "noticed", "share"), rows)
 

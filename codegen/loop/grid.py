@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 from heapq import heapreplace
 from itertools import count, islice
 
@@ -20,11 +21,11 @@ def slots(jobs: tuple[Job, ...], system: System, program: Program) -> Iterator[t
 
     A slot has so many jobs at most, in their order; others that are due have their turn in the next one.
     """
-    for done in _turns([job.period_us for job in jobs], program.control_us, jobs_of_a_pass(system, program)):
+    for done in _turns(tuple(job.period_us for job in jobs), program.control_us, jobs_of_a_pass(system, program)):
         yield tuple(jobs[index] for index in done)
 
 
-def _turns(periods_us: list[int], control_us: int, most: int) -> Iterator[tuple[int, ...]]:
+def _turns(periods_us: tuple[int, ...], control_us: int, most: int) -> Iterator[tuple[int, ...]]:
     """Yield the indexes of what is done in each slot: thousands of these are looked at, and in most nothing is due."""
     due = [(0, index) for index in range(len(periods_us))]  # in which slot each is due next: a heap
     waiting: set[int] = set()
@@ -40,13 +41,21 @@ def _turns(periods_us: list[int], control_us: int, most: int) -> Iterator[tuple[
         yield done
 
 
+@lru_cache(maxsize=16)
+def _together(
+    periods_us: tuple[int, ...], control_us: int, most: int, passes: int
+) -> tuple[tuple[tuple[int, ...], int], ...]:
+    """Return what is done together in so many slots, and in how many of them: revisions mostly have equal periods."""
+    return tuple(Counter(islice(_turns(periods_us, control_us, most), passes)).items())
+
+
 def slot_kinds(jobs: tuple[Job, ...], system: System, program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
     """Return what is done together, and how often in a second."""
     passes = min(_MOST_PASSES, -(-max(job.period_us for job in jobs) // program.control_us))
-    turns = _turns([job.period_us for job in jobs], program.control_us, jobs_of_a_pass(system, program))
+    periods_us = tuple(job.period_us for job in jobs)
     kinds: dict[tuple[str, ...], tuple[Job, ...]] = {}
     found = Counter[tuple[str, ...]]()
-    for done, times in Counter(islice(turns, passes)).items():
+    for done, times in _together(periods_us, program.control_us, jobs_of_a_pass(system, program), passes):
         due = tuple(jobs[index] for index in done)
         names = tuple(job.name for job in due)
         kinds[names] = due

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: ea7bb6cd743135d6
+# Inputs: 9173becf7787567a
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -9,7 +9,7 @@ nothing as long as it stays below 2 ** 30.
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
-def to_steps(value, numerator, denominator=1, high=LARGEST):
+def to_steps(value, numerator, denominator, high=LARGEST):
     """Return a number as whole steps of numerator / denominator each, or None for None, NaN and infinity: unknown.
 
     A half is rounded away from zero; what is beyond -high or high is left to whoever limits it.

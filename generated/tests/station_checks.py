@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: a0c883aa4fa8f9dc
+# Inputs: 49519df2f40478d0
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -329,7 +329,8 @@ def there_is_no_place_for_a_fifth():
         scene.beat(5)
     scene.seconds(12, 1, 2, 3, 4)
     assert address(5) not in scene.air.taken
-    assert scene.craft.said("air has no place for another station")
+    told = scene.craft.said("air has no place for another station")
+    assert sum(int(text.rsplit(" ", 1)[1]) for _, text in told) == 2, told  # each of its frames once
     assert scene.craft.connections[0].faults == 0
     scene.seconds(6, 1, 2, 3, 5)
     assert min(scene.heard(5, 1, 2, 3, 5)) >= 4

@@ -182,6 +182,8 @@ def read_measure(text: str) -> Measure | None:
 def decimal(value: Fraction) -> str:
     """An exact decimal where there is one, such as 0.0001; else a fraction, such as 1/3."""
     rest = value.denominator
+    if rest == 1:
+        return str(value.numerator)
     for prime in (2, 5):
         while rest % prime == 0:
             rest //= prime
@@ -191,8 +193,7 @@ def decimal(value: Fraction) -> str:
     while (value * 10**places).denominator != 1:
         places += 1
     digits = str(abs(int(value * 10**places))).rjust(places + 1, "0")
-    sign = "-" if value < 0 else ""
-    return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else f"{sign}{digits}"
+    return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"
 
 
 def map_words(found: AffineMap) -> str:

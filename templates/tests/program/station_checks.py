@@ -327,7 +327,8 @@ def there_is_no_place_for_a_fifth():
         scene.beat(5)
     scene.seconds(12, 1, 2, 3, 4)
     assert address(5) not in scene.air.taken
-    assert scene.craft.said("air has no place for another station")
+    told = scene.craft.said("air has no place for another station")
+    assert sum(int(text.rsplit(" ", 1)[1]) for _, text in told) == 2, told  # each of its frames once
     assert scene.craft.connections[0].faults == 0
     scene.seconds(6, 1, 2, 3, 5)
     assert min(scene.heard(5, 1, 2, 3, 5)) >= 4
