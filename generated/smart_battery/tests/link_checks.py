@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 4a71d2ef458f1919
+# Inputs: 5cb58bfc3e704158
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -172,6 +172,8 @@ def one_broken_port_leaves_the_others_alone():
     craft = new_craft(ports=[broken, whole])
     station = GroundStation(whole)
     run(craft, 5 * SECOND_US)
+    told = [text for _, text in craft.said() if "fault ValueError" in text]
+    assert 3 <= len(told) <= 6, told  # once a second
     assert len(station.received(messages.Heartbeat)) >= _beats(5)
     station.command(410)
     run_passes(craft, 4)
@@ -212,6 +214,8 @@ def datagrams_over_the_loopback():
         except OSError:
             break
     there.close()
+    if hasattr(port._socket, "getsockopt"):  # not on MicroPython
+        assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)  # the declared address may be everybody's
     port._socket.close()
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 
