@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 5cb58bfc3e704158
+# Inputs: 339e9f78d6465a87
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -214,8 +214,8 @@ def datagrams_over_the_loopback():
         except OSError:
             break
     there.close()
-    if hasattr(port._socket, "getsockopt"):  # not on MicroPython
-        assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)  # the declared address may be everybody's
+    if hasattr(port._socket, "getsockopt"):  # not on MicroPython; what is declared may be the address of everybody
+        assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)
     port._socket.close()
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 

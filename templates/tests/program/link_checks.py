@@ -212,8 +212,8 @@ def datagrams_over_the_loopback():
         except OSError:
             break
     there.close()
-    if hasattr(port._socket, "getsockopt"):  # not on MicroPython
-        assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)  # the declared address may be everybody's
+    if hasattr(port._socket, "getsockopt"):  # not on MicroPython; what is declared may be the address of everybody
+        assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)
     port._socket.close()
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 
