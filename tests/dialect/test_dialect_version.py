@@ -24,9 +24,11 @@ def project(tmp_path: Path) -> Path:
 
 
 def found(project: Path, stated: str, files: Files = DISK) -> list[tuple[str, str, str | None]]:
+    """What is found; the project is read where that is nothing."""
     project.write_text(f"project: boat\ndialect: ardupilotmega\ndialect_version: {stated}\n")
     report = Report()
-    read_systems(str(project), report, files)
+    systems = read_systems(str(project), report, files)
+    assert bool(systems) is not report.has_errors
     return [(one.rule.id, one.message, one.hint) for one in report]
 
 

@@ -9,6 +9,7 @@ import pytest
 from codegen.diff.change import Weight
 from codegen.diff.judging.quantities import unit_in_words
 from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
+from codegen.diff.judging.words import stem
 
 CORPUS = Path(__file__).parent / "corpus"
 
@@ -127,3 +128,12 @@ def test_numbers_and_units_are_read_in_texts() -> None:
         "Yaw angle": None,
     }
     assert {text: unit_in_words(text) for text in units} == units
+
+
+@pytest.mark.parametrize(
+    ("word", "stemmed"),
+    [("mode", "mode"), ("modes", "mode"), ("speeds", "speed"), ("range", "rang")],
+)
+def test_short_words_keep_their_last_letter(word: str, stemmed: str) -> None:
+    """Of four letters too few would be left to tell one from another."""
+    assert stem(word) == stemmed

@@ -68,7 +68,9 @@ def test_what_is_no_list(clause: str, rest: str, project: Project, capsys: pytes
 def test_what_depends_on_nothing(name: str, message: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:
     project.change("It beats once a second.", f"It beats once a second (depends on {name}).")
     assert project.run() == 1
-    assert f"specs/requirements/FR-1.md:10:1: error {message}" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert f"specs/requirements/FR-1.md:10:1: error {message}" in said
+    assert ("hint: name one of its criteria, such as FR-1.1\n" in said) is message.endswith("a whole document")
 
 
 def test_what_only_looks_like_a_document(project: Project, capsys: pytest.CaptureFixture[str]) -> None:

@@ -52,7 +52,7 @@ def _structure(old: WireMessage, new: WireMessage) -> Iterator[Change]:
             )
         if pair.old.definition.is_extension != pair.new.definition.is_extension:
             sides = _side(pair.old), _side(pair.new)
-            yield _field(rules.BOUNDARY, pair, new, sides, _moved_effect(pair), is_base=True)
+            yield _field(rules.BOUNDARY, pair, new, sides, _moved_effect(pair))
     for is_extension in (False, True):
         kept = [pair for pair in pairs if _is_on(pair, is_extension)]
         yield from _order(kept, old, new, is_extension=is_extension)
@@ -246,10 +246,9 @@ def _field(
     effect: str,
     *,
     notice: Notice | None = None,
-    is_base: bool = False,
 ) -> Change:
     """A change of a field that both versions have: of an extension nothing tells."""
-    is_silent = pair.old.definition.is_extension and pair.new.definition.is_extension and not is_base
+    is_silent = pair.old.definition.is_extension and pair.new.definition.is_extension
     places = pair.old.definition.place, pair.new.definition.place
     return changed(
         rule,

@@ -180,7 +180,7 @@ def stated_conflict(old: Mapping[int, str], new: Mapping[int, str]) -> Judgement
         if _is_alike(words, new[number]):
             continue
         moved = next((other for other, said in new.items() if other != number and _is_alike(words, said)), None)
-        if moved is not None and not _is_alike(new[number], words):
+        if moved is not None:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
         if text_likeness(words, new[number]) is Likeness.OPPOSITE:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}")
