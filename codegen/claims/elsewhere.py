@@ -5,7 +5,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 
 from codegen.claims.enclosing import is_beside_type, is_of_other_type, members_of_type
-from codegen.claims.reading import Reading
+from codegen.claims.reading import Reading, parts_at, snake
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.once import once
@@ -16,7 +16,6 @@ _CITED = re.compile(
 )
 _CAPITALS = re.compile(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
 _GENERIC = re.compile(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
-_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 _OF_MEMBERS = frozenset(("claim-struct", "claim-unit", "claim-sentinel", "claim-offset"))
 _NUMBERS = frozenset(("claim-message-id", "claim-crc-extra", "claim-message-size"))
 _BETWEEN = re.compile(
@@ -62,8 +61,7 @@ def _lines_of_others(reading: Reading) -> frozenset[int]:
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING and (not level or part.level <= level):
             level = part.level if _NO_MAVLINK.search(part.text) else 0
         elif level:
-            last = part.anchors[-1][1] if isinstance(part, Passage) else part.lines[-1].place
-            found.update(range(part.place.line, last.line + 1))
+            found.update(range(part.place.line, part.last_line + 1))
         if isinstance(part, CodeBlock):
             found.update(_others_in(part))
     return frozenset(found)
@@ -84,13 +82,13 @@ _NO_MAVLINK = re.compile(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
 
 def _is_number_of_section(reading: Reading, place: Place) -> bool:
     """Whether a number is that of a paragraph, "6.6 An unknown ..."."""
-    parts = _parts_at(reading, place.line)
+    parts = parts_at(reading, place.line)
     return any(isinstance(part, Passage) and part.place == place and _SECTION.match(part.text) for part in parts)
 
 
 def _is_taken_from(reading: Reading, place: Place) -> bool:
     """Whether a line of code copies a member of another object: what its comment says is said of that."""
-    codes = (part for part in _parts_at(reading, place.line) if isinstance(part, CodeBlock))
+    codes = (part for part in parts_at(reading, place.line) if isinstance(part, CodeBlock))
     return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
 
 
@@ -118,7 +116,7 @@ def _is_of_nearer(reading: Reading, finding: Diagnostic) -> bool:
 
 def _around(reading: Reading, place: Place) -> tuple[str, str]:
     """The characters before a place, of its passage or its block of code, and some of those behind it."""
-    for part in _parts_at(reading, place.line):
+    for part in parts_at(reading, place.line):
         if isinstance(part, Passage):
             if part.kind is PassageKind.ROW:
                 continue
@@ -130,21 +128,6 @@ def _around(reading: Reading, place: Place) -> tuple[str, str]:
         before = "\n".join([*(line.text for line in lines[:-1]), lines[-1].text[:column]])
         return before[-_NEAR:], lines[-1].text
     return "", ""
-
-
-def _parts_at(reading: Reading, line: int) -> list[Passage | CodeBlock]:
-    """The parts of a document that a line is in."""
-    return _by_line(reading).get(line, [])
-
-
-@once
-def _by_line(reading: Reading) -> dict[int, list[Passage | CodeBlock]]:
-    found: dict[int, list[Passage | CodeBlock]] = {}
-    for part in reading.prose.parts:
-        last = part.anchors[-1][1] if isinstance(part, Passage) else part.lines[-1].place
-        for line in range(part.place.line, last.line + 1):
-            found.setdefault(line, []).append(part)
-    return found
 
 
 def _offset(part: Passage, place: Place) -> int:
@@ -161,7 +144,7 @@ def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
         return False
     if is_beside_type(reading, finding.place, message.name):
         return True
-    known = [name for name in members if message.field(name) or message.field(_CAMEL.sub(r"_\1", name).lower())]
+    known = [name for name in members if message.field(name) or message.field(snake(name))]
     if len(known) < len(members) and is_of_other_type(reading, finding.place, message.name):
         return True
     return _HALF * len(known) < len(members)

@@ -1,8 +1,9 @@
 """The type that encloses a line of code: whether a member there is one of a message, or of somebody's own type."""
 
 import re
+from collections.abc import Iterator
 
-from codegen.claims.reading import Reading
+from codegen.claims.reading import Reading, parts_at
 from codegen.load.prose import CodeBlock
 from codegen.once import once
 from codegen.source import Place
@@ -74,14 +75,8 @@ def _words(name: str) -> set[str]:
     return {part.lower() for part in _PARTS.findall(name)} - _AROUND
 
 
-def _blocks_at(reading: Reading, line: int) -> tuple[CodeBlock, ...]:
-    return _blocks(reading).get(line, ())
-
-
-@once
-def _blocks(reading: Reading) -> dict[int, tuple[CodeBlock, ...]]:
-    """The block of code by each of its lines."""
-    return {line.place.line: (code,) for code in reading.prose.code for line in code.lines}
+def _blocks_at(reading: Reading, line: int) -> Iterator[CodeBlock]:
+    return (part for part in parts_at(reading, line) if isinstance(part, CodeBlock))
 
 
 def is_named(name: str, message: str) -> bool:

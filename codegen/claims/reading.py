@@ -20,6 +20,7 @@ from codegen.model.dialect.dialect import Dialect, EnumDefinition, KnownMessage,
 from codegen.model.price import Range
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
+from codegen.once import once
 from codegen.resolve.dialect.wire import wire_message
 from codegen.source import Place
 
@@ -228,9 +229,28 @@ def _sightings(
             yield line.place.line, mention.name
         for found in _TYPE_NAME.finditer(line.text):
             spelled = found["camel"] or found["c"] or found["data"] or found["constant"]
-            name = _CAMEL.sub(r"_\1", spelled).upper()
+            name = snake(spelled).upper()
             if name in names:
                 yield line.place.line, name
+
+
+def snake(name: str) -> str:
+    """Return a name in small letters with underscores, "gps_raw_int" for "GpsRawInt"."""
+    return _CAMEL.sub(r"_\1", name).lower()
+
+
+def parts_at(reading: Reading, line: int) -> Sequence[Passage | CodeBlock]:
+    """Return the parts of a document that a line is in."""
+    return _by_line(reading).get(line, ())
+
+
+@once
+def _by_line(reading: Reading) -> dict[int, list[Passage | CodeBlock]]:
+    found: dict[int, list[Passage | CodeBlock]] = {}
+    for part in reading.prose.parts:
+        for line in range(part.place.line, part.last_line + 1):
+            found.setdefault(line, []).append(part)
+    return found
 
 
 class _Located(Protocol):

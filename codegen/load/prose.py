@@ -59,6 +59,11 @@ class Passage:
         """Return where it begins."""
         return self.anchors[0][1]
 
+    @property
+    def last_line(self) -> int:
+        """Return the number of the line in which it ends."""
+        return self.anchors[-1][1].line
+
     def place_at(self, offset: int) -> Place:
         """The place of the character at an offset in ``text``."""
         start, place = self.anchors[max(bisect_right(self.anchors, offset, key=lambda anchor: anchor[0]) - 1, 0)]
@@ -83,6 +88,11 @@ class CodeBlock:
     def place(self) -> Place:
         """Return where the first line of code begins."""
         return self.lines[0].place
+
+    @property
+    def last_line(self) -> int:
+        """Return the number of the last line of code."""
+        return self.lines[-1].place.line
 
     @property
     def text(self) -> str:

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
+from codegen.claims.reading import snake
 from codegen.claims.statements.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
@@ -248,15 +249,12 @@ def _name(
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
         return Term("P", NamedField(name.lower()), written, start, end)
-    snake = _CAMEL.sub(r"_\1", name).lower() if is_code and name[:1].islower() and not name.islower() else ""
-    if snake in words.fields:
-        return Term("F", NamedField(snake), written, start, end)
+    field = snake(name) if is_code and name[:1].islower() and not name.islower() else ""
+    if field in words.fields:
+        return Term("F", NamedField(field), written, start, end)
     if written.lower() in NUMBER_WORDS and written.lower() != "one":
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
     return _camel(name, start, end, words)
-
-
-_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 
 
 def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
