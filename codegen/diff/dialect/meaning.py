@@ -10,9 +10,9 @@ from codegen.diff.change import BOTH, Change, ChangeRule, changed
 from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.pairing import Pair
 from codegen.diff.dialect.sentinels import is_same_sentinel, other_sentinel
-from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum, stated_conflict
+from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
 from codegen.diff.judging.quantities import SAME_NUMBER, other_range, other_unit, unit_in_words
-from codegen.diff.judging.wording import Likeness, other_word, stated_values, text_likeness
+from codegen.diff.judging.texts import other_text
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, decimal, ratio
@@ -131,7 +131,7 @@ def _texts(told: _Teller) -> Iterator[Change]:
         yield told.change(rules.PRINT_FORMAT, formats)
     if old.description != new.description:
         is_unit_told = old.units is new.units is None and _units(old, new) is not None
-        meaning = HARMLESS if is_unit_told else _other_text(old, new)
+        meaning = HARMLESS if is_unit_told else other_text(old.description, new.description)
         words = old.description or None, new.description or None
         if meaning.gravity:
             yield told.change(rules.FIELD_MEANING, words, meaning)
@@ -245,20 +245,6 @@ def _enum_judgement(old: FieldDefinition, new: FieldDefinition, enums: Vocabular
     if before is None or after is None:
         return Judgement(breaks=True)
     return other_enum(before, after, new.description)
-
-
-def _other_text(old: FieldDefinition, new: FieldDefinition) -> Judgement:
-    """Return what comes of another text: nothing, unless it says another thing of a number, or the opposite."""
-    values = stated_conflict(stated_values(old.description), stated_values(new.description))
-    if values.gravity:
-        return values
-    likeness = text_likeness(old.description, new.description)
-    if likeness is Likeness.OPPOSITE:
-        return Judgement(breaks=True, effect="the text says the opposite")
-    if likeness is Likeness.DISPUTED:
-        return Judgement(doubt="whether the text says the opposite of what it said")
-    word = other_word(old.description, new.description)
-    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
 
 
 def _stated_at(field: WireField) -> Place:
