@@ -7,6 +7,7 @@ from functools import lru_cache
 from itertools import groupby
 
 from codegen.claims.reading import Reading
+from codegen.claims.statements.pronouns import with_names
 from codegen.claims.statements.sentence import NamedField, Sentence, Vocabulary
 from codegen.claims.statements.terms import read_sentence
 from codegen.frozen import dataclass
@@ -197,6 +198,8 @@ def _spans(reading: Reading) -> Iterator[Span]:
             if is_head:
                 heads = tuple(cell.strip() for cell in part.text.strip().strip("|").split("|"))
             yield Span(sentence, part.kind, topic, part.place_at, heads=heads if part.kind is PassageKind.ROW else ())
+            if part.kind is not PassageKind.ROW and (written_out := with_names(sentence)) is not None:
+                yield Span(written_out, part.kind, topic, part.place_at)
             if part.kind in (PassageKind.TEXT, PassageKind.HEADING) and named:
                 above = named
             previous = part.kind
