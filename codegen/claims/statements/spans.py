@@ -3,12 +3,15 @@
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from itertools import groupby
 
 from codegen.claims.reading import Reading
+from codegen.claims.statements.aligned import aligned_items
+from codegen.claims.statements.led import led_by, names_leading
 from codegen.claims.statements.pronouns import with_names
-from codegen.claims.statements.sentence import NamedField, Sentence, Vocabulary
+from codegen.claims.statements.sentence import NamedField, Sentence, Term, Vocabulary
 from codegen.claims.statements.terms import read_sentence
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
@@ -170,6 +173,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     heads: tuple[str, ...] = ()
     document = tuple(reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings))
     previous: PassageKind | None = None
+    leading: list[Term] = []
     is_foreign = is_foreign_section = False
     others = _other_lists(reading, words)
     for part in reading.prose.parts:
@@ -200,6 +204,9 @@ def _spans(reading: Reading) -> Iterator[Span]:
             yield Span(sentence, part.kind, topic, part.place_at, heads=heads if part.kind is PassageKind.ROW else ())
             if part.kind is not PassageKind.ROW and (written_out := with_names(sentence)) is not None:
                 yield Span(written_out, part.kind, topic, part.place_at)
+            if part.kind in (PassageKind.TEXT, PassageKind.ITEM) and leading:
+                yield Span(led_by(leading, sentence), PassageKind.ITEM, topic, part.place_at)
+            leading = names_leading(sentence, is_heading=part.kind is PassageKind.HEADING)
             if part.kind in (PassageKind.TEXT, PassageKind.HEADING) and named:
                 above = named
             previous = part.kind
@@ -260,6 +267,10 @@ def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ..
 
 
 def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    near = _named(reading, code)
+    for item in aligned_items(code, words.fields):
+        sentence = read_sentence(item.text, 0, len(item.text), item.codes, words)
+        yield Span(sentence, item.kind, replace(topic, above=near or topic.above), item.place_at)
     if code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
         return
     if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
