@@ -22,11 +22,11 @@ from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
 _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
-NUMBER_WORDS: Mapping[str, int] = {word: index for index, word in enumerate(_ORDER, 1)}
+NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
     r"(?:degrees? celsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
-    r"|grams?|kelvin|celsius|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
+    r"|grams?|kelvin|celsius|feet|inches|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
@@ -289,8 +289,18 @@ def _is_quoted(text: str, start: int, end: int) -> bool:
     return start > 0 and text[start - 1] in "\"'" and text[end : end + 1] in ("'", '"')
 
 
-worded_unit = lru_cache(maxsize=4096)(unit_of_word)
-"""The same words come again and again, and most are no unit."""
+@lru_cache(maxsize=4096)
+def worded_unit(written: str) -> Unit | None:
+    """Return the unit of a word or a symbol, of those that no dialect uses, too: "feet"."""
+    return unit_of_word(written) or _OTHER_UNITS.get(written.lower())
+
+
+_FOOT = Unit("ft", (("m", 1),), Fraction(3048, 10000))
+_INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
+_OTHER_UNITS: Mapping[str, Unit] = {
+    **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
+    **dict.fromkeys(("inches", "inch"), _INCH),
+}
 
 
 def constant_value(written: str) -> int | float | None:
