@@ -25,7 +25,7 @@ _ABSENT = re.compile(
 )
 _VERB = (
     r"(?:is|are|=|==|:|equals|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be"
-    r"|should be"
+    r"|should be|shall be|reported as|has"
     r"|becomes|gets|holds?|carries|contains|will be|goes to|(?:is |are )?(?:set|filled|left|sent|marked)"
     r"(?: to| with| as| at)?|to|with|at|as)"
 )

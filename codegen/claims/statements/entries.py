@@ -37,7 +37,7 @@ _PAIRS = (
 _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
-        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
+        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192|[;,)]+ *(?://|#|/\*)) ?|,? (?:(?:which|that|it) )?(?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
         r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),

@@ -73,7 +73,7 @@ _COMMENT = re.compile(r"#|//|/\*")
 _ELEMENTS = re.compile(
     r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
     r"|bytes?|octets?|channels"
-    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further"
+    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of (?!T)|per|behind|before|after|further"
     r"|more|a second|each|in a|in base|in payload|in total|in all|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )

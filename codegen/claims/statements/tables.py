@@ -23,6 +23,7 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 from codegen.model.units.unit import Unit
 
+_IN_BYTES = re.compile(r",? ?[(\[](?:in )?(?:b|bytes?)[)\]]$|,? in bytes$")
 _ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
 _CRC = re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
 _BASE = re.compile(
@@ -74,7 +75,7 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     for is_row, run in groupby(parts, lambda span: span.kind is PassageKind.ROW):
         rows = [_row(reading, span) for span in run] if is_row else []
         if len(rows) > 1:
-            heads = [head.lower() for head in rows[0].span.heads]
+            heads = [_IN_BYTES.sub("", head.lower()) or head.lower() for head in rows[0].span.heads]
             for column, head in enumerate(heads):
                 yield from _messages(reading, rows[1:], column, head)
                 yield from _fields(reading, rows[1:], column, head)
