@@ -17,9 +17,11 @@ from codegen.claims.statements import (
     facts,
     lengths,
     limits,
+    masks,
     messages,
     nouns,
     order,
+    placed,
     sizes,
     tables,
     types,
@@ -40,6 +42,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
     (order.check, "FP", ""),
+    (masks.check, "V", "N"),
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
@@ -72,6 +75,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
                 yield from (found for found in find(reading, span) if not _is_aside(span, found))
     yield from tables.check(reading, parts)
+    yield from placed.check(reading, parts)
     yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)
