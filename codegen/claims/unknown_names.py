@@ -19,6 +19,7 @@ from codegen.claims.known_names import (
     near_fields,
     near_message,
 )
+from codegen.claims.membership import is_among_fields, owner_of
 from codegen.claims.misspelled import is_spelled_so, numbered_message
 from codegen.claims.reading import Reading, between
 from codegen.claims.ruled_out import is_aside
@@ -93,7 +94,7 @@ _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
 _FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
 _QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
 _FILES = frozenset(
-    ["md", "yaml", "yml", "py", "c", "h", "hpp", "cpp", "rs", "ts", "js", "json", "xml", "html", "txt", "csv"]
+    ["msg", "msgid", "id", "name", "payload", "md", "yaml", "yml", "py", "c", "h", "hpp", "cpp", "rs", "ts", "js", "json", "xml", "html", "txt", "csv"]
 )
 _IN_CODE = re.compile(
     r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"
@@ -282,15 +283,17 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Nam
     """Names in code spans that look like a field of the message that the passage is about."""
     for low, high in passage.codes:
         name = passage.text[low:high]
-        if name in names.fields or _SNAKE.fullmatch(name) is None:
+        owner = owner_of(passage.text, low, high, names)
+        if name in names.fields or (_SNAKE.fullmatch(name) is None and owner is None):
             continue
-        message = message_about(reading, passage, around, low, high)
+        message = owner or message_about(reading, passage, around, low, high)
         if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
             continue
         if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
             continue
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
-        if near_fields(name, message) or (is_called and reading.named(passage)):
+        is_listed = is_among_fields(passage, low, high, message)
+        if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield _no_field(reading, passage.place_at(low), message, name)
 
 
@@ -301,13 +304,12 @@ def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -
 
 
 def _qualified(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagnostic]:
-    """``MESSAGE.field``: the field of a known message is looked for letter by letter, or as the beginning of one."""
+    """``MESSAGE.field`` of a known message that has no such field."""
     for found in _QUALIFIED.finditer(passage.text):
         message, name = names.messages.get(found["message"]), found["field"]
         if message is None or message.field(name) or name in _FILES or message.name in names.followed:
             continue
-        begun = [field.name for field in message.fields if field.name.startswith(name) or name.startswith(field.name)]
-        if begun or near_fields(name, message):
+        if not is_aside(passage.text[slice(*passage.sentence(*found.span()))].lower()):
             yield _no_field(reading, passage.place_at(found.start("field")), message, name)
 
 
