@@ -52,6 +52,8 @@ _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = ruled_out.words(
     DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"
 )
+_RESPECTIVELY = re.compile(r"(?:N(?:, N)*,? and|N,) $")
+"""Before the last of several values: "2 and 4 are horizontal and vertical velocity"."""
 _FEWEST = 2
 _VALUE_HEAD = re.compile(
     r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
@@ -209,7 +211,7 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
     told: set[int] = set()
     for value, words, offset in (*_alone(span, low, high), *_pairs(span, low, high)):
         before = span.text[max(low, offset - 30) : offset]
-        if offset in told or _NOT.search(re.split(r"[,.;(]", before)[-1]):
+        if offset in told or _RESPECTIVELY.search(before) or _NOT.search(re.split(r"[,.;(]", before)[-1]):
             continue
         meant = known.meant_otherwise(value, words)
         if meant is not None:

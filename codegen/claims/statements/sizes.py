@@ -68,7 +68,7 @@ _SHORT = re.compile(
 _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
     r" )?header)"
-    r"|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
+    r"|(?P<frame>frames?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
     r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
 _OF_ELSE = re.compile(

@@ -144,6 +144,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
 
 
+_IS_ARRAY = re.compile(r"\[|;")
 _NEXT = re.compile(r",|\b(?:and|plus|with)\b")
 
 
@@ -154,9 +155,11 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if lead is None or _NOT.search(span.text, max(said.before, lead.start() - 20), said.start):
         return
     offset = lead.start()
-    stated = stated_type(span.sentence.term(offset))
+    stated, term_text = stated_type(span.sentence.term(offset)), span.sentence.term(offset).written
     if _is_path(span, offset) or _is_foreign(span, stated, offset):
         return
+    if len(said.names) > 1 and stated.length is not None and not _IS_ARRAY.search(term_text):
+        stated = StatedType(stated.name, stated.bits, stated.sign)  # "two floats `a` and `b`" counts the fields
     elements = named(span.sentence.term(said.names[0])).elements
     if span.is_code and not span.is_comment and elements is not None:
         stated = StatedType(stated.name, stated.bits, stated.sign, elements)
