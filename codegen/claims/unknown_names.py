@@ -18,6 +18,7 @@ from codegen.claims.known_names import (
     names_of,
     near_fields,
     near_message,
+    same_field,
 )
 from codegen.claims.membership import is_among_fields, owner_of
 from codegen.claims.misspelled import is_spelled_so, numbered_message
@@ -284,9 +285,12 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Nam
     for low, high in passage.codes:
         name = passage.text[low:high]
         owner = owner_of(passage.text, low, high, names)
-        if name in names.fields or (_SNAKE.fullmatch(name) is None and owner is None):
+        if name in names.fields and owner is None:
             continue
+        is_word = _SNAKE.fullmatch(name) is None
         message = owner or message_about(reading, passage, around, low, high)
+        if message is None or message.field(name) or (is_word and owner is None and not _is_meant(name, message)):
+            continue
         if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
             continue
         if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
@@ -295,6 +299,11 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Nam
         is_listed = is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield _no_field(reading, passage.place_at(low), message, name)
+
+
+def _is_meant(name: str, message: WireMessage) -> bool:
+    """Whether a plain word in a code span is another word for a field."""
+    return name.isidentifier() and name.islower() and bool(same_field(name, message))
 
 
 def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:

@@ -41,6 +41,7 @@ _NAMED = (
         r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
+    re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$))"),
     re.compile(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
         r"|this is"
@@ -242,7 +243,7 @@ def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     values = _entry_values(reading)
     for form in _NAMED:
         for found in form.finditer(span.text):
-            if form is _NAMED[1] and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
+            if form is _NAMED[-1] and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
                 continue  # "FIRST 1, SECOND 2"
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)

@@ -15,6 +15,7 @@ _GROUP = re.compile(rf"F(?:{_JOIN}F)*")
 _BREAK = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
 _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
+    r"|\bthe (?:latter|last one|second)\b"
     r"|\b(?:the|this|that) (?:field|value|unit|number)(?= (?:is|has|comes?|goes|runs|counts?|holds?|carries|ends"
     r"|stays|reads|stands)\b)"
 )
@@ -27,6 +28,9 @@ _NO_SUBJECT = re.compile(
 )
 _OTHER_TERMS = frozenset("FMEVC")
 _AT_LEAST_TWO = 2
+_LATTER = re.compile(r"the (?:latter|last one|second)")
+_FAR = 200
+"""How far back the last name is looked for."""
 
 
 def with_names(sentence: Sentence) -> Sentence | None:
@@ -46,7 +50,11 @@ def _meant(sentence: Sentence) -> Iterator[tuple[int, int, list[Term]]]:
         high = found.start() if found is not None else len(text)
         letters = {term.letter for _, term in sentence.within(low, high, "FMEVC")}
         pronoun = next((each for each in _PRONOUN.finditer(text, low, high) if _is_subject(text, low, each)), None)
-        if not letters & _OTHER_TERMS:
+        if pronoun is not None and _LATTER.match(pronoun[0]):
+            last = [term for _, term in sentence.within(max(low - _FAR, 0), low, "F")][-1:]
+            yield from ((pronoun.start(), pronoun.end(), last),) if last else ()
+            before = last
+        elif not letters & _OTHER_TERMS:
             if pronoun is None or not _agrees(pronoun, before):
                 before = before if pronoun is not None else []
             else:

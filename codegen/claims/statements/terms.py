@@ -51,7 +51,7 @@ _TERM = re.compile(
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
-      |millionths?)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
+      |millionths?|tens|hundreds|thousands)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
       |{_SYMBOL})\b)
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
@@ -68,7 +68,8 @@ _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _WORD = re.compile(r"\w+")
-_SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
+_SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000,
+           "ten": Fraction(1, 10), "hundred": Fraction(1, 100), "thousand": Fraction(1, 1000)}
 _COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset((
     "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",

@@ -31,7 +31,7 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|(?:number|amount|count) of|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
     r"|\bT|\"|^)\s*$"
