@@ -63,6 +63,8 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
     low, high = span.bounds(offset)
+    so = span.text.find(", so ", offset, high)
+    high = so if so >= 0 else high  # what somebody does therefore is not what is said
     return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 

@@ -10,7 +10,7 @@ _ONLY_NAMES = re.compile(
     r"|:? T(?:\W|U)*)?[^a-zA-Z]*"
 )
 _QUESTION = re.compile(
-    r"(?:[^a-zA-Z]*)(?:what|how|which|why)\b[^.?!]{0,60}?(?P<names>F(?:(?:, ?| and )F)*)[^.?!]{0,24}\?"
+    r"(?:[^?]*[.!?] )?(?:[^a-zA-Z]*)(?:what|how|which|why)\b[^.?!]{0,60}?(?P<names>F(?:(?:, ?| and )F)*)[^.?!]{0,24}\?"
 )
 
 
