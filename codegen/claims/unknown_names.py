@@ -296,6 +296,8 @@ def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Nam
         if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
             continue
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
+        if any(each in passage.text for each in same_field(name, message)) and owner is None:
+            continue  # the other side of a mapping
         is_listed = is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield _no_field(reading, passage.place_at(low), message, name)

@@ -44,7 +44,7 @@ _USED = re.compile(
     r"|element|cells?|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\.|\[)$"
 )
 _NO_VALUE = re.compile(
-    r" ?(?:[-+*/\u00d7%]|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less|[a-z]+s (?:of|are|in)\b|\])"
+    r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less|[a-z]+s (?:of|are|in)\b|\])"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _FAR = 70

@@ -34,7 +34,7 @@ _COMPARED = re.compile(
     r"|near|nearly|around|up to|from|by|per|each|and|or)|[<>~\u00b1+*/x\u00d7-]|\.\.|N[UM]?) ?$"
 )
 _BEHIND = re.compile(
-    r" ?(?:[-+*/\u00d7]|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N|U\b)"
+    r" ?(?:[-+*/\u00d7]|bits?\b|and Q|, Q|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N|U\b)"
 )
 _INTERVAL = "interval"
 _FAR = 70
@@ -86,6 +86,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         value = number(term)
         if value is None or isinstance(value, float) or end - start > _FAR or not _is_tied(span, start, end):
             continue
+        if span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP")):
+            continue  # the other side of a mapping stands first
         if _COMPARED.search(text[low:offset].removesuffix("(")) and not text[low:offset].rstrip().endswith(" to"):
             continue
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):

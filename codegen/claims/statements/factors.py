@@ -7,7 +7,7 @@ from functools import partial
 
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import of_field
+from codegen.claims.statements.field_units import is_same_unit, of_field
 from codegen.claims.statements.fields import Said, claimed, number
 from codegen.claims.statements.spans import Span
 from codegen.diagnostics import Diagnostic
@@ -66,7 +66,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
         one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
-        if one is not None and not (form is _SIGN and _is_raw(found, unit, one.field)):
+        if one is not None and not (form is _SIGN and _is_raw(unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
             yield reading.found(
@@ -90,10 +90,10 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             )
 
 
-def _is_raw(found: "re.Match[str]", unit: Unit, field: WireField) -> bool:
-    """Whether a comment behind a factor tells what is divided: ``relative_alt / 1000  # mm``."""
-    own = field.definition.units
-    return own is not None and Unit.parse(own) == unit and re.search(r"#|//", found[0]) is not None
+def _is_raw(unit: Unit, field: WireField) -> bool:
+    """Whether what stands behind a factor is the unit of the field, which something else is turned into."""
+    own = Unit.parse(field.definition.units)
+    return own is not None and is_same_unit(own, unit)
 
 
 _SUFFIXES = {

@@ -26,6 +26,9 @@ _SUBJECT = re.compile(
 _THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
 
 
+_FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
+_MEMBER = re.compile(r"[a-z_]\.$")
+"""Before the name of a member of another thing, ``T_wb.q``."""
 _EXCEPT = re.compile(
     r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
 )
@@ -61,6 +64,7 @@ def said_of_fields(span: Span) -> tuple[Said, ...]:
 
 def _said(span: Span) -> Iterator[Said]:
     groups = [found for found in _GROUP.finditer(span.text) if _is_name(span, found)]
+    groups = [found for found in groups if span.is_code or not _MEMBER.search(span.text, 0, found.start())]
     groups = [found for found in groups if not _EXCEPT.search(span.text, max(found.start() - 40, 0), found.start())]
     for index, found in enumerate(groups):
         following = groups[index + 1].start() if index + 1 < len(groups) else len(span.text)
@@ -91,6 +95,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
             or behind in (":", "=", ";", ",")
             or text[max(found.start() - 40, 0) : found.start()].endswith(("T ", "T", ": ", "# ", "// "))
         )
+    if span.kind is PassageKind.ROW and _FIELD_CELL.search(text, found.end()):
+        return False  # the other side of a mapping
     if span.kind is PassageKind.ROW:
         return text[max(found.start() - 40, 0) : found.start()].rstrip().endswith("|") or begins
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):

@@ -15,7 +15,7 @@ _GROUP = re.compile(rf"F(?:{_JOIN}F)*")
 _BREAK = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
 _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
-    r"|\bthe (?:latter|last one|second)\b"
+    r"|\bthe (?:latter|last one)\b"
     r"|\b(?:the|this|that) (?:field|value|unit|number)(?= (?:is|has|comes?|goes|runs|counts?|holds?|carries|ends"
     r"|stays|reads|stands)\b)"
 )
@@ -28,7 +28,7 @@ _NO_SUBJECT = re.compile(
 )
 _OTHER_TERMS = frozenset("FMEVC")
 _AT_LEAST_TWO = 2
-_LATTER = re.compile(r"the (?:latter|last one|second)")
+_LATTER = re.compile(r"the (?:latter|last one)")
 _FAR = 200
 """How far back the last name is looked for."""
 

@@ -280,6 +280,10 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
+    if near and all(at > size.offset for at, _ in near) and not is_row and not span.is_code:
+        gap = span.text[size.end : near[0][0]]
+        if re.search(r"[,;:]", gap):
+            return ()  # "it takes 340 bytes, so a NAME with its 42 ...", "it has 25 bytes, NAME 23"
     messages, is_sure = subjects(reading, span, size.offset)
     if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT and not span.is_code:
         return ()  # "20 bytes." answers what was asked before, which may be a field

@@ -9,6 +9,7 @@ from itertools import groupby
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements.aligned import aligned_items
+from codegen.claims.statements.cells import said_before
 from codegen.claims.statements.led import led_by, names_leading
 from codegen.claims.statements.pronouns import with_names
 from codegen.claims.statements.sentence import NamedField, Sentence, Term, Vocabulary
@@ -114,9 +115,18 @@ class Span:
         if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code or _DEFINED.match(self.text):
             return len(self.text)
         _, high = self.bounds(offset)
+        if self._has_other_subject(offset):
+            return high
         while high < len(self.text) and _GOES_ON.match(self.text, high + 1):
             _, high = self.bounds(high + 1)
         return high
+
+    def _has_other_subject(self, offset: int) -> bool:
+        """Whether the sentence around a name is about another one, which a pronoun after it stands for."""
+        low, _ = self.bounds(offset)
+        first = next((at for at, _ in self.sentence.within(low, offset, "F")), None)
+        is_same = first is None or re.fullmatch(r"[F ,/&+]|F(?:(?:, | and | or | to | ?[/&+] ?)F)*", self.text[first:offset])
+        return not is_same and re.match(r"[^a-zA-Z]*(?:the )?F", self.text[low:offset]) is not None
 
     def source_text(self, low: int, high: int) -> str:
         """The words of the source that a part of the short text stands for."""
@@ -202,6 +212,8 @@ def _spans(reading: Reading) -> Iterator[Span]:
             if is_head:
                 heads = tuple(cell.strip() for cell in part.text.strip().strip("|").split("|"))
             yield Span(sentence, part.kind, topic, part.place_at, heads=heads if part.kind is PassageKind.ROW else ())
+            for said in said_before(sentence, heads) if part.kind is PassageKind.ROW and not is_head else ():
+                yield Span(said, PassageKind.ITEM, topic, part.place_at)
             if part.kind is not PassageKind.ROW and (written_out := with_names(sentence)) is not None:
                 yield Span(written_out, part.kind, topic, part.place_at)
             if part.kind in (PassageKind.TEXT, PassageKind.ITEM) and leading:

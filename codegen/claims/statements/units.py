@@ -117,12 +117,14 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
 def _is_own(span: Span, offset: int) -> bool:
     """Whether a unit is what code computes, what a column of another thing holds, or the name of a key."""
     if is_data(span):
-        return span.text[offset + 1 : offset + 2] == ":"
+        return span.text[offset + 1 : offset + 2] == ":" or _SHOWN_KEY.search(span.text, max(offset - 24, 0), offset) is not None
     if span.is_code and not span.is_comment and not span.sentence.term(offset).is_quoted:
         return re.search(r"#|//|/\*|;|--", span.text[:offset]) is None
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
+_SHOWN_KEY = re.compile(r"\b(?:suffix|label|display\w*|shown\w*|format|to|output\w*|title|caption) ?[:=] ?$")
+"""Before the unit of what is shown of a field."""
 _OWN_COLUMN = re.compile(
     r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
     r"|exported|screen|column",
