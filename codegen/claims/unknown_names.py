@@ -21,7 +21,7 @@ from codegen.claims.known_names import (
     same_field,
 )
 from codegen.claims.membership import is_among_fields, owner_of
-from codegen.claims.misspelled import is_spelled_so, numbered_message
+from codegen.claims.misspelled import is_spelled_so, numbered_message, shortened_message
 from codegen.claims.reading import Reading, between
 from codegen.claims.ruled_out import is_aside
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
@@ -187,12 +187,14 @@ def _messages(reading: Reading, passage: Passage, names: Names, listed: Collecti
             _JOINED.fullmatch(passage.text[min(found.end(), each.end) : max(found.start(), each.start)])
             for each in mentions[:_NEAR]
         )
-        is_same = reading.sightings and is_spelled_so(name, names.messages)
+        is_same = reading.sightings and (
+            is_spelled_so(name, names.messages) or shortened_message(name, names.messages) is not None
+        )
         if not (is_begun or is_beside or is_told or is_joined or is_same):
             continue
         if _PARAMETER.match(name):
             continue
-        near = near_message(name, names)
+        near = shortened_message(name, names.messages) or near_message(name, names)
         is_row = is_begun and passage.kind is not PassageKind.HEADING
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)

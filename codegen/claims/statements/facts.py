@@ -20,7 +20,7 @@ _KIND = re.compile(
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
 _VERBS = frozenset((
-    "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
+    "it", "they", "note", "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
     "belongs", "among", "to", "in", "as",
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
@@ -67,6 +67,11 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if value is not None and 1 < value <= len(named):
             is_extension = found["kind"].startswith("ext")
             yield from _kinds(reading, span, named[-int(value) :], found.start("kind"), is_extension=is_extension)
+    for said in said_of_fields(span) if span.kind in (PassageKind.ITEM, PassageKind.ROW) else ():
+        found = _CLAUSE.search(text, said.end, said.until)
+        if found is not None:
+            is_extension = found["kind"].startswith("ext")
+            yield from _kinds(reading, span, said.names, found.start("kind"), is_extension=is_extension)
     for found in _NAMED_SO.finditer(text):
         yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
@@ -94,6 +99,10 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 _THESE = re.compile(
     r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
 )
+_CLAUSE = re.compile(
+    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))"
+)
+"""A clause of an item or a cell that is nothing else."""
 _NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 60

@@ -104,7 +104,7 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
     is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
-    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] == " field"
+    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (" field", " array")
 
 
 def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:

@@ -26,7 +26,7 @@ NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in 
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
     r"(?:degrees? celsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
-    r"|revolutions per minute|grams?|kelvin|celsius|feet|inches|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
+    r"|revolutions per minute|grams?|kelvin|celsius|feet|inches|per mille|milli[- ]g|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
@@ -301,6 +301,8 @@ _INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
 _OTHER_UNITS: Mapping[str, Unit] = {
     **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
     **dict.fromkeys(("inches", "inch"), _INCH),
+    **dict.fromkeys(("per mille", "permille"), Unit("d%", (("%", 1),), Fraction(1, 10))),
+    **dict.fromkeys(("milli-g", "milli g"), Unit("mG", (("m", 1), ("s", -2)), Fraction(196133, 20000000))),
 }
 
 

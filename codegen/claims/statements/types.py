@@ -41,7 +41,7 @@ _NOT = words(
 )  # fmt: skip
 _BEFORE = re.compile(
     r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
-    r"|named))? ?$|\bT $"
+    r"|named)|(?:elements?|values?|entries) (?:of|in)(?: the)?)? ?$|\bT $"
 )
 _AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
