@@ -33,6 +33,7 @@ _ABSENT = re.compile(
 )
 _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused|unavailable"
+    r"|missing|absent|\bcannot\b|nothing is|no sensor|does(?: not|n't)|until a"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -47,6 +48,7 @@ _NO_VALUE = re.compile(
     r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less|[a-z]+s (?:of|are|in)\b|\])"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
+_OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
 _FAR = 70
 _QUESTION = re.compile(r"\? (?:then|so|in that case|send|use|set|fill|it|write|put|F|N|S)\b")
 _SMALL = (0, 1)
@@ -131,7 +133,7 @@ def _is_tied(text: str, at: int, start: int, end: int) -> bool:
     if start <= at < end:
         return True
     low, high = (at + 1, start) if at < start else (end, at)
-    gap = text[low:high].replace("? ", " ", 1)
+    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1))
     return high - low <= _FAR and not _GAP.search(gap) and not re.search(r"[NS]", gap)
 
 

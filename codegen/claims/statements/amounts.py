@@ -9,8 +9,9 @@ from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSE
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.field_units import of_field
 from codegen.claims.statements.fields import number
+from codegen.claims.statements.quantities import measuring
 from codegen.claims.statements.spans import Span
-from codegen.claims.statements.subjects import About, about
+from codegen.claims.statements.subjects import About, about, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -84,7 +85,9 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
     for offset, term in span.sentence.within(low, high, "N"):
         start, end = sorted((at, offset))
         value = number(term)
-        if value is None or isinstance(value, float) or end - start > _FAR or not _is_tied(span, start, end):
+        if value is None or isinstance(value, float) or end - start > _FAR:
+            continue
+        if not _is_tied(span, start, end) and not _EXAMPLE.fullmatch(text, start + 1, end):
             continue
         if span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP")):
             continue  # the other side of a mapping stands first
@@ -93,6 +96,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):
             continue
         one = _field(reading, span, (start, end), (low, high), unit)
+        if one is None and at < offset and _SENT_AS.fullmatch(text, start + 1, end):
+            one = _unnamed(reading, span, (low, high), unit)
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
@@ -103,6 +108,29 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         what = f"{written} is {float(own):.10g} in {one.name} ({one.field.unit_text}), not {term.written}"
         yield reading.found(as_sure(SCALING, is_sure=one.is_sure), span.place(offset), stated, what)
         return
+
+
+_EXAMPLE = re.compile(r"(?: [a-z]+){0,4}: F = ")
+"""Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
+_SENT_AS = re.compile(
+    r" ?(?:(?:is|are|would be|gets|has to be|must be|then|thus|therefore) )*(?:sent|coded|encoded|transmitted|written|stored"
+    r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like|in the form of)"
+    r" (?:an?|the)? ?(?:value |number |integer )*"
+)
+"""Between an amount and its number, where no field is named."""
+
+
+def _unnamed(reading: Reading, span: Span, bounds: tuple[int, int], unit: Unit) -> About | None:
+    """The fields that an amount without a name may be one of: those of the message that measure the same."""
+    if any(span.sentence.within(*bounds, "FC")):
+        return None
+    messages, is_sure = subjects(reading, span, bounds[0])
+    fields = [field for field in measuring(messages[:1], unit) if field.type.is_integer]
+    if not fields or not is_sure:
+        return None
+    text = span.source_text(max(bounds[0] - _FAR, 0), bounds[1]).lower()
+    fields.sort(key=lambda field: not any(len(word) > 2 and word in text for word in field.name.lower().split("_")))
+    return About(messages[0], fields[0], tuple(fields[1:]), is_sure=False)
 
 
 _RULED_OUT = words(

@@ -123,6 +123,26 @@ def _said(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             others = {other.definition.enum for other in one.others} - {enum.name, None}
             if not others:
                 yield from _values(reading, span, _Subject(one.name, enum), said.end, said.until)
+                yield from _only(reading, span, enum, said.end, said.until)
+
+
+def _only(reading: Reading, span: Span, enum: EnumDefinition, low: int, high: int) -> Iterator[Diagnostic]:
+    """The only number and the only entry of a cell, an item or a clause about a field: "24 by default, down (NAME)"."""
+    stop = re.compile(r"[|;]|\.\s").search(span.text, low, high)
+    high = stop.start() if stop is not None and span.text[low:stop.start()].strip() else high
+    numbers = [at for at, _ in span.sentence.within(low, high, "NQ")]
+    entries = [term for _, term in span.sentence.within(low, high, "VCEMFT")]
+    if len(numbers) != 1 or len(entries) != 1 or _NOT.search(span.text, low, high) or span.is_code:
+        return
+    value, entry = number(span.sentence.term(numbers[0])), enum.entry(entries[0].written)
+    if value is None or entry is None or entry.value == value or not _TOLD_FIRST.fullmatch(span.text, low, numbers[0]):
+        return
+    written = span.sentence.term(numbers[0]).written
+    text = f"{enum.name}: {entry.name} is {entry.value}, not {written}"
+    yield reading.found(as_sure(ENTRY_VALUE, is_sure=False), span.place(numbers[0]), f"{entry.name} {written}", text)
+
+
+_TOLD_FIRST = re.compile(r"[\s|:=(,]*(?:(?:is|has|always|must be|set to|fixed at|the|value|to|as|=)[\s:]*){0,4}")
 
 
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:

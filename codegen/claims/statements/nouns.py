@@ -7,6 +7,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
+from codegen.claims.statements.quantities import quantities
 from codegen.claims.statements.sentence import StatedType
 from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import subjects
@@ -75,9 +76,10 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             fields = [field for field in messages[0].fields if _is_called(field, words) and _is_kin(field, unit, words)]
             if fields:
                 break
-        if not fields or any(
-            has_unit(field, unit) for message in messages for field in message.fields if _is_called(field, words)
-        ):
+        called = [field for message in messages for field in message.fields if _is_called(field, words)]
+        if not fields and any(name == messages[0].name for _, name in span.named(0, found.start())):
+            fields = called = quantities(messages[:1], words[-1], unit)
+        if not fields or any(has_unit(field, unit) for field in called):
             continue
         first = fields[0]
         written = span.sentence.term(found.end() - 1).written

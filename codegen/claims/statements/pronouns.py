@@ -35,7 +35,7 @@ _FAR = 200
 
 def with_names(sentence: Sentence) -> Sentence | None:
     """Return a text in which pronouns are the names that they stand for; None where there are none, or it is open."""
-    if "F" not in sentence.marked or _PRONOUN.search(sentence.marked) is None:
+    if "F" not in sentence.marked or not (_PRONOUN.search(sentence.marked) or _THE_FIELD.search(sentence.marked)):
         return None
     puts = list(_meant(sentence))
     return _with(sentence, puts) if puts else None
@@ -60,6 +60,7 @@ def _meant(sentence: Sentence) -> Iterator[tuple[int, int, list[Term]]]:
             else:
                 yield pronoun.start(), pronoun.end(), before
         else:
+            yield from _same_sentence(sentence, low, high)
             before = _subject(sentence, low, high)
         low = high + 1
 
@@ -68,6 +69,18 @@ def _is_subject(text: str, low: int, pronoun: "re.Match[str]") -> bool:
     """Whether a pronoun is what its sentence or clause is about, or what has to be filled."""
     lead = text[low : pronoun.start()]
     return _OBJECT.search(lead) is not None or (_LEAD.fullmatch(lead) is not None and not _NO_SUBJECT.search(lead))
+
+
+def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[int, int, list[Term]]]:
+    """ "Set `interval` to 5000, the field is in ms"."""
+    names = [(at, term) for at, term in sentence.within(low, high, "FMEVC")]
+    found = _THE_FIELD.search(sentence.marked, low, high)
+    if found is None or len(names) != 1 or names[0][1].letter != "F" or found.start() < names[0][0]:
+        return
+    yield found.start("what"), found.end("what"), [names[0][1]]
+
+
+_THE_FIELD = re.compile(r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)")
 
 
 def _agrees(pronoun: "re.Match[str]", before: list[Term]) -> bool:

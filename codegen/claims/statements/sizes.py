@@ -184,7 +184,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
         is_right = any(abs(Fraction(value) - each) <= off * each for each in possible)
-        if not is_right and not _is_room(size, messages[0], value):
+        is_array = any(value == field.size for field in messages[0].fields if field.is_array)
+        if not is_right and not is_array and not _is_room(size, messages[0], value):
             yield _finding(reading, size, messages[0], kind)
 
 
