@@ -198,6 +198,10 @@ def _in_own(field: WireField, amount: Fraction, unit: Unit) -> Fraction | None:
     return (turned.factor * amount + turned.offset) / field.multiplier
 
 
+_ROUNDED = 100
+"""An amount of so many digits may be rounded to the last of them."""
+
+
 def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, written: str) -> bool:
     """Whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
     places = len(re.split(r"[^\d]", written.partition(".")[2])[0]) if "." in written else 0
@@ -205,6 +209,7 @@ def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, w
         own, next_one = _in_own(field, amount, unit), _in_own(field, amount + Fraction(1, 10**places), unit)
         if own is None or next_one is None:
             return True
-        if abs(own - value) <= max(abs(next_one - own) / 2 if places or own % 1 else Fraction(1, 2), Fraction(1, 2)):
+        is_rounded = places or own % 1 or amount >= _ROUNDED
+        if abs(own - value) <= max(abs(next_one - own) / 2 if is_rounded else Fraction(1, 2), Fraction(1, 2)):
             return True
     return False

@@ -112,11 +112,12 @@ class Span:
 
     def end_of(self, offset: int) -> int:
         """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
-        if self.kind in (PassageKind.ITEM, PassageKind.ROW) or self.is_code or _DEFINED.match(self.text):
-            return len(self.text)
         _, high = self.bounds(offset)
-        if self._has_other_subject(offset):
+        is_row = self.kind is PassageKind.ROW or self.is_code
+        if not is_row and self._has_other_subject(offset):
             return high
+        if is_row or self.kind is PassageKind.ITEM or _DEFINED.match(self.text):
+            return len(self.text)
         while high < len(self.text) and _GOES_ON.match(self.text, high + 1):
             _, high = self.bounds(high + 1)
         return high

@@ -50,7 +50,11 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     if _is_of_unknown(span, low, offset):
         return None
     before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
-    after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
+    after = [
+        reading.messages[name]
+        for at, name in span.named(low, high)
+        if at > offset and not (_ITSELF.match(span.text, at) and re.search(r"[,;:] ?[a-z ]*$", span.text[offset + 1 : at]))
+    ]
     if found := _about(value.name, before, [], is_sure=True):
         return found
     inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
@@ -79,6 +83,8 @@ def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
     return bool(names) and names[-1][1] == "C" and _IN_IT.match(span.text, names[-1][0] + 1, offset) is not None
 
 
+_ITSELF = re.compile(r"M (?:has|is|uses|carries|wants|sends|keeps|counts|knows|does)\b")
+"""A message that a clause of its own is about: "only 16 bits here, NAME has 32"."""
 _IN_IT = re.compile(r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$")
 
 

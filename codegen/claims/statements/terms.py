@@ -214,7 +214,7 @@ def _is_unit_word(word: str, before: str) -> bool:
 
 def _of_quantity(found: "re.Match[str]") -> Unit | None:
     """The unit of a number; None where what follows it is none, or bytes."""
-    if found["in"].lower() in ("x", "a", "e", "in", "bytes", "byte", "b", "bits", "bit"):
+    if found["in"] == "a" or found["in"].lower() in ("x", "e", "in", "bytes", "byte", "b", "bits", "bit"):
         return None
     return worded_unit(found["in"])
 
@@ -301,6 +301,7 @@ _INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
 _OTHER_UNITS: Mapping[str, Unit] = {
     **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
     **dict.fromkeys(("inches", "inch"), _INCH),
+    **dict.fromkeys(("revolutions per minute",), Unit("rpm", (("deg", 1), ("s", -1)), Fraction(6))),
     **dict.fromkeys(("per mille", "permille"), Unit("d%", (("%", 1),), Fraction(1, 10))),
     **dict.fromkeys(("milli-g", "milli g"), Unit("mG", (("m", 1), ("s", -2)), Fraction(196133, 20000000))),
 }

@@ -60,6 +60,7 @@ _NOT = re.compile(
 )
 
 
+_DO_NOT = re.compile(r"\b(?:never|do not|don't|must not|should not) (?:ever )?(?:send|use|set|write|fill|put|treat|take) [a-z ]*$")
 _INVALID = re.compile(rf"\b{NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
 _IS_VALUE = re.compile(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
 _COMMON = 1
@@ -95,6 +96,8 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         values.append((direct.start("value"), direct))
     if head is not None:
         values.append((max(said.before, said.start - 50) + head.start("value"), head))
+    if _DO_NOT.search(text, max(said.before, said.start - 40), said.start):
+        return
     stated = [(at, number(span.sentence.term(at))) for at, _ in values if _is_stated(text, said, at)]
     one = about(reading, span, said.names[-1])
     if one is None:
