@@ -45,7 +45,8 @@ _ASIDE = words(
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
     rf"\bin (?:the|a|this|that) (?:[a-z]+ )?{_OWN_PLACES}\b",
     rf"\b(?:we|i|they) (?:then |only |first |also |had |would )*{_HANDLED}\b",
-    r"\b(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus|dataflash|geojson|kml|gpx)\b",
+    r"\b(?:in|over|of|on|from|the|an?) (?:the |an? )?(?:[a-z]+ )?(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus|dataflash|geojson|kml|gpx)"
+    r" (?:mode|message|frame|sentence|packet|register|topic|log|file|bus|protocol|value|units?)\b",
     r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)"
     r" (?:to|into|as|in|with|by|on|for)\b",
     r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",

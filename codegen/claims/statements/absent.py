@@ -33,7 +33,7 @@ _ABSENT = re.compile(
 )
 _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused|unavailable"
-    r"|missing|absent|\bcannot\b|nothing is|no sensor|does(?: not|n't)|until a"
+    r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value|estimate)|does(?: not|n't)|until a"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -41,7 +41,7 @@ _RULED_OUT = words(
     r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b", r"\b(?:do not|don't|must not|should not|not to) (?:send|use|set|fill|write|treat|put|take)",
 )  # fmt: skip
 _USED = re.compile(
-    r"(?:N,? (?:to|and|or) |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param|channels?|bytes?|bit|page|section"
+    r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param|channels?|bytes?|bit|page|section"
     r"|element|cells?|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\.|\[)$"
 )
 _NO_VALUE = re.compile(

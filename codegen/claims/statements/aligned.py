@@ -42,7 +42,8 @@ def aligned_items(code: CodeBlock, fields: Collection[str]) -> Iterator[Passage]
 
 def _is_row(found: "re.Match[str]") -> bool:
     """Whether a line is no statement of a language, ``return   x;``."""
-    return not found["rest"].endswith((";", "{", "(")) or ";" in found["gap"]
+    is_comment = bool(found["lead"].strip())
+    return is_comment or not found["rest"].endswith((";", "{", "(")) or ";" in found["gap"]
 
 
 def _item(

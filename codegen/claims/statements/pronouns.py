@@ -15,12 +15,14 @@ _GROUP = re.compile(rf"F(?:{_JOIN}F)*")
 _BREAK = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
 _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
+    r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b"
     r"|\bthe (?:latter|last one)\b"
     r"|\b(?:the|this|that) (?:field|value|unit|number)(?= (?:is|has|comes?|goes|runs|counts?|holds?|carries|ends"
     r"|stays|reads|stands)\b)"
 )
 _MANY = r"\b(?:they|them|both|these|all (?:of them|three|four))\b(?! F)"
 _PRONOUN = re.compile(rf"(?P<one>{_ONE})|(?P<many>{_MANY})")
+_FACTOR = re.compile(r"\b(?:divide|multiply) $")
 _OBJECT = re.compile(r"\b(?:set|sets|fill|fills|leave|leaves|write|writes|send|sends|put|puts) $")
 _LEAD = re.compile(r"[^a-zA-Z]*(?:[a-z']{1,12} ){0,2}|.*[,:] (?:(?:and|but|so|then|otherwise|else|where|when|if) )?")
 _NO_SUBJECT = re.compile(
@@ -68,7 +70,7 @@ def _meant(sentence: Sentence) -> Iterator[tuple[int, int, list[Term]]]:
 def _is_subject(text: str, low: int, pronoun: "re.Match[str]") -> bool:
     """Whether a pronoun is what its sentence or clause is about, or what has to be filled."""
     lead = text[low : pronoun.start()]
-    return _OBJECT.search(lead) is not None or (_LEAD.fullmatch(lead) is not None and not _NO_SUBJECT.search(lead))
+    return _FACTOR.search(lead) is not None or _OBJECT.search(lead) is not None or (_LEAD.fullmatch(lead) is not None and not _NO_SUBJECT.search(lead))
 
 
 def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[int, int, list[Term]]]:
@@ -86,7 +88,8 @@ _THE_FIELD = re.compile(r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(
 def _agrees(pronoun: "re.Match[str]", before: list[Term]) -> bool:
     """Whether a pronoun stands for as many as there are."""
     if pronoun["one"]:
-        return len(before) == 1
+        is_raw = re.search(r"\b(?:divide|multiply) $", pronoun.string[: pronoun.start()]) is not None
+        return len(before) == 1 or (is_raw and bool(before))
     if pronoun["many"] == "both":
         return len(before) == _AT_LEAST_TWO
     return len(before) >= _AT_LEAST_TWO or any(_is_of_many(term) for term in before)

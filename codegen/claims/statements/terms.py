@@ -25,8 +25,8 @@ _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"
 NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
-    r"(?:degrees? celsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
-    r"|revolutions per minute|grams?|kelvin|celsius|feet|inches|per mille|milli[- ]g|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
+    r"(?:degrees?\scelsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
+    r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
@@ -270,6 +270,8 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     """The symbol of a unit; one that is a word as often has to stand where a unit does."""
     if text[max(start - 1, 0) : start] == "/":
         return None  # what something is divided by, "ft/min", where the unit before it is not known
+    if re.match(r"\w+(?:\.|->)[A-Za-z_]", text[start : start + 40]):
+        return None  # the variable of a member, "g.lat"
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
