@@ -35,7 +35,7 @@ from codegen.load.prose import PassageKind
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
     (types.check, "FP", "T"),
     (lengths.check, "FP", ""),
-    (units.check, "FP", "UN"),
+    (units.check, "FP", "UNQ"),
     (unknown.check, "FP", "NS"),
     (absent.check, "FP", "NS"),
     (amounts.check, "FP", "Q"),

@@ -40,6 +40,29 @@ def aligned_items(code: CodeBlock, fields: Collection[str]) -> Iterator[Passage]
         yield _item(code.lines, index, found, starts, fields)
 
 
+def csv_rows(code: CodeBlock, fields: Collection[str]) -> Iterator[Passage]:
+    """Yield the lines of a block of values between commas, the first of which has the heads, as rows of a table."""
+    lines = [line for line in code.lines if line.text.strip()]
+    if len(lines) <= _FEWEST or not _HEADS.fullmatch(lines[0].text):
+        return
+    mark = ";" if ";" in lines[0].text else ","
+    many = lines[0].text.count(mark)
+    named = sum(not set(line.text.replace(" ", "").split(mark)).isdisjoint(fields) for line in lines[1:])
+    if many < _TYPED or any(line.text.count(mark) < many for line in lines) or 2 * named < len(lines):
+        return
+    for line in lines:
+        text = "| " + " | ".join(cell.strip() for cell in line.text.split(mark, many)) + " |"
+        anchors, start, at = [(0, line.place)], 0, 0
+        for cell in line.text.split(mark, many):
+            at = text.index("|", at) + 2
+            anchors.append((at, _at(line, start + len(cell) - len(cell.lstrip()))))
+            start += len(cell) + 1
+        yield Passage(PassageKind.ROW, text, tuple(anchors), ())
+
+
+_HEADS = re.compile(r"\s*[a-z][a-z _]*(?:[,;]\s*[a-z][a-z _()/]*){2,}", re.IGNORECASE)
+
+
 def _is_row(found: "re.Match[str]") -> bool:
     """Whether a line is no statement of a language, ``return   x;``."""
     is_comment = bool(found["lead"].strip())

@@ -83,9 +83,11 @@ def _said(span: Span) -> Iterator[Said]:
 
 def _is_name(span: Span, found: "re.Match[str]") -> bool:
     """Whether a group names fields: words of a language that happen to be names need more around them."""
-    if "F" in found[0]:
-        return True
     text = span.text
+    if "F" in found[0]:
+        again = _FIELD_CELL.search(text, found.end()) if span.kind is PassageKind.ROW else None
+        names = {term.written for _, term in span.sentence.within(*again.span(), "F")} if again is not None else set()
+        return span.sentence.term(found.start()).written not in names
     lead = _BEGINS.match(text)
     begins = lead is not None and lead.end() >= found.start()
     behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]

@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import groupby
 
 from codegen.claims.reading import Reading
-from codegen.claims.statements.aligned import aligned_items
+from codegen.claims.statements.aligned import aligned_items, csv_rows
 from codegen.claims.statements.cells import said_before
 from codegen.claims.statements.led import led_by, names_leading
 from codegen.claims.statements.pronouns import with_names
@@ -284,7 +284,12 @@ def _code(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
     for item in aligned_items(code, words.fields):
         sentence = read_sentence(item.text, 0, len(item.text), item.codes, words)
         yield Span(sentence, item.kind, replace(topic, above=near or topic.above), item.place_at)
-    if code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
+    heads: tuple[str, ...] = ()
+    for row in csv_rows(code, words.fields):
+        heads = heads or tuple(cell.strip() for cell in row.text.strip("| ").split("|"))
+        sentence = read_sentence(row.text, 0, len(row.text), row.codes, words)
+        yield Span(sentence, row.kind, replace(topic, above=near or topic.above), row.place_at, heads=heads)
+    if heads or code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
         return
     if code.language in _DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
         span = _block(code, topic, words)
