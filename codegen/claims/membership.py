@@ -41,3 +41,13 @@ def is_among_fields(passage: Passage, low: int, high: int, message: WireMessage)
             own += message.field(passage.text[slice(*passage.codes[at])]) is not None
     words = {word for word in passage.text[low:high].split("_") if len(word) > _FEWEST}
     return own >= _FEWEST and any(words & set(field.name.split("_")) for field in message.fields)
+
+
+def names_field_of(passage: Passage, low: int, high: int, message: WireMessage) -> bool:
+    """Return whether a sentence names a field of a message, in a code span or behind a dot."""
+    spans = {passage.text[start:end].partition("[")[0] for start, end in passage.codes if low <= start and end <= high}
+    spans |= {found[1] for found in _BEHIND_DOT.finditer(passage.text, low, high)}
+    return any(message.field(name.rpartition(".")[2]) is not None for name in spans)
+
+
+_BEHIND_DOT = re.compile(r"[A-Z0-9]\.([a-z]\w+)")

@@ -20,7 +20,7 @@ from codegen.claims.known_names import (
     near_message,
     same_field,
 )
-from codegen.claims.membership import is_among_fields, owner_of
+from codegen.claims.membership import is_among_fields, names_field_of, owner_of
 from codegen.claims.misspelled import is_spelled_so, numbered_message, shortened_message
 from codegen.claims.reading import Reading, between
 from codegen.claims.ruled_out import is_aside
@@ -190,11 +190,12 @@ def _messages(reading: Reading, passage: Passage, names: Names, listed: Collecti
         is_same = reading.sightings and (
             is_spelled_so(name, names.messages) or shortened_message(name, names.messages) is not None
         )
-        if not (is_begun or is_beside or is_told or is_joined or is_same):
+        near = shortened_message(name, names.messages) or near_message(name, names)
+        has_field = near is not None and names_field_of(passage, low, high, names.messages[near])
+        if not (is_begun or is_beside or is_told or is_joined or is_same or has_field):
             continue
         if _PARAMETER.match(name):
             continue
-        near = shortened_message(name, names.messages) or near_message(name, names)
         is_row = is_begun and passage.kind is not PassageKind.HEADING
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)

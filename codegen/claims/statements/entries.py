@@ -41,7 +41,8 @@ _NAMED = (
         r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
-    re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$))"),
+    re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$|, (?:for|as|in|is)\b))"),
+    re.compile(r"(?P<value>N)(?: is| means|:)? (?:an? |the )?[a-z]+(?: [a-z]+){0,4} \((?P<name>V)\)"),
     re.compile(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
         r"|this is"
@@ -263,16 +264,25 @@ def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     values = _entry_values(reading)
     for form in _NAMED:
         for found in form.finditer(span.text):
-            if form is _NAMED[-1] and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
+            if form is _NAMED[-1] and not _begins_with_number(span, found.start()) and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
                 continue  # "FIRST 1, SECOND 2"
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)
     if span.is_code and not span.is_comment:
-        comment = re.search(r"(?:#|//|/\*) ?(?:M )?(?P<name>V)\b", span.text)
+        comment = re.search(r"(?:#|//|/\*) ?(?:M |(?:[a-z_]+|[FP]): ?)?(?P<name>V)\b", span.text)
         stated = re.search(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
         if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
             name = span.sentence.term(comment.start("name")).written
             yield from _value(reading, span, name, values.get(name), stated)
+
+
+def _begins_with_number(span: Span, offset: int) -> bool:
+    """Whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
+    return _NUMBER_FIRST.search(span.text, max(offset - _LIST, 0), offset) is not None
+
+
+_NUMBER_FIRST = re.compile(r"(?:^|[^V\s,]|\bor|\band),? ?N ?[=:]? ?V,? ?(?:and |or )?$")
+_LIST = 24
 
 
 def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.Match[str]") -> Iterator[Diagnostic]:

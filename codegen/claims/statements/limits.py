@@ -134,7 +134,7 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
     if any(each is not None and (low.value in each or high.value in each[1:]) and high.value in each for each in told):
         return
     best = told[0]
-    if best is None or low.value not in (best[0], 0, 1) or high.value == best[1]:
+    if best is None or low.value not in (best[0], 0, 1) or high.value in (best[1], *_TOPS):
         return
     written = span.sentence.term(high.offset).written
     words = f"{one.name} goes from {best[0]:g} to {best[1]:g}, not to {written}"

@@ -36,7 +36,7 @@ _TERM = re.compile(
       |float\(['"]nan['"]\)|0x[fF]{{2,16}})(?!\w))
   | (?P<qualified>(?<![\w.])(?P<of>[A-Z][A-Z0-9_]{{2,60}})(?:\.|::
       |->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
-  | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{3,}}(?![\w-]))
+  | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{2,}}(?![\w-]))
   | (?P<array>\[\s?(?P<inner>{_SCALAR})\s?;\s?(?P<held>\d{{1,4}})\s?\])
   | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32
       |64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
