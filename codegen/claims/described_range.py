@@ -9,12 +9,15 @@ _WORDS = (
     re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*(?:,|\.\.+|-|to)\s*(?P<high>{_NUMBER})\s*\]"),
     re.compile(rf"\((?P<low>{_NUMBER})\s*(?:\.\.+|-|to)\s*(?P<high>{_NUMBER})[^)\d]{{0,12}}\)"),
     re.compile(rf"(?<![\w.-])(?P<low>{_NUMBER})\s?(?:\.\.+|to|-)\s?(?P<high>{_NUMBER})(?![\w]|\.\d)"),
-    re.compile(r"(?<![\w.-])(?P<low>0)(?::| =| means)[^.;]{2,24}[,;] (?P<high>255|100|254)(?::| =| means) (?:max|best|good|full)"),
+    re.compile(
+        r"(?<![\w.-])(?P<low>0)(?::| =| means)[^.;]{2,24}[,;] (?P<high>255|100|254)(?::| =| means) (?:max|best|good"
+        r"|full)"
+    ),
 )
 
 
 def range_of(field: WireField) -> tuple[float, float] | None:
-    """Return the smallest and the greatest number of a field; None where the dialect says nothing, or several things."""
+    """Return the smallest and the greatest number of a field; None where the dialect says none, or several."""
     stated = (field.definition.minimum, field.definition.maximum)
     if all(text is not None and re.fullmatch(_NUMBER, text) for text in stated):
         return float(stated[0] or 0), float(stated[1] or 0)

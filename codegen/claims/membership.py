@@ -12,7 +12,9 @@ _HAS = re.compile(
     r"(?P<message>[A-Z][A-Z0-9_]{3,60})`?(?:['\u2019]s| has| carries| contains| holds| reports| provides)"
     r"(?: (?:an?|the|its|only|also|both|no|field|extension|array))* $"
 )
-_OF = re.compile(r"`?(?: field| value| array| member)? (?:of|from) (?:the )?(?:message )?`?(?P<message>[A-Z][A-Z0-9_]{3,60})\b")
+_OF = re.compile(
+    r"`?(?: field| value| array| member)? (?:of|from) (?:the )?(?:message )?`?(?P<message>[A-Z][A-Z0-9_]{3,60})\b"
+)
 _JOIN = re.compile(r"[` ]*(?:,|and|or|/|, and)[` ]*(?:the |an? )?")
 _FEWEST = 2
 """Fields of the message in the same list."""

@@ -33,7 +33,8 @@ _OWN_THINGS = (
     r"|dialects?|firmwares?|sensors?|drivers?|sliders?|radios?|files?|buffers?|node|recording|parser|enums?|page|gui|code)"
 )
 _OWN_PLACES = (
-    r"(?:structs?|class|data ?base|logs?|log ?book|spreadsheet|csv(?: file)?|apps?|gui|source|script|program|parser|cache"
+    r"(?:structs?|class|data ?base|logs?|log ?book|spreadsheet|csv(?: file)?|apps?|gui|source|script|program|parser"
+    r"|cache"
     r"|dashboard|recordings?|export|viewer|config(?:uration)?)"
 )
 _HANDLED = (
@@ -45,7 +46,8 @@ _ASIDE = words(
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
     rf"\bin (?:the|a|this|that) (?:[a-z]+ )?{_OWN_PLACES}\b",
     rf"\b(?:we|i|they) (?:then |only |first |also |had |would )*{_HANDLED}\b",
-    r"\b(?:in|over|of|on|from|the|an?) (?:the |an? )?(?:[a-z]+ )?(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus|dataflash|geojson|kml|gpx)"
+    r"\b(?:in|over|of|on|from|the|an?) (?:the |an? )?(?:[a-z]+ )?(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus"
+    r"|dataflash|geojson|kml|gpx)"
     r" (?:mode|message|frame|sentence|packet|register|topic|log|file|bus|protocol|value|units?)\b",
     r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)"
     r" (?:to|into|as|in|with|by|on|for)\b",

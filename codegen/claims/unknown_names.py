@@ -95,7 +95,29 @@ _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
 _FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
 _QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
 _FILES = frozenset(
-    ["msg", "msgid", "id", "name", "payload", "md", "yaml", "yml", "py", "c", "h", "hpp", "cpp", "rs", "ts", "js", "json", "xml", "html", "txt", "csv"]
+    [
+        "msg",
+        "msgid",
+        "id",
+        "name",
+        "payload",
+        "md",
+        "yaml",
+        "yml",
+        "py",
+        "c",
+        "h",
+        "hpp",
+        "cpp",
+        "rs",
+        "ts",
+        "js",
+        "json",
+        "xml",
+        "html",
+        "txt",
+        "csv",
+    ]
 )
 _IN_CODE = re.compile(
     r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"

@@ -17,7 +17,8 @@ _WORDS = (
     ),
     re.compile(rf"{_VALUE}: [^.;,]*\bnot\b"),
     re.compile(
-        r"\b(?P<value>zero|-?\d{1,6}|U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN) (?:values? |in this value )?(?:means?|indicates?|marks?)"
+        r"\b(?P<value>zero|-?\d{1,6}|U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN) (?:values? |in this value )?(?:means?"
+        r"|indicates?|marks?)"
         r" [^.;,>]{0,40}?\b(?:unknown|invalid|not available|ignore|unused)",
         re.IGNORECASE,
     ),

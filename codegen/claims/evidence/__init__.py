@@ -17,7 +17,8 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, CHANGED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SUPPOSED, words
 from codegen.claims.rules import ENTRY_VALUE, SENTINEL
 from codegen.claims.statements.entries import is_borne_out
-from codegen.claims.statements.spans import Span, spans
+from codegen.claims.statements.span import Span
+from codegen.claims.statements.spans import spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.once import once

@@ -4,7 +4,7 @@ import re
 from functools import cache
 
 from codegen.claims.ruled_out import is_own_column
-from codegen.claims.statements.spans import Span, head_of
+from codegen.claims.statements.span import Span, head_of
 
 _HEADS = {
     "claim-struct": r"type|data ?type|format|length|elements|count|array|encoding",

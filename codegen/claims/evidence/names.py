@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_own_column
 from codegen.claims.rules import SCALING, SIZE
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span, head_of, is_data
+from codegen.claims.statements.span import Span, head_of, is_data
 from codegen.load.prose import PassageKind
 from codegen.once import once
 

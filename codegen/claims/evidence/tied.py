@@ -3,7 +3,7 @@
 import re
 
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.load.prose import PassageKind
 
 _LINKS = frozenset((

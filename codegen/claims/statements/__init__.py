@@ -28,7 +28,8 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
-from codegen.claims.statements.spans import Span, head_of, spans
+from codegen.claims.statements.span import Span, head_of
+from codegen.claims.statements.spans import spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 

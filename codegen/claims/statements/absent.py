@@ -14,7 +14,7 @@ from codegen.claims.ruled_out import MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.span import Span, is_data
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import unknown_values
@@ -26,26 +26,34 @@ _THING = (
     r"|aid|battery|temperature|information|idea|clock|time)"
 )
 _ABSENT = re.compile(
-    rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b|\b(?:lacks?|has no) an? "
-    r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have|report|see|provide|exist)\b"
+    rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
+    rf"|\b(?:lacks?|has no) an? "
+    r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
+    r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
     r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
 )
 _TOLD = re.compile(
-    r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused|unavailable"
-    r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value|estimate)|does(?: not|n't)|until a"
+    r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
+    r"|unavailable"
+    r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
+    r"|estimate)|does(?: not|n't)|until a"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
     PAST, MISTAKEN, PROPOSED, REPLACED[:1], r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b", r"\bnever\b",
-    r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b", r"\b(?:do not|don't|must not|should not|not to) (?:send|use|set|fill|write|treat|put|take)",
+    r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b",
+    r"\b(?:do not|don't|must not|should not|not to) (?:send|use|set|fill|write|treat|put|take)",
 )  # fmt: skip
 _USED = re.compile(
-    r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param|channels?|bytes?|bit|page|section"
-    r"|element|cells?|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\.|\[)$"
+    r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param"
+    r"|channels?|bytes?|bit|page|section"
+    r"|element|cells?|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\."
+    r"|\[)$"
 )
 _NO_VALUE = re.compile(
-    r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less|[a-z]+s (?:of|are|in)\b|\])"
+    r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
+    r"|[a-z]+s (?:of|are|in)\b|\])"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
@@ -108,7 +116,7 @@ def _told(
         at = min(tied, key=lambda value: start - value if value < start else value - end)
         before = [name for name in names if name < at]
         behind = [name for name in names if name > at and not _GAP.search(span.text, at + 1, name)]
-        name = before[-1] if before else (behind or [None])[0]
+        name = before[-1] if before else next(iter(behind), None)
         if name is not None and not _is_element(span, name):
             taken.add(at)
             yield name, at, tied
@@ -155,9 +163,7 @@ def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[in
     if float(value) in _SMALL and not is_told:
         return
     text = f"{one.name} is unknown when it is {known[1]}, not {term.written}"
-    yield reading.found(
-        as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text
-    )
+    yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
 
 
 def _is_element(span: Span, offset: int) -> bool:

@@ -10,7 +10,7 @@ from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.field_units import of_field
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import measuring
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -35,7 +35,8 @@ _COMPARED = re.compile(
     r"|near|nearly|around|up to|from|by|per|each|and|or)|[<>~\u00b1+*/x\u00d7-]|\.\.|N[UM]?) ?$"
 )
 _BEHIND = re.compile(
-    r" ?(?:[-+*/\u00d7]|bits?\b|and Q|, Q|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N|U\b)"
+    r" ?(?:[-+*/\u00d7]|bits?\b|and Q|, Q|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N"
+    r"|U\b)"
 )
 _INTERVAL = "interval"
 _FAR = 70
@@ -85,12 +86,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
     for offset, term in span.sentence.within(low, high, "N"):
         start, end = sorted((at, offset))
         value = number(term)
-        if value is None or isinstance(value, float) or end - start > _FAR:
+        if value is None or isinstance(value, float) or not _is_together(span, low, start, end):
             continue
-        if not _is_tied(span, start, end) and not _EXAMPLE.fullmatch(text, start + 1, end):
-            continue
-        if span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP")):
-            continue  # the other side of a mapping stands first
         if _COMPARED.search(text[low:offset].removesuffix("(")) and not text[low:offset].rstrip().endswith(" to"):
             continue
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):
@@ -113,8 +110,10 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
 _EXAMPLE = re.compile(r"(?: [a-z]+){0,4}: F = ")
 """Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
 _SENT_AS = re.compile(
-    r" ?(?:(?:is|are|would be|gets|has to be|must be|then|thus|therefore) )*(?:sent|coded|encoded|transmitted|written|stored"
-    r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like|in the form of)"
+    r" ?(?:(?:is|are|would be|gets|has to be|must be|then|thus|therefore) )*(?:sent|coded|encoded|transmitted|written"
+    r"|stored"
+    r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like"
+    r"|in the form of)"
     r" (?:an?|the)? ?(?:value |number |integer )*"
 )
 """Between an amount and its number, where no field is named."""
@@ -155,6 +154,13 @@ _PARAMETER = re.compile(r"\b(?:param\w*|ids?|messages?|msg|command|section|versi
 def _is_parameter(text: str, low: int, offset: int) -> bool:
     """Whether a number is that of a parameter of a command, an id or the like."""
     return _PARAMETER.search(text[low:offset]) is not None
+
+
+def _is_together(span: Span, low: int, start: int, end: int) -> bool:
+    """Whether an amount and a number belong together, and are not the other side of a mapping, which stands first."""
+    if end - start > _FAR or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP"))):
+        return False
+    return _is_tied(span, start, end) or _EXAMPLE.fullmatch(span.text, start + 1, end) is not None
 
 
 def _is_tied(span: Span, start: int, end: int) -> bool:

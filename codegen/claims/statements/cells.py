@@ -1,7 +1,7 @@
 """Rows in which a field stands behind what is said of it: "| with unknown track it holds 36100 | `direction` |".
 
-A cell of words is said of the only field of its row. A cell that is data, a name, a type or a unit, stands for the other
-side of a mapping and is said of nothing here.
+A cell of words is said of the only field of its row. A cell that is data, a name, a type or a unit, stands for the
+other side of a mapping and is said of nothing here.
 """
 
 import re

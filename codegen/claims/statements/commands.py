@@ -8,7 +8,7 @@ from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSE
 from codegen.claims.rules import PARAMETER, as_sure
 from codegen.claims.statements.field_units import is_same_unit
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry
@@ -147,7 +147,9 @@ def _amount(
     written = span.sentence.term(at).written
     name = dict(own.attributes).get("label", "")
     text = f"{command.name}: param {own.number} ({name}) is in {dict(own.attributes)['units']}, not {written}"
-    yield reading.found(as_sure(PARAMETER, is_sure=False), span.place(at), f"{command.name} {own.number} {written}", text)
+    yield reading.found(
+        as_sure(PARAMETER, is_sure=False), span.place(at), f"{command.name} {own.number} {written}", text
+    )
 
 
 def _content(text: str) -> list[str]:

@@ -10,7 +10,8 @@ from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, REPLACED, SUPPOSED
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
-from codegen.claims.statements.spans import Span, head_of, spans
+from codegen.claims.statements.span import Span, head_of
+from codegen.claims.statements.spans import spans
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -37,7 +38,8 @@ _PAIRS = (
 _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
 _NAMED = (
     re.compile(
-        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192|[;,)]+ *(?://|#|/\*)) ?|,? (?:(?:which|that|it) )?(?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
+        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192|[;,)]+ *(?://|#|/\*)) ?|,? (?:(?:which|that|it) )?(?:is|has|equals"
+        r"|as)(?: the)?(?: value| number| bit| code"
         r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
@@ -130,7 +132,7 @@ def _said(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _only(reading: Reading, span: Span, enum: EnumDefinition, low: int, high: int) -> Iterator[Diagnostic]:
     """The only number and the only entry of a cell, an item or a clause about a field: "24 by default, down (NAME)"."""
     stop = re.compile(r"[|;]|\.\s").search(span.text, low, high)
-    high = stop.start() if stop is not None and span.text[low:stop.start()].strip() else high
+    high = stop.start() if stop is not None and span.text[low : stop.start()].strip() else high
     numbers = [at for at, _ in span.sentence.within(low, high, "NQ")]
     entries = [term for _, term in span.sentence.within(low, high, "VCEMFT")]
     if len(numbers) != 1 or len(entries) != 1 or _NOT.search(span.text, low, high) or span.is_code:
@@ -264,7 +266,11 @@ def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     values = _entry_values(reading)
     for form in _NAMED:
         for found in form.finditer(span.text):
-            if form is _NAMED[-1] and not _begins_with_number(span, found.start()) and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
+            if (
+                form is _NAMED[-1]
+                and not _begins_with_number(span, found.start())
+                and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start())
+            ):
                 continue  # "FIRST 1, SECOND 2"
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)

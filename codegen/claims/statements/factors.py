@@ -9,7 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.field_units import is_same_unit, of_field
 from codegen.claims.statements.fields import Said, claimed, number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -26,7 +26,8 @@ _SIGN = re.compile(
     r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
 _COMMENTED = re.compile(
-    r"\)* ?(?P<how>[/*]) ?\(?(?P<number>N)[)\]}]*[;,]? *(?://|#|/\*) ?(?:[a-zVEP ,;:()-]{0,40}[ ,(])??(?P<unit>U)(?=\s*(?:[,.;)]|\*/|$|[a-z]))"
+    r"\)* ?(?P<how>[/*]) ?\(?(?P<number>N)[)\]}]*[;,]? *(?://|#"
+    r"|/\*) ?(?:[a-zVEP ,;:()-]{0,40}[ ,(])??(?P<unit>U)(?=\s*(?:[,.;)]|\*/|$|[a-z]))"
 )
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(

@@ -8,7 +8,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, as_sure
 from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -20,7 +20,8 @@ _KIND = re.compile(
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
 _VERBS = frozenset((
-    "it", "they", "note", "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
+    "it", "they", "note",
+    "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
     "belongs", "among", "to", "in", "as",
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
@@ -68,10 +69,10 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             is_extension = found["kind"].startswith("ext")
             yield from _kinds(reading, span, named[-int(value) :], found.start("kind"), is_extension=is_extension)
     for said in said_of_fields(span) if span.kind in (PassageKind.ITEM, PassageKind.ROW) else ():
-        found = _CLAUSE.search(text, said.end, said.until)
-        if found is not None:
-            is_extension = found["kind"].startswith("ext")
-            yield from _kinds(reading, span, said.names, found.start("kind"), is_extension=is_extension)
+        clause = _CLAUSE.search(text, said.end, said.until)
+        if clause is not None:
+            is_extension = clause["kind"].startswith("ext")
+            yield from _kinds(reading, span, said.names, clause.start("kind"), is_extension=is_extension)
     for found in _NAMED_SO.finditer(text):
         yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():

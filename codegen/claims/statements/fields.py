@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements.sentence import NamedField, StatedType, Term
-from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.span import Span, is_data
 from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -106,7 +106,10 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
     is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
-    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (" field", " array")
+    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
+        " field",
+        " array",
+    )
 
 
 def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:

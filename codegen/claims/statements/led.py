@@ -6,7 +6,8 @@ from dataclasses import replace
 from codegen.claims.statements.sentence import Sentence, Term
 
 _ONLY_NAMES = re.compile(
-    r"[^a-zA-Z]*(?:N\)? )?(?:the )?(?:fields? )?(?P<names>[FP](?:(?:, ?| and | ?/ ?| ?& ?)[FP])*)(?: fields?)?(?: ?\(.*\)"
+    r"[^a-zA-Z]*(?:N\)? )?(?:the )?(?:fields? )?(?P<names>[FP](?:(?:, ?| and | ?/ ?"
+    r"| ?& ?)[FP])*)(?: fields?)?(?: ?\(.*\)"
     r"|:? T(?:\W|U)*)?[^a-zA-Z]*"
 )
 _QUESTION = re.compile(

@@ -19,7 +19,7 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, made_of, named, number, said_of_fields
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField

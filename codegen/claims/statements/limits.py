@@ -5,13 +5,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from codegen.claims.described_range import range_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.field_units import has_unit, of_field
-from codegen.claims.described_range import range_of
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -142,7 +142,8 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
 
 
 _RUNS = re.compile(
-    r"\b(?:runs?|goes|ranges?|between|from|is|are|range|scale|scaled|accepts?|takes?|values?|number)\b[^,]*$|^ ?[(:,] ?$"
+    r"\b(?:runs?|goes|ranges?|between|from|is|are|range|scale|scaled|accepts?|takes?|values?|number)\b[^,]*$"
+    r"|^ ?[(:,] ?$"
 )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.once import once
@@ -15,8 +15,12 @@ _FLAG = r"V(?: ?\(N\))?"
 _JOIN = r"(?: ?(?:\||\+|,|&|and|plus|with|or)+ ?)+"
 _FLAGS = rf"(?P<flags>{_FLAG}(?:{_JOIN}{_FLAG}){{1,8}})"
 _SUM = (
-    re.compile(rf"(?P<sum>N)(?: ?\(N\))?(?:,? ?(?:=|which is|that is|i\.e\.|is|means|:|\(|for|from))+ ?(?:the )?{_FLAGS}"),
-    re.compile(rf"{_FLAGS} ?(?:together|in total|,)? ?(?:=|is|are|gives?|makes?|add up to|sum to|i\.e\.) ?(?P<sum>N)\b"),
+    re.compile(
+        rf"(?P<sum>N)(?: ?\(N\))?(?:,? ?(?:=|which is|that is|i\.e\.|is|means|:|\(|for|from))+ ?(?:the )?{_FLAGS}"
+    ),
+    re.compile(
+        rf"{_FLAGS} ?(?:together|in total|,)? ?(?:=|is|are|gives?|makes?|add up to|sum to|i\.e\.) ?(?P<sum>N)\b"
+    ),
 )
 _MORE = re.compile(r" ?(?:\||\+|,|&|and|plus|with) ?(?:[A-Z]|others?|more|some|the)|\.\.\.|[ ,]*(?:etc|among)")
 _LESS = re.compile(r"\b(?:not|except|without|but|minus|unless|instead|if|old|wrong)\b|[-+*|&~/<>] ?$")

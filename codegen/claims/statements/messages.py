@@ -8,7 +8,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, OWN, PAST, REPLACED, words
 from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

@@ -9,7 +9,7 @@ from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import quantities
 from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

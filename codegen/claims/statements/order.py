@@ -7,7 +7,7 @@ from itertools import pairwise
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ORDER, as_sure
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 

@@ -10,13 +10,14 @@ from itertools import groupby
 from codegen.claims.reading import Reading
 from codegen.claims.rules import OFFSET, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
 _PLACED = re.compile(
-    r"[\s*/#|-]*(?:bytes? |offset )?(?P<at>N)(?:\s?(?:\.\.\.?|-|\u2013|to) ?N)?[\s:|.)=\u2013-]{0,5}(?:T )?(?P<name>[FP])(?!\w)"
+    r"[\s*/#|-]*(?:bytes? |offset )?(?P<at>N)(?:\s?(?:\.\.\.?|-|\u2013"
+    r"|to) ?N)?[\s:|.)=\u2013-]{0,5}(?:T )?(?P<name>[FP])(?!\w)"
 )
 _FEWEST = 3
 """Right ones that make a list one of offsets."""

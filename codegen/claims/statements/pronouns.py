@@ -15,7 +15,8 @@ _GROUP = re.compile(rf"F(?:{_JOIN}F)*")
 _BREAK = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
 _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
-    r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b"
+    r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value"
+    r"|number|byte|field|count|it)\b"
     r"|\bthe (?:latter|last one)\b"
     r"|\b(?:the|this|that) (?:field|value|unit|number)(?= (?:is|has|comes?|goes|runs|counts?|holds?|carries|ends"
     r"|stays|reads|stands)\b)"
@@ -70,7 +71,11 @@ def _meant(sentence: Sentence) -> Iterator[tuple[int, int, list[Term]]]:
 def _is_subject(text: str, low: int, pronoun: "re.Match[str]") -> bool:
     """Whether a pronoun is what its sentence or clause is about, or what has to be filled."""
     lead = text[low : pronoun.start()]
-    return _FACTOR.search(lead) is not None or _OBJECT.search(lead) is not None or (_LEAD.fullmatch(lead) is not None and not _NO_SUBJECT.search(lead))
+    return (
+        _FACTOR.search(lead) is not None
+        or _OBJECT.search(lead) is not None
+        or (_LEAD.fullmatch(lead) is not None and not _NO_SUBJECT.search(lead))
+    )
 
 
 def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[int, int, list[Term]]]:
@@ -82,7 +87,9 @@ def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[in
     yield found.start("what"), found.end("what"), [names[0][1]]
 
 
-_THE_FIELD = re.compile(r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)")
+_THE_FIELD = re.compile(
+    r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)"
+)
 
 
 def _agrees(pronoun: "re.Match[str]", before: list[Term]) -> bool:

@@ -10,7 +10,7 @@ from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACE
 from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -25,7 +25,8 @@ _BYTES = re.compile(
 )
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
-    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples|items|entries|messages)|[.-]\d)"
+    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
+    r"|items|entries|messages)|[.-]\d)"
     r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
 )
 _LENGTHS = re.compile(

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 
 from codegen.claims.reading import Reading
 from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField, WireMessage
 
@@ -53,7 +53,8 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     after = [
         reading.messages[name]
         for at, name in span.named(low, high)
-        if at > offset and not (_ITSELF.match(span.text, at) and re.search(r"[,;:] ?[a-z ]*$", span.text[offset + 1 : at]))
+        if at > offset
+        and not (_ITSELF.match(span.text, at) and re.search(r"[,;:] ?[a-z ]*$", span.text[offset + 1 : at]))
     ]
     if found := _about(value.name, before, [], is_sure=True):
         return found
@@ -76,7 +77,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
 
 
 def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
-    """Whether the nearest name before a field is one of a message that there is not: "PUMP_STATE, in which `id` ..."."""
+    """Whether the nearest name before a field is one that there is not: "PUMP_STATE, in which `id` ..."."""
     if span.is_code:
         return False
     names = [(at, term.letter) for at, term in span.sentence.within(low, offset, "MC")]
@@ -85,7 +86,9 @@ def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
 
 _ITSELF = re.compile(r"M (?:has|is|uses|carries|wants|sends|keeps|counts|knows|does)\b")
 """A message that a clause of its own is about: "only 16 bits here, NAME has 32"."""
-_IN_IT = re.compile(r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$")
+_IN_IT = re.compile(
+    r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$"
+)
 
 
 def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:

@@ -12,7 +12,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values

@@ -26,7 +26,8 @@ NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in 
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
     r"(?:degrees?\scelsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
-    r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
+    r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent"
+    r"|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
@@ -68,8 +69,15 @@ _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _WORD = re.compile(r"\w+")
-_SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000,
-           "ten": Fraction(1, 10), "hundred": Fraction(1, 100), "thousand": Fraction(1, 1000)}
+_SHARES: Mapping[str, int | Fraction] = {
+    "tenth": 10,
+    "hundredth": 100,
+    "thousandth": 1000,
+    "millionth": 1000000,
+    "ten": Fraction(1, 10),
+    "hundred": Fraction(1, 100),
+    "thousand": Fraction(1, 1000),
+}
 _COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset((
     "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",

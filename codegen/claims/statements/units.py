@@ -24,7 +24,7 @@ from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.factors import factors
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.spans import Span, head_of, is_data
+from codegen.claims.statements.span import Span, head_of, is_data
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -32,7 +32,8 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
+    r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
     r"|\bT|\"|^)\s*$"
@@ -45,7 +46,8 @@ _IS_SHORT = re.compile(
 _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
     COMPARED[:2],
-    SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b", r"\blimited\b", r"\bstep\b",
+    SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b",
+    r"\blimited\b", r"\bstep\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r", the \w",
@@ -75,7 +77,12 @@ def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for offset, term in span.sentence.within(0, len(span.text), "Q"):
         cell = _CELL.search(span.text, max(span.text.rfind("|", 0, offset), 0))
         names = [said for said in said_of_fields(span) if said.end <= offset]
-        if cell is None or not names or not _UNIT_HEAD.search(head_of(span, offset)) or not isinstance(term.value, tuple):
+        if (
+            cell is None
+            or not names
+            or not _UNIT_HEAD.search(head_of(span, offset))
+            or not isinstance(term.value, tuple)
+        ):
             continue
         amount, unit = term.value
         if not amount or not isinstance(unit, Unit) or not unit.dimension or span.text.count("Q") > _OTHERS:
@@ -104,7 +111,9 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         gap, behind = _NUMBERED.sub(r"\1", text[said.end : offset]), text[offset + 1 :]
         if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
             return
-        is_column = gap == " " and (span.is_comment or span.kind is PassageKind.ITEM)  # "heading, target_heading    deg"
+        is_column = gap == " " and (
+            span.is_comment or span.kind is PassageKind.ITEM
+        )  # "heading, target_heading    deg"
         if (
             not (_PLACE.search(gap) or is_column)
             or not _IS_SHORT.match(behind)
@@ -147,7 +156,10 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
 def _is_own(span: Span, offset: int) -> bool:
     """Whether a unit is what code computes, what a column of another thing holds, or the name of a key."""
     if is_data(span):
-        return span.text[offset + 1 : offset + 2] == ":" or _SHOWN_KEY.search(span.text, max(offset - 24, 0), offset) is not None
+        return (
+            span.text[offset + 1 : offset + 2] == ":"
+            or _SHOWN_KEY.search(span.text, max(offset - 24, 0), offset) is not None
+        )
     if span.is_code and not span.is_comment and not span.sentence.term(offset).is_quoted:
         return re.search(r"#|//|/\*|;|--", span.text[:offset]) is None
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
