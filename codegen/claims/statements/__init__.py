@@ -7,6 +7,8 @@ which messages a part may be about; the other modules each know what is said of 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
+from codegen.claims.parts.span import Span, head_of
+from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.statements import (
@@ -28,8 +30,6 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
-from codegen.claims.statements.span import Span, head_of
-from codegen.claims.statements.spans import spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 

@@ -9,12 +9,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.span import Span, is_data
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import unknown_values
@@ -23,7 +23,7 @@ from codegen.load.prose import PassageKind
 
 _THING = (
     r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
-    r"|aid|battery|temperature|information|idea|clock|time)"
+    r"|aid|temperature|information|idea|clock|time)"
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
@@ -48,7 +48,7 @@ _RULED_OUT = words(
 _USED = re.compile(
     r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param"
     r"|channels?|bytes?|bit|page|section"
-    r"|element|cells?|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\."
+    r"|element|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\."
     r"|\[)$"
 )
 _NO_VALUE = re.compile(

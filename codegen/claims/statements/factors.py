@@ -5,11 +5,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.field_units import is_same_unit, of_field
 from codegen.claims.statements.fields import Said, claimed, number
-from codegen.claims.statements.span import Span
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField

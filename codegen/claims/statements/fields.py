@@ -4,9 +4,9 @@ import re
 from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 
+from codegen.claims.parts.sentence import NamedField, StatedType, Term
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
-from codegen.claims.statements.sentence import NamedField, StatedType, Term
-from codegen.claims.statements.span import Span, is_data
 from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind

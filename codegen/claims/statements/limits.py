@@ -6,12 +6,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.described_range import range_of
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.field_units import has_unit, of_field
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -136,11 +136,15 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
     best = told[0]
     if best is None or low.value not in (best[0], 0, 1) or high.value in (best[1], *_TOPS):
         return
+    if best[1] and float(high.value) / best[1] > _SCALED:
+        return  # the description has it in another unit
     written = span.sentence.term(high.offset).written
     words = f"{one.name} goes from {best[0]:g} to {best[1]:g}, not to {written}"
     yield reading.found(as_sure(RANGE, is_sure=False), span.place(high.offset), f"{one.name} to {written}", words)
 
 
+_SCALED = 50
+"""So many times as much is the same in a smaller unit."""
 _RUNS = re.compile(
     r"\b(?:runs?|goes|ranges?|between|from|is|are|range|scale|scaled|accepts?|takes?|values?|number)\b[^,]*$"
     r"|^ ?[(:,] ?$"

@@ -3,10 +3,10 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.span import Span
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.once import once

@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, OWN, PAST, REPLACED, words
 from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -79,7 +79,7 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         offset = found.start("number")
         called = found["called"] or found["mark"] or ""
         is_discussed = "#" in called and "id" not in called and re.match(r"\)?[\s.,;]*$", text[offset + 1 :])
-        is_told = "_" in name or called or span.kind is PassageKind.HEADING or _is_id(reading, span, offset)
+        is_told = "_" in name or called or span.kind is PassageKind.HEADING or _is_id(span, offset)
         if not is_discussed and is_told:
             yield from _id(reading, span, offset, (reading.messages[name],))
     if span.kind is PassageKind.HEADING and _HEADED.fullmatch(text.strip()):
@@ -97,10 +97,10 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _worded(reading, span, found)
 
 
-def _is_id(reading: Reading, span: Span, offset: int) -> bool:
-    """Whether a number may be nothing else than an id: it is one of some message, or too great for a count."""
+def _is_id(span: Span, offset: int) -> bool:
+    """Whether a number behind a plain word can hardly be anything else than an id."""
     value = number(span.sentence.term(offset))
-    return value is not None and (value >= _GREAT or any(message.id == value for message in reading.messages.values()))
+    return value is not None and value >= _GREAT
 
 
 _GREAT = 100

@@ -7,10 +7,10 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import OFFSET, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

@@ -3,9 +3,9 @@
 import re
 from collections.abc import Callable, Iterable
 
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.span import Span
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField, WireMessage
 

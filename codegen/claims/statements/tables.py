@@ -6,13 +6,13 @@ from fractions import Fraction
 from functools import partial
 from itertools import groupby
 
+from codegen.claims.parts.span import Span
 from codegen.claims.rate import RULE as BANDWIDTH
 from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values

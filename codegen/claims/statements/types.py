@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.layout import typed
+from codegen.claims.parts.sentence import StatedType
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
     CHANGED,
@@ -20,8 +22,6 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
-from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.span import Span, is_data
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.span import Span, head_of, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
     CHANGED,
@@ -24,7 +25,6 @@ from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.factors import factors
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.span import Span, head_of, is_data
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

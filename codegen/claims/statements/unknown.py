@@ -5,10 +5,10 @@ import re
 from collections.abc import Iterator
 from functools import partial
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
-from codegen.claims.statements.span import Span
 from codegen.claims.statements.subjects import about
 from codegen.claims.unknown_value import is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic

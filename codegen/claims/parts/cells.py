@@ -7,9 +7,9 @@ other side of a mapping and is said of nothing here.
 import re
 from collections.abc import Iterator
 
+from codegen.claims.parts.led import led_by
+from codegen.claims.parts.sentence import Sentence, Term
 from codegen.claims.ruled_out import is_own_column
-from codegen.claims.statements.led import led_by
-from codegen.claims.statements.sentence import Sentence, Term
 
 _ALONE = re.compile(r"\s*(?:M ?)?F(?: ?[,/&] ?F| and F)*\s*")
 _WORD = re.compile(r"[a-z]{2,}")

@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
+from codegen.claims.parts.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.claims.reading import snake
-from codegen.claims.statements.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word

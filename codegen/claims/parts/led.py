@@ -3,7 +3,7 @@
 import re
 from dataclasses import replace
 
-from codegen.claims.statements.sentence import Sentence, Term
+from codegen.claims.parts.sentence import Sentence, Term
 
 _ONLY_NAMES = re.compile(
     r"[^a-zA-Z]*(?:N\)? )?(?:the )?(?:fields? )?(?P<names>[FP](?:(?:, ?| and | ?/ ?"

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from codegen.claims.statements.sentence import NamedField, Sentence, Term
+from codegen.claims.parts.sentence import NamedField, Sentence, Term
 
 _JOIN = r"(?:,? (?:and|or|to) |, ?| ?/ ?| ?& ?)"
 _GROUP = re.compile(rf"F(?:{_JOIN}F)*")

@@ -5,11 +5,11 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from codegen.claims.parts.aligned import aligned_items, csv_rows
+from codegen.claims.parts.sentence import Sentence, Vocabulary
+from codegen.claims.parts.span import DATA, Span, Topic
+from codegen.claims.parts.terms import read_sentence
 from codegen.claims.reading import Reading
-from codegen.claims.statements.aligned import aligned_items, csv_rows
-from codegen.claims.statements.sentence import Sentence, Vocabulary
-from codegen.claims.statements.span import DATA, Span, Topic
-from codegen.claims.statements.terms import read_sentence
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, PassageKind
 from codegen.model.dialect.dialect import WireMessage

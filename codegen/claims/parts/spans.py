@@ -4,14 +4,14 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
+from codegen.claims.parts.cells import said_before
+from codegen.claims.parts.code_spans import code_spans, named_in
+from codegen.claims.parts.led import led_by, names_leading
+from codegen.claims.parts.pronouns import with_names
+from codegen.claims.parts.sentence import Sentence, Term, Vocabulary
+from codegen.claims.parts.span import Span, Topic
+from codegen.claims.parts.terms import read_sentence
 from codegen.claims.reading import Reading
-from codegen.claims.statements.cells import said_before
-from codegen.claims.statements.code_spans import code_spans, named_in
-from codegen.claims.statements.led import led_by, names_leading
-from codegen.claims.statements.pronouns import with_names
-from codegen.claims.statements.sentence import Sentence, Term, Vocabulary
-from codegen.claims.statements.span import Span, Topic
-from codegen.claims.statements.terms import read_sentence
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
