@@ -358,6 +358,8 @@ def _number(written: str) -> Fraction | None:
 
 def _unit(written: str) -> Unit | None:
     """The unit of words: "centi degrees", "metres per second squared", "deg C"."""
+    if (other := _OTHER_UNITS.get(written.lower())) is not None:
+        return other
     text = " ".join(written.replace("-", " ").split())
     text = re.sub(r"\b(nano|micro|milli|centi|deci|hecto|kilo|mega) ", r"\1", text)
     text = re.sub(r"/(?:sec|second)\b", " per second", text)

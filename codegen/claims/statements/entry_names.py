@@ -23,7 +23,7 @@ _NAMED = (
     re.compile(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
         r"|this is"
-        r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
+        r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)(?! ?(?:\||\+|&|and|plus) ?V)"
     ),
 )
 _AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")

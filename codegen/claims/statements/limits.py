@@ -125,7 +125,7 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
     told = [range_of(field) for field in (one.field, *one.others)]
     if found is None or any(each is None for each in told) or found.start() - said.end > _FAR:
         return
-    gap = text[said.end : found.start()]
+    gap = text[said.end : found.start()].replace(" of M", "")
     if _RULED_OUT.search(gap) or _NOT_ONE.search(gap) or not _RUNS.search(gap) or re.search(r"[|;]|\.\s|[MEVC]", gap):
         return
     low, high = (_end(span, found.start(group)) for group in ("low", "value"))

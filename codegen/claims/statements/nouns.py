@@ -31,7 +31,7 @@ _NOT = re.compile(
 _IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
     "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
-    "only", "time",
+    "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
 ))  # fmt: skip
 _MOST_WORDS = 3
 """The last words before a unit that can be the name of a field: "the current ground speed"."""
