@@ -8,17 +8,12 @@ from codegen.claims.known_names import SHORT, Names, near_fields, same_field
 from codegen.claims.membership import is_among_fields, owner_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside
-from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.claims.rules import NO_FIELD
+from codegen.diagnostics import Diagnostic, did_you_mean
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
-NO_FIELD = Rule(
-    "claim-no-field",
-    "A document names a field that its message does not have, and that looks like one that it has. Correct the name. "
-    "It is likely, not certain: another system may have a field of that name.",
-    Severity.WARNING,
-)
 _ELSE = re.compile(
     r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
     r"|signal|script|module|column|table|key)s?\s+$",

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from codegen.derivations.follows import steps_of
 from codegen.derivations.surroundings import Kept, Surroundings
-from codegen.diagnostics import Rule, did_you_mean
+from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.spec.derivation import (
