@@ -1,4 +1,4 @@
-"""What the stages have to say about their input: values with a rule, a place and a hint, never exceptions."""
+"""Findings of the stages about their input: values with a rule, a place and a hint, never exceptions."""
 
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches

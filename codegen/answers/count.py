@@ -1,4 +1,4 @@
-"""How many instances of a component there are."""
+"""The answer that is the number of instances of a component."""
 
 from collections.abc import Iterator
 from fractions import Fraction

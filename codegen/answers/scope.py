@@ -1,4 +1,4 @@
-"""What the answers of one table can refer to."""
+"""The names that the answers of one table can refer to."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence

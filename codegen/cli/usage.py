@@ -1,4 +1,4 @@
-"""What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
+"""The text of ``codegen --help``, written out so that it can be printed before argparse is imported."""
 
 COMMANDS = (
     *("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "deploy", "bench", "watch"),

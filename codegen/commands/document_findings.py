@@ -1,4 +1,4 @@
-"""What is wrong in the documents of a project, kept from one run to the next: most edits leave most documents alone.
+"""Findings in the documents of a project, cached from one run to the next: most edits leave most documents alone.
 
 What is found in a document depends on its text, on all that the documents are compared with, and on files that are read
 meanwhile, such as dialects that have a message of the same name. While these are as they were, so is what was found.

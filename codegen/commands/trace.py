@@ -1,4 +1,4 @@
-"""What criteria, tables, symbols and tests of a project have to do with one another, and what was reviewed."""
+"""Reads the trace of a project: its criteria, rows of tables, symbols and tests, and the reviewed texts."""
 
 import os
 from collections.abc import Iterable, Iterator, Sequence

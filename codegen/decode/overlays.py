@@ -1,4 +1,4 @@
-"""Which parts of a specification count: those without an overlay, and those of an overlay that the project lists."""
+"""Selects the parts of a specification that count: those without an overlay, and those of the project's overlays."""
 
 import os
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a board says of itself."""
+"""A board as it describes itself: its machine, its file system, its files."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""What can be wrong between this computer and a board."""
+"""Rules for faults between this computer and a board."""
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.source import Place

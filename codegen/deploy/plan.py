@@ -1,4 +1,4 @@
-"""What has to happen so that a board has what it shall have: a pure function of what is there."""
+"""Plans the removals and copies that give a board its files: a pure function of the files on the board."""
 
 from collections.abc import Collection, Iterator, Mapping
 

@@ -1,4 +1,4 @@
-"""What counts that something came back after it was gone, such as a pack that was exchanged."""
+"""The derivation that counts returns of a thing that was gone, such as an exchanged pack."""
 
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What a measured quantity stands for, by a curve of points: a charge by a voltage, a content by a level."""
+"""The derivation that estimates a quantity by a curve of points: a charge by a voltage, a content by a level."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What an ADC measures: the conversion from its counts, and the value above which a warning is logged."""
+"""The derivation that measures with an ADC: the conversion of its counts, and the threshold of a logged warning."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""What a sum leaves of a full store, and how long that lasts: the charge that is left, and its time."""
+"""The derivations of a remainder: the rest of a full store after a sum is drawn, and how long that rest lasts."""
 
 from collections.abc import Iterator
 from fractions import Fraction

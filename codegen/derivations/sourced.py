@@ -1,4 +1,4 @@
-"""What a sensor gives: its output in the steps of the quantity, by an exact factor."""
+"""The derivation from a sensor: its output in the steps of the quantity, by an exact factor."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction

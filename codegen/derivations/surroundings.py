@@ -1,4 +1,4 @@
-"""What a derivation may ask while it is resolved: the quantity that it belongs to, and all that stands around it."""
+"""The input of a derivation while it is resolved: the quantity that it belongs to, and the specification around it."""
 
 import dataclasses
 from collections.abc import Callable, Iterable, Mapping

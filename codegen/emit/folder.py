@@ -1,4 +1,4 @@
-"""What else is in an output folder, and whether a path stays in it."""
+"""Lists the other files of an output folder, and finds paths that lead out of it."""
 
 import os
 from collections.abc import Collection

@@ -1,4 +1,4 @@
-"""What there is to say about a command or a mode, for codegen explain."""
+"""Explains a command or a mode."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What ``codegen explain`` says about messages that set quantities."""
+"""Explains messages that set quantities."""
 
 from textwrap import fill
 

@@ -1,4 +1,4 @@
-"""What a cell is read for, and what comes of it: an answer of a population table, or a proposal for people."""
+"""Types for reading a cell: where it stands, and the answer of a population table or the proposal that it yields."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import field

@@ -1,4 +1,4 @@
-"""What the columns of a document's table are for, by their headings in any order and case."""
+"""Recognises the columns of a document's table by their headings, in any order and case."""
 
 import re
 from collections.abc import Mapping

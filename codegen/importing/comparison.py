@@ -1,4 +1,4 @@
-"""What a document says about a message beside what its population table says, element by element."""
+"""Compares a document's statements about a message with its population table, element by element."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a document states about fields: the rows of its tables and the items of its lists that name one."""
+"""Reads a document's statements about fields: the rows of its tables and the items of its lists that name a field."""
 
 import re
 from collections import deque

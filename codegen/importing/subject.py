@@ -1,4 +1,4 @@
-"""Which message a list of fields is about: the nearest text that names one whose fields these are."""
+"""Finds the message that a list of fields is about: the nearest text that names one with these fields."""
 
 import re
 from collections.abc import Iterable, Sequence

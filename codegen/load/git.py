@@ -1,4 +1,4 @@
-"""What git is asked, so that every kind of repository and of revision is understood."""
+"""Asks git itself, so that every kind of repository and of revision is understood."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What is said about text that is no YAML: the parser's terse problems in the words of someone who wrote a table."""
+"""Findings about text that is no YAML: the parser's terse problems in the words of someone who wrote a table."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""What the main loop leaves to the user's code in each slot of control, and its load of a board."""
+"""The time that the main loop leaves to the user's code in each slot of control, and its load of a board."""
 
 from fractions import Fraction
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What each part of a pass costs, as it was measured: ``costs.json``, which benchmarks/loop.py writes."""
+"""The measured cost of each part of a pass: ``costs.json``, which benchmarks/loop.py writes."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""How much a pass of the main loop may do, so that its slot has room for the user's code: by design, not by a clock."""
+"""The share of a pass of the main loop, small enough to leave room for the user's code: by design, not by a clock."""
 
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""How much there is to do in a second, of each part."""
+"""The amount of work in a second, of each part."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""What a kind of board has: its pins, converters and ports. ``codegen/boards/*.yaml``, and the project's own."""
+"""A kind of board: its pins, converters and ports, from ``codegen/boards/*.yaml`` or the project's own folder."""
 
 from collections.abc import Mapping
 from enum import StrEnum

@@ -1,4 +1,4 @@
-"""What is connected to the pins of the board: inputs of the converter, UARTs of links, buses and sensors."""
+"""The connections to the pins of the board: inputs of the converter, UARTs of links, buses and sensors."""
 
 from collections.abc import Iterator
 

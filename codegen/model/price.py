@@ -1,4 +1,4 @@
-"""What messages cost on a link: bytes of their frames, and bytes per second at the default rates of their streams.
+"""The price of messages on a link: bytes of frames, and bytes per second at the default rates of their streams.
 
 Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end of a payload; a MAVLink 1 frame is
 never cut, and has no extensions. What depends on the state makes a range, from 0 where the message may be withheld.

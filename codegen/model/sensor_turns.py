@@ -1,4 +1,4 @@
-"""When sensors have their turns: each look for what is due is a job of the main loop."""
+"""The turns of sensors: each look for due ones is a job of the main loop."""
 
 from fractions import Fraction
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What tests say about themselves: which criteria they show, and how their last run went."""
+"""Tests and their results: the criteria that a test shows, and the outcome of its last run."""
 
 import hashlib
 from collections.abc import Mapping

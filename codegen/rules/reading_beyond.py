@@ -1,4 +1,4 @@
-"""What comes of readings goes out as it is: nobody sets it, so that nobody would be told of a limit."""
+"""Rule for readings beyond the limits of messages: they go out as they are, and no setter would report a limit."""
 
 from collections.abc import Iterator
 from fractions import Fraction

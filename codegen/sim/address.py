@@ -1,4 +1,4 @@
-"""Where the simulated vehicle sends to: ``udp:HOST:PORT``, and where its links over TCP are."""
+"""Addresses of a simulation: the receiver of its frames, ``udp:HOST:PORT``, and the ends of its links over TCP."""
 
 import socket
 

@@ -1,4 +1,4 @@
-"""What is recorded of a program at a time: what happened, what was reported, its state, what went out."""
+"""Records of a program at a time: happenings, readings that were reported, its state, its traffic."""
 
 from collections import Counter
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What the messages of a program tell of its quantities: frames as they went out, read back by the specification."""
+"""Reads quantities back from the messages of a program: frames as they went out, decoded by the specification."""
 
 import struct
 from collections.abc import Iterator, Mapping, Sequence

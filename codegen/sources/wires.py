@@ -1,4 +1,4 @@
-"""What sensors are connected to: UARTs and I2C buses of the board."""
+"""The connections of sensors: UARTs and I2C buses of the board."""
 
 from collections.abc import Iterator
 from typing import Protocol

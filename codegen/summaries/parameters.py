@@ -1,4 +1,4 @@
-"""What a parameter sets, in words: for explain and for the review documents."""
+"""The uses of a parameter, in words: for explain and for the review documents."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What pure functions returned, kept from one run to the next under the hash of everything that goes into them.
+"""A cache of results of pure functions, kept between runs under the hash of all their inputs.
 
 It lies in the user's cache folder: ``$CODEGEN_CACHE``, or else ``codegen`` below ``$XDG_CACHE_HOME`` (``~/.cache``);
 ``CODEGEN_CACHE=off`` does without. Nothing depends on it: what is not there, or is damaged, is computed again, and a

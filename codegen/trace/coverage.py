@@ -1,4 +1,4 @@
-"""What became of each criterion: what answers to it, how its tests went, whether its text is the reviewed one."""
+"""The coverage of each criterion: rows that cite it, outcomes of its tests, whether its text is the reviewed one."""
 
 from collections.abc import Mapping
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What needs attention in a trace, as findings with a place: rules that a command counts or only tells."""
+"""Findings about a trace, with places: rules for what needs attention, which a command counts or only lists."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace

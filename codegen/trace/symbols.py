@@ -1,4 +1,4 @@
-"""What is generated from each part of the specification, by the names that the targets give it.
+"""The generated symbols of each part of the specification, by the names that the targets give them.
 
 A constant of a message is written where its payload is prefilled, a live value where it is built; a quantity is an
 attribute of the state and, with a unit, a property for people.

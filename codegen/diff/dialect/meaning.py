@@ -1,4 +1,4 @@
-"""What the bytes of a field mean, in two versions: units, sentinels, enums, ranges. Nothing of it is in CRC_EXTRA."""
+"""Changes in the meaning of a field's bytes: units, sentinels, enums, ranges. CRC_EXTRA covers none of them."""
 
 import re
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""Whether a number of a command still is what it was: its label, its words, its unit, its range, its enum."""
+"""Compares a parameter of a command in two versions: its label, its words, its unit, its range, its enum."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""Whether a number that was one thing still is it: a respelling, another thing, or a question for a person."""
+"""Judges a number under another name: a respelling, another thing, or a question for a person."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

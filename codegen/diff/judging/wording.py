@@ -1,4 +1,4 @@
-"""How alike two names or two texts are: a respelling, a better text, or words for something else."""
+"""The likeness of two names or two texts: a respelling, a better text, or words for something else."""
 
 import re
 from collections.abc import Collection, Iterable

@@ -1,4 +1,4 @@
-"""What the telemetry takes of the links, before and after: whole frames at the default rates of their streams."""
+"""The share of the links that telemetry takes, before and after: whole frames at the default rates of their streams."""
 
 from collections.abc import Iterator
 from fractions import Fraction

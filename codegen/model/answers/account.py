@@ -1,4 +1,4 @@
-"""What an answer says of itself: a record for each stage that asks."""
+"""An answer's account of itself: a record for each stage that asks."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What is stored of the state, and the numbers that it makes on the wire."""
+"""Stored values of the state, and the numbers that they make on the wire."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What a message says under a name, as an expression of the generated Python."""
+"""Named values of a message as expressions of the generated Python."""
 
 from fractions import Fraction
 

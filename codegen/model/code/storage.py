@@ -1,4 +1,4 @@
-"""How the words of the state keep one number: in one of them, or in halves of 16 bits, or as the bits of a float.
+"""The storage of one number in words of the state: in one word, in halves of 16 bits, or as the bits of a float.
 
 A word of 32 bits holds a small integer, which MicroPython reads without allocating on every port. What needs more is
 kept in halves, one to a word and the low one first: machine code and plain Python copy them to the wire as they are.

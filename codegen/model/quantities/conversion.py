@@ -1,4 +1,4 @@
-"""How a quantity comes from the counts of an ADC: by a multiplier and an offset, which are parameters or constants."""
+"""The conversion of ADC counts to a quantity: by a multiplier and an offset, which are parameters or constants."""
 
 import math
 from collections.abc import Mapping

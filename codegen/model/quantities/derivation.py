@@ -1,4 +1,4 @@
-"""Where the value of a quantity comes from: what the stages ask each derivation (``codegen/derivations/``)."""
+"""The interface of derivations (``codegen/derivations/``): the questions of the stages about the source of a value."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping

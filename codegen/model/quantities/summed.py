@@ -1,4 +1,4 @@
-"""What is counted of readings as time goes on: sums over time, what they leave of a full store, how long that lasts."""
+"""Sums of readings over time, the rest of a full store that they leave, and how long that rest lasts."""
 
 from fractions import Fraction
 

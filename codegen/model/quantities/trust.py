@@ -1,4 +1,4 @@
-"""When what is kept of a quantity is warned about, and when it is no longer believed."""
+"""Thresholds of warnings about a value, and the time after which it is no longer believed."""
 
 from codegen.frozen import dataclass
 

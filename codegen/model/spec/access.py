@@ -1,4 +1,4 @@
-"""Who may command the vehicle over which link, as vehicle.yaml states it."""
+"""The access to commands, as vehicle.yaml states it: who may command the vehicle over which link."""
 
 from collections.abc import Mapping
 from enum import StrEnum

@@ -1,4 +1,4 @@
-"""Where the value of a quantity comes from, as written: the keys of ``state.yaml`` that belong to each derivation.
+"""Derivations as written: the keys of ``state.yaml`` that belong to each kind.
 
 They stand among the keys of the quantity (see ``flattened``); what they resolve to is in ``codegen/derivations/``.
 """

@@ -1,4 +1,4 @@
-"""What is known about the board of a project: its pins as sets of numbers."""
+"""Resolves the kind of board of a project: its pins as sets of numbers."""
 
 import ast
 import re

@@ -1,4 +1,4 @@
-"""What failsafes name: quantities, actions; and how a finding about one is told."""
+"""The names that failsafes can use, quantities and actions, and the findings about them."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""Which elements of a message each key of a population table answers for."""
+"""Assigns the elements of a message to the keys of its population table."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence

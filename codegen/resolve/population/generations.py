@@ -1,4 +1,4 @@
-"""What decides whether and when a message goes out, beside its stream: its generation, and what announces it."""
+"""Resolves generations and announcements, which decide beside the stream whether and when a message goes out."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Which of several instances a message reports that there is once."""
+"""Chooses the instance that a message reports where it reports only one of several."""
 
 from collections.abc import Iterable, Mapping
 

@@ -1,4 +1,4 @@
-"""What the services to ground stations need of the dialect: messages, and entries of enums."""
+"""The messages and entries of enums that the services to ground stations need of the dialect."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What the tables do with each quantity, before it is decided how the quantity is kept."""
+"""Collects the uses of each quantity by the tables, before it is decided how the quantity is kept."""
 
 from collections.abc import Iterator, Mapping
 from typing import TypeVar

@@ -1,4 +1,4 @@
-"""How the state keeps a quantity: its kind, its units, its limits, and the words that hold a value."""
+"""Resolves the storage of a quantity: its kind, its units, its limits, and the words that hold a value."""
 
 from dataclasses import replace
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What must hold in a scenario: the quantity, the time and the bounds of each expectation."""
+"""Resolves the expectations of a scenario: the quantity, the time and the bounds of each."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Where the state keeps what: 32-bit words in one array, a block of them for each instance of each component.
+"""The layout of the state: 32-bit words in one array, a block of them for each instance of each component.
 
 A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
 largest magnitude that 32-bit boards read without allocating. What a small integer does not hold takes a word for every

@@ -1,4 +1,4 @@
-"""What a message must carry for a given state, by exact arithmetic on the resolved system.
+"""The expected fields of a message for a given state, by exact arithmetic on the resolved system.
 
 The generated tests and the tests of the generator take their expected values from here; nothing of the firmware is
 involved.

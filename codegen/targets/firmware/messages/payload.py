@@ -1,4 +1,4 @@
-"""What both spellings of a message's function have in common: in machine code, and in plain Python."""
+"""The common part of both spellings of a message's function: in machine code, and in plain Python."""
 
 import struct
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What the generated tests know of the components: their quantities, and how one of them is measured."""
+"""Facts about components for the generated tests: their quantities, and how one of them is measured."""
 
 import math
 from collections.abc import Iterator, Mapping

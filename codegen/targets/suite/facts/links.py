@@ -1,4 +1,4 @@
-"""What the specification says of the links, for the suite to compare with how the board opens them."""
+"""Facts about the links, which the suite compares with how the board opens them."""
 
 from codegen.frozen import dataclass
 from codegen.model.program import BoardLink, LinkKind

@@ -1,4 +1,4 @@
-"""What the generated tests know of single readings: those that the tests of whole components leave out."""
+"""Facts about single readings that the tests of whole components leave out."""
 
 from collections.abc import Iterator, Mapping
 
