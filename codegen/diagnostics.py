@@ -9,7 +9,7 @@ from codegen.source import Place
 
 
 class Severity(StrEnum):
-    """How bad a finding is: an error stops the build, a warning does not, and an information asks for nothing."""
+    """The severity of a finding: an error stops the build, a warning does not, and an information asks for nothing."""
 
     ERROR = "error"
     WARNING = "warning"

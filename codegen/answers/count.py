@@ -20,7 +20,7 @@ from codegen.model.vehicle import Component
 
 @dataclass(frozen=True, slots=True)
 class CountAnswer(KindOfAnswer):
-    """How many instances of ``component`` board.yaml lists, switched on or not."""
+    """The number of instances of ``component`` in board.yaml, switched on or not."""
 
     covers: Elements
     component: str

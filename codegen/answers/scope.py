@@ -15,7 +15,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class Pages:
-    """What the pages of a message are made of: ``size`` values of ``quantity`` on each of ``count`` pages."""
+    """The content of a message with pages: ``size`` values of ``quantity`` on each of ``count`` pages."""
 
     quantity: Quantity
     size: int

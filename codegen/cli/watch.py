@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 class Following:
-    """What follows a build without a fault: a deploy, a simulation that runs until the next one, or nothing."""
+    """The step after a build without a fault: a deploy, a simulation that runs until the next one, or nothing."""
 
     def __init__(self, project: str, deploys: bool, port: str | None, scenario: str | None) -> None:
         self._project = project

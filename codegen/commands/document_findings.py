@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is wrong in a document: where its tables differ from those of the messages, and in what it claims."""
+    """The findings in a document: drift between its tables and those of the messages, and false claims."""
 
     drift: tuple[Diagnostic, ...]
     claims: tuple[Diagnostic, ...]

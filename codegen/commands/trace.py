@@ -24,7 +24,7 @@ from codegen.project.systems import project_folder
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Why something cannot be done with what the user names, in words."""
+    """The reason for which something cannot be done with a name that the user gave, in words."""
 
     why: str
 

@@ -42,7 +42,7 @@ UNUSABLE_NUMBER = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Mismatch:
-    """Why a scalar does not fit; ``message`` follows the name of the key."""
+    """The reason for which a scalar does not fit; ``message`` follows the name of the key."""
 
     rule: Rule
     message: str

@@ -31,7 +31,7 @@ _LARGEST = 2**29
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What one sensor gives to one instance: ``factor`` stored steps are one step of the ``output``."""
+    """The output of one sensor for one instance: ``factor`` stored steps are one step of the ``output``."""
 
     source: str
     output: Output

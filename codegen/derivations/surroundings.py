@@ -35,7 +35,7 @@ MOST_COUNTED = 255
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """How a quantity is kept: the fields of ``Quantity`` that are known before its derivation."""
+    """The storage of a quantity: the fields of ``Quantity`` that are known before its derivation."""
 
     kind: QuantityKind
     unit: Unit

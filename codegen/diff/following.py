@@ -47,7 +47,7 @@ _ELEMENTS = re.compile(r"\[[^\]]*\]$")
 
 
 class _Relation(NamedTuple):
-    """Which groups may lead others, which may follow, and whether one follows another."""
+    """A relation between groups of changes: possible leaders, possible followers, and the test of a pair of them."""
 
     may_lead: Callable[[Change], bool]
     may_follow: Callable[[Change], bool]

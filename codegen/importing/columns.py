@@ -15,7 +15,7 @@ COLUMN_TWICE = Rule(
 
 
 class Role(Enum):
-    """What a column tells about a field."""
+    """The role of a column: the property of a field that it states."""
 
     FIELD = "field"
     VALUE = "value"

@@ -22,7 +22,7 @@ _SHOWN = 60
 
 
 class Verdict(Enum):
-    """How a document and a table stand to each other; the text is what people read."""
+    """The result of comparing a document with a table; the text is what people read."""
 
     SAME = "same"
     EQUAL = "same value"

@@ -31,7 +31,7 @@ _WINDOW = 400
 
 
 class PassageKind(Enum):
-    """What a passage is in its document."""
+    """The kind of a passage in its document."""
 
     HEADING = "heading"
     TEXT = "text"

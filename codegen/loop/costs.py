@@ -13,7 +13,7 @@ FILE = os.path.join(os.path.dirname(__file__), "costs.json")
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """How well costs that were fitted tell what was measured: of so many ``rows`` the largest ``error``, as a share."""
+    """The quality of fitted costs: the largest ``error``, as a share, among the ``rows`` of measurements."""
 
     of: str
     rows: int

@@ -11,7 +11,7 @@ from codegen.model.vehicle import Citation, Component, Parameter, Quantity
 
 
 class Sense(Enum):
-    """When a condition holds."""
+    """The sense of a condition: the side of the limit, or the absence, at which it holds."""
 
     BELOW = "below"
     ABOVE = "above"
@@ -53,7 +53,7 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """What holds or does not: of a ``quantity``, or of the ground station where that is None.
+    """A condition on a ``quantity``, or on the ground station where that is None.
 
     ``limit`` is what it is compared with, in stored units of the quantity; ``after`` how long it has to hold, in ms, at
     once where that is None; ``hysteresis`` how much better the quantity has to be, in its stored units. All conditions

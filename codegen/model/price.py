@@ -101,7 +101,7 @@ def on_by_default(component: Component | None, system: System) -> tuple[bool, ..
 
 @dataclass(frozen=True, slots=True)
 class Price:
-    """What one message costs in bytes per second, about each instance; ``is_on`` tells which are on by default."""
+    """The cost of one message in bytes per second, about each instance; ``is_on`` tells which are on by default."""
 
     by_instance: tuple[Range, ...]
     is_on: tuple[bool, ...]

@@ -19,7 +19,7 @@ from codegen.model.watchdog import Watchdog
 
 
 class LinkKind(Enum):
-    """What a link to ground stations runs over."""
+    """The kind of a link to ground stations."""
 
     UART = "uart"
     USB = "usb"
@@ -84,7 +84,7 @@ class BoardLink:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """What the board runs: the main loop, the storage, arming, failsafes, services. Periods are in us and ms.
+    """The program of a board: main loop, storage, arming, failsafes, services. Periods are in us and ms.
 
     ``services`` are the messages of the dialect that the services receive and send, ``sent`` the names of those that
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest

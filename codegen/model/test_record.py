@@ -27,7 +27,7 @@ class MarkedTest(NamedTuple):
 
 
 class Outcome(StrEnum):
-    """How a test went; only what passed shows anything."""
+    """The outcome of a test; only a passed one shows anything."""
 
     PASSED = "passed"
     FAILED = "failed"

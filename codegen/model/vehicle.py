@@ -108,7 +108,7 @@ def by_instance(parameter: Parameter, parameters: Mapping[str, Parameter], insta
 
 
 class QuantityKind(Enum):
-    """What a quantity of the vehicle state holds."""
+    """The kind of values that a quantity of the vehicle state holds."""
 
     NUMBER = "number"
     ENUM = "enum"
@@ -118,7 +118,7 @@ class QuantityKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Represented:
-    """What code sets in place of the ADC where a ``parameter`` is so many ``steps`` when the board starts.
+    """A quantity that code sets in place of the ADC where a ``parameter`` has so many ``steps`` when the board starts.
 
     A value is believed for ``stale_after_ms`` after it was set.
     """

@@ -23,7 +23,7 @@ _KEPT_LINES = 60
 
 
 class Runtime(StrEnum):
-    """What runs the firmware."""
+    """The interpreter that runs the firmware."""
 
     MICROPYTHON = "micropython"
     CPYTHON = "cpython"

@@ -65,7 +65,7 @@ class FigureView:
 
 @dataclass(frozen=True, slots=True)
 class ProgramView:
-    """What a program counted and its parameters at the end: names with their values; no name where it is alone."""
+    """A program at the end of a run: its counters and parameters by name; ``name`` is empty where it is alone."""
 
     name: str
     links: tuple[tuple[str, str], ...]

@@ -27,7 +27,7 @@ _WAIT_S = 0.2
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """What is run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
+    """A simulation to run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
 
     ``programs`` are the vehicle's own and those beside it; all send to ``to``, and ``ends`` are those of links over TCP
     that are somewhere else than usual, by their names.

@@ -13,7 +13,7 @@ from codegen.trace.results import Counts, Results, counts_of
 
 
 class Verdict(StrEnum):
-    """How the tests of a criterion went; ``NO_RESULT`` also where no results were given."""
+    """The outcome of all tests of a criterion; ``NO_RESULT`` also where no results were given."""
 
     PASSED = "passed"
     PARTLY = "partly passed"

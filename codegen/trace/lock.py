@@ -32,7 +32,7 @@ _CONTINUED = re.compile(r"^   +[^\s#]")
 
 
 class Review(StrEnum):
-    """What the lock says of a criterion."""
+    """The state of a criterion's review, according to the lock file."""
 
     REVIEWED = "reviewed"
     CHANGED = "changed since it was reviewed"

@@ -15,7 +15,7 @@ from codegen.trace.graph import Test, Trace, linked
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """How the cases of a test went; ``missing`` are those without a result."""
+    """The outcomes of a test's cases; ``missing`` are those without a result."""
 
     passed: int = 0
     failed: int = 0

@@ -48,7 +48,7 @@ def _is_unchanged(pair: Pair) -> bool:
 
 
 class _Teller(NamedTuple):
-    """What makes changes of one field."""
+    """The maker of changes of one field."""
 
     pair: Pair
     message: str

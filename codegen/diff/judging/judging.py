@@ -23,7 +23,7 @@ _LEAST_WORDS = 4
 
 
 class Judgement(NamedTuple):
-    """What comes of a change: whether somebody ``breaks``, ``doubt`` as the question for a person, and why."""
+    """The judgement of a change: whether it ``breaks`` somebody, the question for a person (``doubt``), and the effect."""
 
     breaks: bool = False
     doubt: str = ""

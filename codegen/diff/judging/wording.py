@@ -40,7 +40,7 @@ _TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
 
 
 class Likeness(StrEnum):
-    """How alike two wordings are.
+    """The likeness of two wordings.
 
     UNSAID: at least one says nothing. NEAR: most words of one are in the other. VAGUE: some are. OPPOSITE: a word is
     replaced by one that excludes it; DISPUTED: so it is, but much else is another, too.

@@ -25,7 +25,7 @@ class Words:
 
 
 class Origins(ABC):
-    """How the steps up to a quantity or a parameter are told; whoever prints the steps of an answer gives one."""
+    """The steps up to a quantity or a parameter; the caller that prints the steps of an answer passes one."""
 
     @abstractmethod
     def steps(self, source: Quantity | Parameter) -> tuple[Step, ...]:
@@ -33,7 +33,7 @@ class Origins(ABC):
 
 
 class Aspect(Enum):
-    """What of an answer a fact is about: changes of each are told under a rule of its own."""
+    """The aspect of an answer that a fact is about: changes of each are reported under a rule of its own."""
 
     SOURCE = auto()
     CONSTANT = auto()
@@ -89,7 +89,7 @@ class Arriving:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """What the tests of a receiver demand of a quantity: ``about`` has the keys of ``receiver_facts.json``."""
+    """The expectations of a receiver's tests for a quantity: ``about`` has the keys of ``receiver_facts.json``."""
 
     quantity: Quantity
     about: Mapping[str, object]

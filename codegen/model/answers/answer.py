@@ -48,7 +48,7 @@ class Elements:
 
 
 class Answer(ABC):
-    """Where some elements of a field take their value from. ``codegen/answers/`` has a module for each kind.
+    """The source of the values of some elements of a field. ``codegen/answers/`` has a module for each kind.
 
     The stages ask these methods and know no kind. What most kinds have in common is the default.
     """

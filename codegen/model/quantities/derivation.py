@@ -33,7 +33,7 @@ class DerivationFact(NamedTuple):
 
 
 class Derivation(ABC):
-    """Where the value of a quantity comes from. Every kind is a frozen dataclass in a module of its own.
+    """The source of the value of a quantity. Every kind is a frozen dataclass in a module of its own.
 
     Quantities are passed to the methods that need one, since a derivation belongs to one and does not know it. What
     most kinds have in common is answered here.

@@ -44,7 +44,7 @@ class Output:
 
 @dataclass(frozen=True, slots=True)
 class Polling(Cited):
-    """What is known of every sensor: its name, how often it is asked, how long that may take, when it is set up again.
+    """The common settings of sensors: the name, the period of polling, its time limit, and the delay of a new set-up.
 
     ``limit_us`` is None where nothing limits it.
     """

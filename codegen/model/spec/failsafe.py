@@ -13,7 +13,7 @@ GROUND_STATION = "ground_station"
 
 
 class Watching(StrEnum):
-    """When a failsafe looks at all."""
+    """The states of the vehicle in which a failsafe watches."""
 
     ARMED = "armed"
     ALWAYS = "always"
@@ -67,7 +67,7 @@ class FailsafeLevelSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FailsafeSpec(Written):
-    """What is done when a quantity is beyond a threshold or unknown for a while, or nobody is heard."""
+    """A failsafe: an action when a quantity is beyond a threshold or unknown for a while, or nobody is heard."""
 
     ONE_OF: ClassVar[tuple[str, ...]] = ("watches", "silence")
     INSTEAD: ClassVar[str] = (

@@ -15,7 +15,7 @@ from codegen.resolve.failsafes.setting import SettingReader
 
 @dataclass(frozen=True, slots=True)
 class FailsafeScope:
-    """What a failsafe may name, and where its findings go."""
+    """The names that a failsafe may use, and the report for its findings."""
 
     settings: SettingReader
     components: Mapping[str, Component]

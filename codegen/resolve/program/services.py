@@ -66,7 +66,7 @@ CANCELLED = "MAV_RESULT_CANCELLED"
 
 @dataclass(frozen=True, slots=True)
 class Uses:
-    """What the program has that not every program has, and that needs more of the dialect.
+    """The features of the program that need more of the dialect.
 
     A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared; a link brings
     the key of others.

@@ -68,7 +68,7 @@ class Cut:
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """Where the extensions begin, with the place of the word for it."""
+    """The boundary at which the extensions begin, with the place of the word for it."""
 
     x: float
     word_x: float

@@ -92,7 +92,7 @@ class AttributeView:
 
 @dataclass(frozen=True, slots=True)
 class RoleView:
-    """What plays a role: pairs of a reading's name and the factor to the unit of the role, as a tuple in Python."""
+    """The players of a role: pairs of a reading's name and the factor to the unit of the role, as a tuple in Python."""
 
     name: str
     players: str

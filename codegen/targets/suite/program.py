@@ -59,7 +59,7 @@ class MeasuredFamilies:
 
 @dataclass(frozen=True, slots=True)
 class InputView:
-    """Where an instance is read by default, and whether it is measured at all."""
+    """The default input of an instance, and whether it is measured at all."""
 
     gpio: int
     is_on: bool
@@ -78,7 +78,7 @@ class AccessFacts:
 
 @dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
-    """What the checks of the program compare with; ``criteria`` are those of each aspect of the checks."""
+    """The expected values of the checks of the program; ``criteria`` are those of each aspect of the checks."""
 
     program: ProgramView
     pairs: tuple[PairFacts, ...]
@@ -114,7 +114,7 @@ class ModeFacts:
 
 @dataclass(frozen=True, slots=True)
 class CommandSuiteView:
-    """What the checks of commands and modes compare with."""
+    """The expected values of the checks of commands and modes."""
 
     commands: tuple[CommandFacts, ...]
     modes: tuple[ModeFacts, ...]

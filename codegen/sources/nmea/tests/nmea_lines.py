@@ -1,7 +1,8 @@
 """Lines of NMEA 0183 with their meaning by the standard: one of each kind, and variants in which a field differs.
 
-Each line has the values that are new after it, by the names of the driver's outputs and in their units: None is unknown.
-ROWS have only the values that differ; False: the line does not state the value. The time is microseconds since 1970.
+Each line has the values that are new after it, by the names of the driver's outputs and in their units; None is an
+unknown one. ROWS have only the values that differ; False: the line does not state the value. The time is in
+microseconds since 1970.
 """
 
 LINES = {

@@ -51,7 +51,7 @@ class FunctionView:
 
 @dataclass(frozen=True, slots=True)
 class SharedView:
-    """What several functions do in plain Python: its name, its arguments, and its statements."""
+    """A function that several others share in plain Python: its name, its arguments, and its statements."""
 
     name: str
     arguments: str

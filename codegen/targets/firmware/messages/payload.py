@@ -18,7 +18,7 @@ from codegen.targets.naming import parameter_attribute
 
 @dataclass(slots=True)
 class SpelledCode(PayloadCode):
-    """What both spellings have in common; what a function turns out to need is noted down while it is spelled."""
+    """The common base of both spellings; it notes the needs of a function while that is spelled."""
 
     layout: Layout
     message: str

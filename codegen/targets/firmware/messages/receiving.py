@@ -181,7 +181,7 @@ def _any(tests: list[str]) -> str:
 
 
 class _Plain:
-    """What is spelled differently, in plain Python."""
+    """The spelling in plain Python, where it differs."""
 
     def half(self, offset: int) -> str:
         """A half of a number on the wire: an expression."""
