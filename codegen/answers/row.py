@@ -131,7 +131,7 @@ class RowAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of each part."""
+        """Return the scaling of each part."""
         return tuple(part.scaling for part, _, _ in self.parts)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:

@@ -113,7 +113,7 @@ class SplitAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of the whole."""
+        """Return the scaling of the whole value."""
         return (self.scaling,)
 
     def statements(self, code: PayloadCode) -> list[str]:

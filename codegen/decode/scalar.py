@@ -76,7 +76,7 @@ def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
 
 
 def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
-    """That ``shape`` wants another kind of value."""
+    """Return the mismatch of a node of another type than ``shape`` wants."""
     return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
 
 

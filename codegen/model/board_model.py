@@ -122,7 +122,7 @@ class I2c:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """The speed of a board: MHz, cycles for an instruction counted on x86-64, us for one conversion of the converter."""
+    """The speed of a board: MHz, cycles for an instruction counted on x86-64, us for a conversion of its converter."""
 
     megahertz: Fraction
     cycles: Fraction

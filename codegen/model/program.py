@@ -29,12 +29,12 @@ class LinkKind(Enum):
 
     @property
     def words(self) -> str:
-        """What people call it."""
+        """Return its name for people."""
         return self.value.upper() if self.value in ("uart", "usb", "udp") else self.value.replace("tcp_", "TCP ")
 
     @property
     def is_wireless(self) -> bool:
-        """Whether it needs Wi-Fi."""
+        """Return whether it needs Wi-Fi."""
         return self in (LinkKind.UDP, LinkKind.TCP_SERVER, LinkKind.TCP_CLIENT)
 
 

@@ -223,7 +223,7 @@ class Quantity(Cited):
 
     @property
     def lost(self) -> str:
-        """When its value is no longer believed, for people; nothing where that does not happen by itself."""
+        """Return when its value is no longer believed, for people; nothing where that does not happen by itself."""
         return self.trust.words("it was set") if self.ages else self.trust.words()
 
     @property

@@ -137,7 +137,7 @@ class Source(ABC):
 
     @property
     def given_in(self) -> tuple[Fraction, ...]:
-        """How many steps of each output make one of the units in which read() of the user's code gives them.
+        """Return for each output the number of its steps in the unit in which read() of the user's code gives it.
 
         Empty where a driver gives steps.
         """

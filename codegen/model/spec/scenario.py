@@ -102,7 +102,7 @@ class BesideSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectSpec(Written):
-    """An expectation: exactly one of state, told, text and no_text. ``codegen sim`` ends with exit code 1 if it fails."""
+    """An expectation: exactly one of state, told, text and no_text. If it fails, ``codegen sim`` exits with code 1."""
 
     at_: Amount | None = described("When, such as 40 s. Default: at the end.", key="at", default=None)
     state: str | None = described("A quantity as the firmware has it: battery.failsafe.", default=None)

@@ -133,7 +133,7 @@ class _Cases:
 
 
 def _heartbeat(sender: tuple[int, int]) -> dict[str, object]:
-    """That of a ground station: MAV_TYPE_GCS is 6."""
+    """Return the HEARTBEAT of a ground station: MAV_TYPE_GCS is 6."""
     return {"message": "HEARTBEAT", "values": {"type": 6}, "from": list(sender)}
 
 

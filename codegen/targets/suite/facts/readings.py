@@ -28,7 +28,7 @@ class InputFacts:
 
 @dataclass(frozen=True, slots=True)
 class LastingFacts:
-    """The time that ``left`` lasts: ``left * factor`` over a mean that follows the reading within ``readings`` of them."""
+    """The time that ``left`` lasts: ``left * factor`` over a mean that follows the reading within so many readings."""
 
     attribute: str
     left: str
