@@ -70,7 +70,7 @@ class Sender:
 
     @property
     def signing(self):
-        """What signs the frames, or None; a link has it from the start."""
+        """Return the Signing of the frames, or None; a link has it from the start."""
         return self._signing
 
     @property

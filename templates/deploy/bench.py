@@ -1,4 +1,4 @@
-"""What `codegen bench` runs on the board, with the program that is there; nothing of it is stored.
+"""The measurements of `codegen bench` on the board, with the program that is there; nothing of it is stored.
 
 `FACTS` is filled first: what the program has. Each call prints lines of JSON: [name, value] is a measure, [name, about,
 value] one of several that such a measure sums up, ["", text] something to be told.

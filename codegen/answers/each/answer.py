@@ -139,7 +139,7 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """Return the scaling of the elements, if any is reached, and those of the answer that goes out in their place."""
+        """Return the scaling of the elements, if any is reached, and those of the answer that stands in for them."""
         return (*((self.scaling,) if self._is_reached else ()), *(self.fallback.scalings if self.fallback else ()))
 
     @property

@@ -48,7 +48,7 @@ def beyond(halves: Sequence[str], low: Number | None, high: Number | None, stora
 
 
 def _near(top: str, low: Number | None, high: Number | None, storage: Storage) -> str:
-    """Return a condition true for the highest half of every number beyond a limit, and of few others; empty without one."""
+    """Return a condition true for the highest half of all numbers beyond a limit, and of few others; empty without."""
     if storage.is_float:
         if low is None or high is None or not low <= 0 <= high:
             return ""

@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: e0e45f63c4d665c1
+# Inputs: 9dfb528da7ad6fd9
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -72,7 +72,7 @@ class Sender:
 
     @property
     def signing(self):
-        """What signs the frames, or None; a link has it from the start."""
+        """Return the Signing of the frames, or None; a link has it from the start."""
         return self._signing
 
     @property

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/station.py, dialect common: do not edit.
-# Inputs: 312f8f7905757ecd
-"""What a link keeps of each station that it serves, and what it is told in texts.
+# Inputs: d232da466f566270
+"""The state of each station that a link serves, and the texts that it is sent.
 
 Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
 """

@@ -1,4 +1,4 @@
-"""What a link keeps of each station that it serves, and what it is told in texts.
+"""The state of each station that a link serves, and the texts that it is sent.
 
 Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
 """
