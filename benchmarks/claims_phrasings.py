@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""How general the checker of documents is: many ways to say a thing, of many messages, once right and once wrong.
+"""Tests how general the checker of documents is: many ways to say a thing, of many messages, once right, once wrong.
 
     python benchmarks/claims_phrasings.py [--each N] [--seed N] [--missed] [KIND...]
 

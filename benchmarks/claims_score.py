@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""How right the checker of documents is: precision and recall on the documents of tests/claims/corpus.
+"""Scores the checker of documents: precision and recall on the documents of tests/claims/corpus.
 
     python benchmarks/claims_score.py [--wrong] [--kinds] [--evidence] FOLDER...
 
@@ -34,7 +34,7 @@ Fault = dict[str, Any]
 
 @dataclass(frozen=True)
 class Score:
-    """What came of some documents: findings that are right, those that are wrong, faults found and all faults.
+    """The score of some documents: findings that are right, those that are wrong, faults found and all faults.
 
     ``surely_found`` are the faults that certain findings find.
     """

@@ -64,7 +64,7 @@ KINDS = {
 
 @dataclass
 class Row:
-    """What the comparison of a dialect brought."""
+    """The result of comparing a dialect."""
 
     name: str
     messages: int = 0
@@ -218,7 +218,7 @@ def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int, 
 
 
 def _undone(rows: Sequence[Row]) -> str:
-    """What differs, and what was compared with modules that pymavlink does not bring."""
+    """Return as text the differences, and the comparisons with modules that pymavlink does not bring."""
     differences = [f"- {row.name}: {difference}" for row in rows for difference in row.outcome.differences]
     made = [f"- {reason}" for row in rows for reason in row.made]
     if differences:

@@ -1,4 +1,4 @@
-"""How many instructions the steady path of the firmware takes, and what that predicts for a board.
+"""Counts the instructions of the firmware's steady path, and predicts the time on a board from them.
 
 Instructions are counted by valgrind's callgrind with the unix port of MicroPython on x86-64: at every run the same
 number, whatever else the computer does. CYCLES and MOST_CYCLES say how those of a board are predicted from it.
@@ -41,7 +41,7 @@ PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; 
 
 @dataclass(frozen=True)
 class Workload:
-    """What is counted: `name` in benchmarks/micropython/cost_`script`.py, less what others there take.
+    """A workload: `name` in benchmarks/micropython/cost_`script`.py, less the cost of another one there.
 
     `most` is the goal; with `by_length` it is as much for each byte as that of BATTERY_STATUS.
     """

@@ -1,4 +1,4 @@
-"""How long one BATTERY_STATUS takes from values, or from the state of the vehicle, to the frame; what it allocates."""
+"""The time of one BATTERY_STATUS from values, or from the state of the vehicle, to the frame, and its allocations."""
 
 from collections.abc import Callable
 from functools import partial
@@ -56,7 +56,7 @@ def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, C
 
 
 def fields(frame: str) -> tuple[int, ...]:
-    """What the contestants are told: sender, and values of the fields except for the charge, which counts."""
+    """Return the input of the contestants: sender, and values of the fields except for the charge, which counts."""
     from pymavlink.dialects.v20 import common  # noqa: PLC0415
 
     (message,) = common.MAVLink(None).parse_buffer(bytes.fromhex(frame))

@@ -1,4 +1,4 @@
-"""How much heap the programs of the rover and the boat take on a MicroPython whose words have 32 bits, as a board's."""
+"""The heap of the rover's and the boat's programs on a MicroPython whose words have 32 bits, as a board's."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Where the heap of the rover's program goes: module by module, and what machine code adds to it on a board."""
+"""The heap of the rover's program, module by module, and the share that machine code adds on a board."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""What each part of a pass of the main loop costs: counts passes, and writes codegen/loop/costs.json.
+"""Measures the cost of each part of a pass of the main loop: counts passes, and writes codegen/loop/costs.json.
 
 Instructions are counted as by cost.py, of single passes of several projects. Costs of one kind are fitted to all of
 them by least squares of the relative errors; no cost is below 0. To be done again after each change of the main loop.

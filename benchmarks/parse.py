@@ -1,4 +1,4 @@
-"""How long it takes to receive twenty BATTERY_STATUS frames that arrive at once, and what that allocates."""
+"""The time to receive twenty BATTERY_STATUS frames that arrive at once, and its allocations."""
 
 from collections.abc import Callable
 from functools import partial

@@ -38,7 +38,7 @@ Main = Callable[[list[str]], int]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What codegen did with an input: its exit code, the seconds that it took, and what of it is wrong."""
+    """The result of codegen for an input: its exit code, the seconds that it took, and its faults."""
 
     code: int
     seconds: float

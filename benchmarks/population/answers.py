@@ -1,4 +1,4 @@
-"""How each element of a field is answered: by a quantity, in a unit that fits, as a user could write it in state.yaml.
+"""Answers each element of a field: by a quantity, in a unit that fits, as a user could write it in state.yaml.
 
 What the tables say is drawn by lot, from a fixed seed: in which unit people think, in which it is stored, limits, an
 initial value, an age.
@@ -36,7 +36,7 @@ def answer(message: Message, seed: int) -> list[Answer]:
 
 
 def refused(before: Answer) -> Answer:
-    """What is said of an element instead, where the generator refuses its quantity: nothing is known, or 0."""
+    """Return the answer in place of one whose quantity the generator refuses: nothing is known, or 0."""
     if before.kind == "text":
         return Answer(before.field, 0, "text", '{constant: "x"}')
     written = "unknown" if before.unknown is not None else "{constant: 0}"

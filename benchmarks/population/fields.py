@@ -54,7 +54,7 @@ class Field:
 
     @property
     def is_float(self) -> bool:
-        """Whether it carries IEEE 754 numbers."""
+        """Return whether it carries IEEE 754 numbers."""
         return self.code in "fd"
 
     @property
@@ -73,7 +73,7 @@ class Message:
 
     @property
     def elements(self) -> int:
-        """How many values it carries; a text is one."""
+        """Return the number of values that it carries; a text is one."""
         return sum(1 if field.code == "s" else max(1, field.count) for field in self.fields)
 
 

@@ -1,4 +1,4 @@
-"""How a field of numbers is answered: in which unit, how it is kept, within which limits, and what stands in."""
+"""Answers a field of numbers: its unit, its storage, its limits, and the value that stands in for unknown."""
 
 import random
 import re
@@ -73,7 +73,7 @@ def _times(unit: str, tens: int) -> str:
 
 
 def _suffix(unit: str) -> str:
-    """How the attribute with what is kept ends: with its unit."""
+    """Return the end of the name of the attribute with the stored value: its unit."""
     text = unit.replace("%", "pct") if unit.endswith("%") else re.sub("[^a-z0-9]+", "_", unit.lower()).strip("_")
     return text or "number"
 
@@ -108,7 +108,7 @@ def _reach(found: Answer) -> tuple[int, int]:
 
 
 def _with_initial(found: Answer, dice: random.Random) -> Answer:
-    """Where the field has no sentinel, a value that stands in, or nothing: then the message is withheld."""
+    """Return an answer to a field without a sentinel: with an initial value, or with the message withheld."""
     if found.unknown is not None:
         return found
     if dice.random() < 0.5:
@@ -137,7 +137,7 @@ def trusted(found: Answer, dice: random.Random) -> Answer:
 
 
 def _is_written(number: Fraction) -> bool:
-    """Whether a number has an end when it is written with a point."""
+    """Return whether a number has an end when it is written with a point."""
     rest = number.denominator
     for prime in (2, 5):
         while rest % prime == 0:

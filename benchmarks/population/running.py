@@ -59,7 +59,7 @@ def _packed(setting: Setting) -> bytes:
 
 
 def run(folder: Path, form: str) -> list[str]:
-    """What the firmware sends, case by case."""
+    """Return the frames that the firmware sends, case by case."""
     firmware = folder / "generated" / "firmware"
     if form != "machine code":
         plain = folder / "plain"

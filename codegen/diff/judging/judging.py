@@ -23,7 +23,7 @@ _LEAST_WORDS = 4
 
 
 class Judgement(NamedTuple):
-    """The judgement of a change: whether it ``breaks`` somebody, the ``doubt`` for a person to settle, and its effect."""
+    """The judgement of a change: whether it ``breaks`` somebody, the ``doubt`` for a person to settle, its effect."""
 
     breaks: bool = False
     doubt: str = ""
