@@ -136,7 +136,7 @@ def chosen_tests(mutant: Mutant, text: str, suites: Mapping[str, Reached], most:
     own = f"tests/{mutant.file.split('/')[1]}/"
 
     def worth(name: str) -> float:
-        """Return the worth of a file of tests: more where it is about the module, or reaches lines that others do not."""
+        """Return the worth of a file of tests: more where it is about the module or reaches lines that others miss."""
         rare = sum(1 / reach[line] for line in reaching[name].lines[mutant.file])
         return rare * (4 if name.startswith(own) else 1) / (begin + reaching[name].seconds)
 
