@@ -89,7 +89,7 @@ def names_in(tree: ast.AST) -> Iterator[tuple[int, str]]:
 
 
 def names_in_template(text: str) -> Iterator[tuple[int, str]]:
-    """What a template prints or asks, with its line: all but its comments and the documentation that it prints."""
+    """Yield a template's output and questions by line: all but its comments and the documentation that it prints."""
     text = re.sub(
         r"\{#.*?#\}|<!--.*?-->|\"\"\".*?\"\"\"", lambda found: "\n" * found[0].count("\n"), text, flags=re.DOTALL
     )

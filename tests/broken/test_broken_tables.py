@@ -827,7 +827,7 @@ def test_a_message_without_stream_needs_a_program(tmp_path, monkeypatch, capsys)
 
 
 def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
-    """What the program needs and the dialect lacks: one finding for the messages, one for the entries of enums."""
+    """A dialect without the program's needs has one finding for the messages, one for the entries of enums."""
     shutil.copytree(ROOT / "tests" / "projects" / "minimal" / "specs", tmp_path / "specs")
     quantities = {
         "armed": "boolean: true, initial: false",
@@ -899,7 +899,7 @@ FOLLOW_UPS = [
 
 @pytest.mark.parametrize(("file", "old", "new", "rule"), FOLLOW_UPS, ids=[case[3] for case in FOLLOW_UPS])
 def test_one_fault_is_one_finding(file, old, new, rule, tmp_path, monkeypatch, capsys):
-    """What depends on something broken is not reported as well: the cause stands alone."""
+    """Consequences of a fault are not reported as well: the cause stands alone."""
     changed_copy(Case(rule, file, old, new), tmp_path)
     monkeypatch.chdir(tmp_path)
     assert main(["check"]) in (1, 2)

@@ -66,7 +66,7 @@ class Program:
 
     @property
     def position(self) -> int:
-        """Where what it writes from now on begins."""
+        """Return the position at which its further output begins."""
         with self._news:
             return len(self.written)
 

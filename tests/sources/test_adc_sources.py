@@ -40,7 +40,7 @@ def change(project: Path, file: str, old: str, new: str) -> None:
 
 
 def plan(system: System) -> list[object]:
-    """What the firmware is made of: each reading with its channel and rate."""
+    """Return the plan of the firmware: each reading with its channel and rate."""
     return [
         (name, system.components[name].period_ms, quantity.path, conversion.formula, conversion.channel.samples,
          conversion.channel.gpio, conversion.channel.read_limit_us, conversion.numerator, conversion.denominator)
