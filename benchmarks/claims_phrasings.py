@@ -34,10 +34,10 @@ PHRASINGS = Path(__file__).with_suffix(".yaml")
 ASIDES = PHRASINGS.with_name("claims_asides.yaml")
 
 Words = dict[str, str]
-"""What fills a phrasing: by the name in its braces."""
+"""The words that fill a phrasing: by the name in its braces."""
 
 Fact = tuple[Words, Words]
-"""What is right of a message, and the same with something wrong in it."""
+"""A true statement about a message, and the same with something wrong in it."""
 
 Maker = Callable[[random.Random], Fact | None]
 

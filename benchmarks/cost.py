@@ -31,7 +31,7 @@ CYCLES, MOST_CYCLES = 1.34, 1.9
 """Cycles of an RP2350 for an instruction on x86-64: likely, and at most."""
 MEGAHERTZ = 150
 CONVERSIONS_US = 23
-"""What five calls of the converter took in that emulator: NFR-00060 names it."""
+"""The time of five calls of the converter in that emulator: NFR-00060 names it."""
 
 LAYOUTS = range(5)  # how many names are there before; counting.py says why
 MARK = "setenv"  # what counting.py calls at the beginning and the end of each run

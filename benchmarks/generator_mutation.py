@@ -37,7 +37,7 @@ FOLDERS = ("resolve", "rules", "decode", "targets", "diff", "claims")
 BATCHES = (1, 3, None)
 """So many files of tests run in one process, and then the next: most faults are noticed by the first one."""
 NOT_FOUND = "exit code 4"
-"""What pytest says of a test that it does not know."""
+"""pytest's exit code for a test that it does not know."""
 MEMORY = 4_000_000_000
 """Bytes that a process may take: there are faults that make endless lists."""
 _NUMBERS = count(1)

@@ -28,7 +28,7 @@ ROVER = results.ROOT
 EVERYTHING = {
     "specs/board.yaml": (("BATT2_MONITOR: 0", "BATT2_MONITOR: 4"), ("samples: 5", "samples: 15")),
 }
-"""What is changed in a copy of the rover, so that more is read."""
+"""The changes in a copy of the rover, so that more is read."""
 OTHERS = ("named_tables", "received", "watched_boat")
 STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     ("control alone", ("control",), (Part.PASS,)),
@@ -44,7 +44,7 @@ STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     ("readings", ("readings",), (Part.COMPONENT, Part.READING, Part.SAMPLE)),
     ("failsafes", ("jobs",), (Part.WATCH, Part.FAILSAFE, Part.CONDITION, Part.REPORT, Part.REMINDER)),
 )
-"""What is fitted after another: what it is called, of which rows, and which costs."""
+"""The stages of the fit, one after another: name, rows, and fitted costs."""
 
 
 @dataclass(frozen=True)

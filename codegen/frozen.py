@@ -35,7 +35,7 @@ _FEW = 12
 """So many objects are made before it pays to compile how."""
 
 _DESCRIPTION = ("__dataclass_fields__", "__dataclass_params__", "__match_args__")
-"""Where the standard library puts what it finds out about a class, and looks for it."""
+"""Attributes of a class in which the standard library keeps its findings about it."""
 
 
 class _Slot(NamedTuple):

@@ -81,7 +81,7 @@ def read_once() -> Iterator[None]:
 
 
 OTHER_DRAFTS = pytest.StashKey[int]()
-"""How many tests are about drafts that specs/codegen.yaml does not list."""
+"""The number of tests about drafts that specs/codegen.yaml does not list."""
 
 
 def pytest_configure(config: pytest.Config) -> None:

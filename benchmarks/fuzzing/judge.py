@@ -22,7 +22,7 @@ from fuzzing.made import faults_of_made
 from fuzzing.watch import Seen, watched
 
 HIDDEN = "nobody is to quote this"
-"""What stands in a file beside the project: no output may have it."""
+"""The content of a file beside the project: no output may have it."""
 KEPT = "generated/kept.txt"
 """A file in the output folder that is nobody's."""
 LONGEST_S = 10.0

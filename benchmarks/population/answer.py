@@ -7,7 +7,7 @@ from functools import cached_property
 from population.fields import Field
 
 SMALL = 2**30 - 1
-"""What a word of the state holds."""
+"""The largest number in a word of the state."""
 STALE_S = 1
 """After how many seconds a value is too old, where the table says so."""
 

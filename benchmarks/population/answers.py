@@ -16,9 +16,9 @@ from population.numeric import real, trusted, whole
 
 TAKEN = {"instance", "number", "failures", "expire", "forget", "keep", "gone"}
 LISTS = True
-"""Whether a quantity with ``elements`` answers arrays as a whole; else each element has a quantity of its own."""
+"""True: a quantity with ``elements`` answers arrays as a whole; else each element has a quantity of its own."""
 TEXTS = True
-"""Whether a quantity is a ``text``; else texts are constants."""
+"""True: a quantity is a ``text``; else texts are constants."""
 CLOCKS = {"us": 1, "ms": 1000, "cs": 10_000, "ds": 100_000, "s": 1_000_000}
 
 

@@ -18,7 +18,7 @@ documents, from requirement documents, field tables and dialects.
 
 codegen --help lists all commands, codegen COMMAND --help their options.
 """
-"""What ``codegen`` says alone: how one begins."""
+"""The output of ``codegen`` alone: how one begins."""
 
 HELP = """\
 usage: codegen [-h] [--project FILE] [--debug] [--version] COMMAND ...

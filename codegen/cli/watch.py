@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 ENDINGS = (".yaml", ".yml", ".xml", ".md")
 """Files of a specification."""
 WAKE_MS = 500
-"""How long it waits at most before it looks whether somebody has ended it."""
+"""The longest wait before it looks whether somebody has ended it."""
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:

@@ -111,7 +111,7 @@ def example_numbers(paths: Iterable[str], reference: Reference, files: Files = D
 
 
 OfDialect = Mapping[str, tuple[Diagnostic, ...]]
-"""What differs from the dialect, by the overlay that is in use besides; empty for none."""
+"""Differences from the dialect, by the overlay that is in use besides; empty for none."""
 
 
 def of_dialects(text: str, path: str, reference: Reference, files: Files) -> OfDialect:

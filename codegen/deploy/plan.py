@@ -6,14 +6,14 @@ from codegen.deploy.board import Found
 from codegen.frozen import dataclass
 
 MAIN = "main.py"
-"""What a board starts by itself: it goes first and comes last."""
+"""The file that a board starts by itself: it goes first and comes last."""
 PART = "deploy.part"
-"""What a file is called until it is whole."""
+"""The name of a file until it is whole."""
 MANIFEST = "deployed.json"
 """The files that deploys have put there, with their hashes."""
 
 Owned = Mapping[str, Collection[str]]
-"""What earlier deploys put there: paths, with the hashes that each may have."""
+"""Files of earlier deploys: paths, with the hashes that each may have."""
 
 
 @dataclass(frozen=True, slots=True)

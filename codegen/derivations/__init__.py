@@ -58,7 +58,7 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     LastsSpec: resolve_lasts,
     SourcedSpec: resolve_sourced,
 }
-"""How each kind is resolved, by what it is written with."""
+"""The function that resolves each kind, by the keys that it is written with."""
 
 
 def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:

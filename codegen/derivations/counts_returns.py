@@ -32,7 +32,7 @@ BAD_RETURN = Rule(
 )
 
 _BEGINNING = (MeasuredSpec, EstimateSpec, IntegralSpec, LeftSpec, LastsSpec)
-"""What can begin anew beside what only code sets."""
+"""Derivations that can begin anew, beside quantities that only code sets."""
 
 
 @dataclass(frozen=True, slots=True)

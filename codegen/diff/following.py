@@ -11,7 +11,7 @@ from codegen.diff.report.grouping import Group
 from codegen.diff.system import behaviour_rules
 
 Carried = Mapping[str, tuple[str, ...]]
-"""What takes numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
+"""The things that take numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
 
 _TABLE = frozenset(
     rule.id

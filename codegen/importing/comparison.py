@@ -18,7 +18,7 @@ from codegen.source import Place
 
 Number = int | float
 _SHOWN = 60
-"""How many characters of an answer a line of a comparison shows."""
+"""The number of characters of an answer that a line of a comparison shows."""
 
 
 class Verdict(Enum):

@@ -25,7 +25,7 @@ _ITEM = re.compile(
 
 
 _PARAGRAPHS = 12
-"""How many paragraphs of a section are looked at: what is further up is about something else."""
+"""The number of paragraphs of a section that are looked at: earlier ones are about something else."""
 
 
 @dataclass(frozen=True, slots=True)

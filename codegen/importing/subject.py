@@ -10,7 +10,7 @@ _NAME = re.compile(r"\b[A-Z][A-Z0-9_]{2,}\b")
 _NUMBER = re.compile(r"#(\d{1,8})\b")
 _EXAMPLE = re.compile(r"(?:\w+\s+){0,2}examples?\b", re.IGNORECASE)
 _ENOUGH = 3
-"""How many names of fields it takes to recognise a message that no text names."""
+"""The number of names of fields that are needed to recognise a message that no text names."""
 
 
 def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:

@@ -27,7 +27,7 @@ _DISCUSSION = re.compile(r"/(?:pull|issues|commit|discussions|merge_requests)/")
 _SENTENCE_END = re.compile(r"[.!?;](?=\s)|\|")
 _DELIMITER_ROW = re.compile(r"(?=[^|]{0,99}\|)[ \t]*+\|?(?:[ \t]*+:?-++:?[ \t]*+(?:\||$))+[ \t]*")
 _WINDOW = 400
-"""How far a sentence is looked for around a place, in characters."""
+"""The distance from a place within which a sentence is looked for, in characters."""
 
 
 class PassageKind(Enum):

@@ -39,9 +39,9 @@ class LinkKind(Enum):
 
 
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
-"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be.
+"""Quantities that the program writes into the component ``vehicle`` of the state, with the kind that each must have.
 
-What cannot be armed has only the load to tell, and tells it where the state asks for it.
+A program that cannot be armed writes only the load, where the state asks for it.
 """
 
 RECEIVED = (

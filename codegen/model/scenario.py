@@ -8,7 +8,7 @@ from codegen.frozen import dataclass
 from codegen.model.quantities.simulated import SimulatedInput
 
 Truth = float | bool | str | None
-"""What is true of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
+"""The true value of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
 
 
 @dataclass(frozen=True, slots=True)

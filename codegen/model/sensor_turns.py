@@ -6,7 +6,7 @@ from typing import NamedTuple
 from codegen.model.system import System
 
 WATCH_US = 1000000
-"""How often it is looked whether sensors that speak by themselves are silent."""
+"""The time from one look for silent sensors, of those that speak by themselves, to the next."""
 
 
 class Turns(NamedTuple):

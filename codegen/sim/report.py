@@ -23,7 +23,7 @@ _PREFIXES = {
     Kind.MODE: "Mode",
     Kind.SENT: "Sent",
 }
-"""What stands in front of the texts of some happenings."""
+"""The words in front of the texts of some happenings."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from codegen.sim.record import Recording
 SILENCE_S = 30.0
 """Seconds without a sign of the firmware after which it is given up."""
 TURN_MS = 50
-"""How long a turn is in the time of the scenario."""
+"""The length of a turn in the time of the scenario."""
 _WAIT_S = 0.2
 
 

@@ -17,7 +17,7 @@ VARIABLE = "CODEGEN_CACHE"
 """The variable of the environment that names the folder, or says ``off``."""
 
 MOST_BYTES = 64_000_000
-"""What the folder may hold: beyond it the oldest entries go until half of that is left."""
+"""The largest size of the folder: beyond it the oldest entries go until half of that is left."""
 
 _SEAL_BYTES = 32
 _LOOKS = "00"

@@ -79,13 +79,13 @@ KINDS: Mapping[str, Rule] = {
     "partly": PARTLY,
     "dependency": DEPENDENCY,
 }
-"""What can be asked to fail, by the name that the command line has for it."""
+"""The kinds of findings that can be asked to fail, by their names on the command line."""
 
 COUNTED = ("uncovered", "orphaned", "suspect")
-"""What fails unless something else is asked for."""
+"""The kinds that fail unless others are asked for."""
 
 TOLD = (*COUNTED, "dependency")
-"""What is told even where it does not count."""
+"""The kinds that are told even where they do not count."""
 
 _UNMET: Mapping[Verdict, str] = {
     Verdict.PARTLY: "which has passed only partly",

@@ -25,7 +25,7 @@ HEAD = (
     "# Texts of criteria whose rows and tests were reviewed; codegen trace accept writes it.\n"
     "criteria:\n"
 )
-"""How a lock file begins that did not exist."""
+"""The beginning of a new lock file."""
 
 _ENTRY = re.compile(r"^  ([A-Z]+-[0-9a-z]+\.\d+):")
 _CONTINUED = re.compile(r"^   +[^\s#]")

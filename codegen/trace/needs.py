@@ -21,7 +21,7 @@ _TYPES = {
     ObjectKind.TEST: ("test", "Test Case"),
 }
 _OWN_FACTS = ("name", "result", "review", "bench", "aliases", "refers_to", "place", "cases")
-"""What a need has beyond the fields of sphinx-needs: the project that imports it lists these names, or drops them."""
+"""Fields of a need beyond those of sphinx-needs: the project that imports it lists these names, or drops them."""
 
 
 def needs_json(exchange: Exchange) -> str:

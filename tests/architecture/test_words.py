@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CODEGEN, TEMPLATES = ROOT / "codegen", ROOT / "templates"
 OWN = ("codegen/sources/", "codegen/boards/", "codegen/corrections/", "templates/start/")
-"""Where they may stand: drivers of sensors, boards, corrections of messages about batteries, projects to begin with."""
+"""The places for such words: drivers of sensors, boards, corrections about batteries, projects to begin with."""
 
 WORDS = re.compile(
     r"batter(?:y|ies)|batt\d?|rovers?|voltages?|chemistr(?:y|ies)|lipo|lion|discharge[ds]?|discharging|cells?|packs"
@@ -45,7 +45,7 @@ ALLOWED = {
 }
 """By file the words that have another meaning there, and which."""
 TOLD = ("described", "Rule")
-"""What is called with texts for people: keys and rules, whose examples are documentation."""
+"""Functions that are called with texts for people: keys and rules, whose examples are documentation."""
 
 
 def words_of(text: str) -> Iterator[str]:

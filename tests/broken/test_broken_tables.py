@@ -27,7 +27,7 @@ class Case:
     at: str = ""
     """The place, where it lies in another file than the change."""
     is_alone: bool = True
-    """Whether nothing else is found: what is wrong in the state or the facts is so for each table that reads it."""
+    """True: nothing else is found; a fault in the state or the facts is one for each table that reads it."""
 
 
 BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status", "sys_status", "heartbeat"))
@@ -746,7 +746,7 @@ def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
 
 
 WITH_PROGRAMS = ("codegen.yaml", "scenarios.yaml", "smart_battery/")
-"""What cases that are about the further programs change; others need the rover alone, which is read in half the time."""
+"""The files that cases about further programs change; others need the rover alone, which is read in half the time."""
 
 
 def check_place(case: Case, folder: Path, monkeypatch, capsys) -> None:

@@ -39,7 +39,7 @@ HEARTBEAT is sent at 3 Hz. The vehicle sends the message BATTERY_STATUSX, too.
 
 With `dialects/battery_rfc_0018.xml` the base payload of BATTERY_STATUS_V2 has 25 bytes.
 """
-"""What makes a document wrong in several ways."""
+"""Text that makes a document wrong in several ways."""
 
 _ID, _WIDE_ID = 'type="uint8_t" name="id"', 'type="uint16_t" name="id"'
 EDITS = {
@@ -58,7 +58,7 @@ EDITS = {
 """One change for each kind of file; each is seen in what is found."""
 
 MOST_MODULES = 440
-"""How many modules a check may import that finds nothing new."""
+"""The largest number of modules imported by a check that finds nothing new."""
 
 Check = Callable[..., list[dict[str, Any]]]
 

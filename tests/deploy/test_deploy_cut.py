@@ -24,7 +24,7 @@ OWN = {
     "notes.txt": b"mine",
     "boot.py": b"# mine\n",
 }
-"""What a deploy never touches."""
+"""Files that a deploy never touches."""
 MADE = b"# Generated from specs/state.yaml: do not edit.\n"
 ASKED = sorted({*OLD, *NEW, *OWN, "one.py", PART, MANIFEST})
 

@@ -39,7 +39,7 @@ FACTORS = sorted(
         if (step * factor).denominator <= FLOAT_DIVISOR_MAX and (step * factor).numerator <= SMALL_INT_MAX
     }
 )
-"""What stored steps are multiplied with on their way to the wire, for every pair of units that goes without a float."""
+"""The factors of stored steps on their way to the wire, for every pair of units that goes without a float."""
 
 
 @pytest.fixture(scope="module")

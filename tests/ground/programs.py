@@ -17,7 +17,7 @@ import pytest
 
 BIN = Path(sys.executable).parent
 PATIENCE_S = 30.0
-"""How long anything is waited for. It takes a second at most; a busy computer may need more."""
+"""The longest wait for anything. It takes a second at most; a busy computer may need more."""
 _GRACE_S = 5.0
 
 

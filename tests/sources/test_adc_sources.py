@@ -16,7 +16,7 @@ CHANNELS = """adc:
   pack_current: {pin: BATT_CURR_PIN, samples: 2, read_limit: 2 ms, when: {BATT_MONITOR: 4}}
   level: {gpio: 28, samples: 3}
 """
-"""What the sensors of the project are without ``sources``; multipliers and rates stand in state.yaml then."""
+"""The sensors of the project without ``sources``; multipliers and rates stand in state.yaml then."""
 
 
 @pytest.fixture

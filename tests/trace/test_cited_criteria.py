@@ -67,7 +67,7 @@ OF_THEIR_OWN = {
     *("failsafe.below", "failsafe.above", "failsafe.silent"),
     *("streams.rate", "streams.fixed", "command.done", "mode.change"),
 }
-"""What the ``requirement`` of a level, a stream, a command or a mode asks for."""
+"""Aspects that the ``requirement`` of a level, a stream, a command or a mode asks for."""
 
 
 def _systems(folder: Path) -> tuple[System, ...]:

@@ -12,7 +12,7 @@ from codegen.model.answers.step import Step
 from codegen.model.vehicle import Parameter, Quantity
 
 FLAGS = " + "
-"""What stands between the flags of a source in words."""
+"""The sign between the flags of a source in words."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ Stored = int | Fraction | str | tuple[int | Fraction | None, ...] | None
 A boolean is 0 or 1."""
 
 Known = Mapping[str, Stored]
-"""What is stored by ``component.quantity`` or name of a parameter."""
+"""Stored values by ``component.quantity`` or name of a parameter."""
 
 Value = int | float | str
 """One element on the wire; a text is one."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 INDENT = "    "
 UNKNOWN = "_UNKNOWN"
-"""What a word has that is unknown: a constant of the generated module, less than every limit."""
+"""The value of an unknown word: a constant of the generated module, less than every limit."""
 
 
 def indented(lines: list[str], levels: int = 1) -> list[str]:

@@ -37,7 +37,7 @@ class Constant:
 
 
 Factor = Parameter | Constant
-"""What the conversion of a reading takes: a parameter that an operator sets, or a constant."""
+"""A factor in the conversion of a reading: a parameter that an operator sets, or a constant."""
 
 
 def factors_by_instance(factor: Factor, parameters: Mapping[str, Parameter], instances: int) -> tuple[Factor, ...]:

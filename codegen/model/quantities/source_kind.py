@@ -18,7 +18,7 @@ FAULTS = {
     "slow": "the sensor takes longer",
     "stuck": "the sensor gives what it gave",
 }
-"""What can be wrong with a sensor in a simulation."""
+"""Faults of a sensor in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from codegen.model.spec.described import Amount, Verbatim, described
 from codegen.source import Written
 
 GROUND_STATION = "ground_station"
-"""What can be silent, beside a quantity that is unknown."""
+"""The sender that can be silent, beside a quantity that is unknown."""
 
 
 class Watching(StrEnum):

@@ -26,7 +26,7 @@ BAD_ANNOUNCEMENT = Rule(
     "once, and no text.",
 )
 CHOICES = tuple(Generation)
-"""What the values of the parameter choose: 0, 1 and 2."""
+"""The choices of the parameter's values 0, 1 and 2."""
 
 
 def resolve_generations(

@@ -14,7 +14,7 @@ from codegen.model.vehicle import Component
 from codegen.targets.receiver.roles import charging_entry, describes
 
 FACT = "info."
-"""How the names of facts begin among those of quantities."""
+"""The beginning of the names of facts among those of quantities."""
 CHARGING = "is_charging"
 """The name of what a message says about being charged; no attribute of its own."""
 

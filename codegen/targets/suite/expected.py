@@ -116,7 +116,7 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
 
 
 NOMINAL_TEXT = "Plain words"
-"""What texts are in tests; a different end of it for each instance."""
+"""The text of quantities in tests; a different end of it for each instance."""
 
 
 def nominal(quantity: Quantity) -> int | Fraction:

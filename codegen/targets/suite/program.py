@@ -33,19 +33,19 @@ from codegen.targets.suite.withheld import KnownWord, known_words, withheld_mess
 _PROGRAM = "tests/program"
 
 COMMAND_CHECKS = "tests/command_checks.py"
-"""What there is to check about commands and modes of the project's own."""
+"""Checks of commands and modes of the project's own."""
 
 ACCESS_CHECKS = "tests/access_checks.py"
-"""What there is to check about signed and listed links."""
+"""Checks of signed and listed links."""
 
 TWIN_CHECKS = "tests/twin_checks.py"
-"""What there is to check where a parameter gives the component id: two of the program can have the same one."""
+"""Checks where a parameter gives the component id: two of the program can have the same one."""
 
 WATCHDOG_CHECKS = "tests/watchdog_checks.py"
-"""What there is to check about a watchdog."""
+"""Checks of the watchdog."""
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
-"""What a further program's suite does without: it takes long, and is about modules that all programs share."""
+"""Checks that a further program's suite does without: long ones, of modules that all programs share."""
 
 
 @dataclass(frozen=True, slots=True)

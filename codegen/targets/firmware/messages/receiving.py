@@ -25,11 +25,11 @@ from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
 FIELDS = 16
-"""Where the counts of the fields begin."""
+"""The place at which the counts of the fields begin."""
 _OWN = 3
-"""Where the system and the component of the vehicle stand."""
+"""The place of the vehicle's system and component."""
 _GIVEN = 12
-"""Where machine code puts what it makes a whole number of."""
+"""The place to which machine code writes a number that becomes a whole one."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 

@@ -24,7 +24,7 @@ _STARTS = {
     True: ("self._in_force = 0  # the action", "self._asked = None  # parameters.changes when it was chosen"),
     False: ("self._reached = None  # the failsafe that has reached the highest level just now",),
 }
-"""What the choice of actions begins with, with and without a priority."""
+"""The first statements of the choice of actions, with and without a priority."""
 _INDENT = " " * 8
 """Of the statements in a method."""
 
