@@ -58,7 +58,7 @@ class Score:
         return self.found / self.faults if self.faults else 1.0
 
     def __str__(self) -> str:
-        """Both, with the numbers that they are of."""
+        """Return both, with the numbers that they are of."""
         findings = self.right + self.wrong
         sure = 100 * self.sure_and_right / self.sure if self.sure else 100.0
         return (

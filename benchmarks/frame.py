@@ -27,7 +27,7 @@ def figures(quick: bool) -> list[Figure]:
 
 
 def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, Callable[[], Result]]:
-    """Everybody who makes the frame, ready to run."""
+    """Return all that make the frame, ready to run."""
     codec = measure.codec(folder / "codec", "BATTERY_STATUS")
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
     rover = measure.rover(folder / "rover") / "firmware"

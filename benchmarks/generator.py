@@ -68,7 +68,7 @@ def _compile() -> None:
 
 @contextmanager
 def _first_run(folder: Path) -> Iterator[None]:
-    """Without anything that an earlier run found out."""
+    """Run without anything that an earlier run found out."""
     warm = os.environ["CODEGEN_CACHE"]
     os.environ["CODEGEN_CACHE"] = str(folder / "cold")
     try:

@@ -49,7 +49,7 @@ STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
 
 @dataclass(frozen=True)
 class Row:
-    """So many instructions for some work, in a project."""
+    """A count of instructions for some work, in a project."""
 
     project: str
     name: str

@@ -28,7 +28,7 @@ def figures(quick: bool) -> list[Figure]:
 
 
 def contestants(folder: Path, passes: int, count: int) -> dict[str, Callable[[], Result]]:
-    """Everybody who receives, ready to run."""
+    """Return all that receive, ready to run."""
     codec = measure.codec(folder / "codec", "BATTERY_STATUS")
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
     frames = folder / "frames"

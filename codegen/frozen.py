@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 else:
 
     def dataclass(*, frozen: bool, slots: bool, kw_only: bool = False) -> Callable[[_Class], _Class]:
-        """As the decorator of the standard library, for classes that are frozen and have slots."""
+        """Return the decorator of the standard library for classes that are frozen and have slots."""
         if not (frozen and slots):
             raise TypeError("a class whose objects change is a dataclass of the standard library")
 

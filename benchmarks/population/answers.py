@@ -87,7 +87,7 @@ def _clock(base: Answer, name: str) -> Answer:
 
 
 def _flags(message: Message, base: Answer, dice: random.Random) -> Answer:
-    """Some entries at all times, some by booleans of the state, some never."""
+    """Return flags: some entries at all times, some by booleans of the state, some never."""
     assert base.field.enum is not None
     fitting = {value: name for value, name in base.field.enum.entries.items() if 0 < value < 1 << base.field.bits}
     single = {value: name for value, name in fitting.items() if value.bit_count() == 1}

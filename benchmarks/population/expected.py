@@ -55,7 +55,7 @@ def carried(answer: Answer, value: Fraction | float | str | None) -> Carried:
 
 
 def cut(text: str, size: int) -> str:
-    """As many whole characters of a text as so many bytes of UTF-8 hold, up to a NUL."""
+    """Return as many whole characters of a text as so many bytes of UTF-8 hold, up to a NUL."""
     return text.partition("\0")[0].encode()[:size].decode(errors="ignore")
 
 
@@ -75,7 +75,7 @@ def _whole(answer: Answer, steps: Fraction) -> int:
 
 
 def _rounded(answer: Answer, steps: Fraction) -> int:
-    """As the table says."""
+    """Return the steps on the wire, rounded as the table says."""
     over, under = steps.numerator * answer.factor.numerator, steps.denominator * answer.factor.denominator
     if answer.rounding == "down":
         return over // under

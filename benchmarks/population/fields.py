@@ -59,7 +59,7 @@ class Field:
 
     @property
     def bits(self) -> int:
-        """Of one element."""
+        """Return the bits of one element."""
         return 8 * {"b": 1, "h": 2, "i": 4, "q": 8, "f": 4, "d": 8, "s": 1}[self.code.lower()]
 
 

@@ -11,7 +11,7 @@ from population.units import PEOPLE
 
 
 def real(base: Answer, dice: random.Random) -> Answer:
-    """As the float of the field, in its unit or another one, or in whole steps of a thousandth."""
+    """Answer with a float: that of the field, in its unit or another one, or in whole steps of a thousandth."""
     unit, wire = _people(base.field, dice)
     keys, steps, attribute = [("unit", unit)] if unit else [], None, ""
     if base.field.unit and dice.random() < 0.3:
@@ -22,7 +22,7 @@ def real(base: Answer, dice: random.Random) -> Answer:
 
 
 def whole(base: Answer, dice: random.Random) -> Answer:
-    """In steps of the field, or in finer ones that are rounded."""
+    """Answer in steps of the field, or in finer ones that are rounded."""
     field = base.field
     unit, per_unit = _people(field, dice)
     wire = per_unit / field.multiplier
@@ -42,7 +42,7 @@ def whole(base: Answer, dice: random.Random) -> Answer:
 
 
 def _shaped(found: Answer, dice: random.Random) -> Answer:
-    """With what the table itself says: how it is rounded, and limits that are narrower."""
+    """Return the answer with keys of the table: its rounding, and limits that are narrower."""
     keys = ""
     if found.factor.denominator != 1 and dice.random() < 0.5:
         found = replace(found, rounding=dice.choice(("down", "up", "toward_zero")))
@@ -130,7 +130,7 @@ def _with_initial(found: Answer, dice: random.Random) -> Answer:
 
 
 def trusted(found: Answer, dice: random.Random) -> Answer:
-    """Some are believed for a second only."""
+    """Return the answer, some of which are believed for a second only."""
     if found.initial is not None or dice.random() < 0.75:
         return found
     return replace(found, is_aging=True, quantity=(*found.quantity, ("stale_after", f"{STALE_S} s")))

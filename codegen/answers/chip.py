@@ -66,7 +66,7 @@ class ChipAnswer(KindOfAnswer):
 
     @property
     def is_chip_number(self) -> bool:
-        """It is."""
+        """Return True: the text is the number of the chip."""
         return True
 
     def is_fact(self, component: Component) -> bool:

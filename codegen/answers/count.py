@@ -60,7 +60,7 @@ class CountAnswer(KindOfAnswer):
         return (self.count,)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """As many as it takes."""
+        """Return the bytes of the number."""
         return bytes_of(self.count), bytes_of(self.count)
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -83,5 +83,5 @@ class CountAnswer(KindOfAnswer):
         yield Trait("value", str(self.count), Aspect.CONSTANT)
 
     def is_fact(self, component: Component) -> bool:
-        """It stays the same."""
+        """Return True: the number stays the same."""
         return True

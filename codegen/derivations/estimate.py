@@ -27,7 +27,7 @@ BAD_ESTIMATE = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Estimate(Derivation):
-    """For each instance the points (stored steps of ``quantity``, stored steps of the estimate), by the first."""
+    """An estimate: for each instance the points (stored steps of ``quantity``, stored steps of the estimate)."""
 
     quantity: str
     curve: str

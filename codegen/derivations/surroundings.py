@@ -124,7 +124,7 @@ class Surroundings:
         return self.spec.written(SourcedSpec) is not None
 
     def outputs(self) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives it, and what of it; nothing where none does, or after a finding."""
+        """Return by instance the sensor that gives it, and the output; nothing without one, or after a finding."""
         if self.found is None:
             self.found = self._outputs()
         return self.found
@@ -167,7 +167,7 @@ class Surroundings:
         return None
 
     def given_to(self, name: str) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives another quantity of the component, and what of it, as far as it is known.
+        """Return by instance the sensor and the output that give another quantity of the component, as far as known.
 
         What is wrong with it is reported there.
         """

@@ -183,7 +183,7 @@ def _behind(blocks: Sequence[Block], line: int) -> Iterator[str]:
 
 
 def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[str, ...]]:
-    """For each of the lines, in rising order, the text above it, the nearest first.
+    """Yield for each of the lines, in rising order, the text above it, the nearest first.
 
     That is the text of its own section, the headings around it from the innermost, what stands further up, and the
     paragraph right below.

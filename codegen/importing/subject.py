@@ -28,7 +28,7 @@ def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
 
 
 def _nearest(fields: FieldList, mentioned: Sequence[Sequence[WireMessage]], needed: int) -> tuple[WireMessage, ...]:
-    """Of the nearest text with messages that have so many of the rows those that have most."""
+    """Return the messages with the most rows in the nearest text that has any with so many."""
     for messages in mentioned:
         fitting = [message for message in messages if coverage(fields, message) >= needed]
         if fitting:

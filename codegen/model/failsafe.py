@@ -69,7 +69,7 @@ class Condition:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Those that it reads."""
+        """Return the parameters that it reads."""
         return tuple(each.parameter for each in (self.limit, self.after) if each and each.parameter)
 
     @property
@@ -126,7 +126,7 @@ class FailsafeLevel:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Those that it reads, once each: thresholds, times, the action."""
+        """Return the parameters that it reads, once each: thresholds, times, the action."""
         read = [parameter for condition in self.conditions for parameter in condition.parameters]
         chosen = [self.action] if isinstance(self.action, Parameter) else []
         return tuple({parameter.name: parameter for parameter in (*read, *chosen)}.values())
@@ -167,7 +167,7 @@ class Failsafe:
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """Those of all levels, the mildest first."""
+        """Return the conditions of all levels, the mildest first."""
         return tuple(condition for level in self.levels for condition in level.conditions)
 
     @property

@@ -56,7 +56,7 @@ def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range
 
 
 def sent_sizes(systems: Iterable[System]) -> dict[str, Range]:
-    """By name the bytes of the frames of each message that any program sends."""
+    """Return by name the bytes of the frames of each message that any program sends."""
     sent: dict[str, Range] = {}
     for system in systems:
         protocol = system.spec.project.protocol

@@ -10,7 +10,7 @@ WATCH_US = 1000000
 
 
 class Turns(NamedTuple):
-    """It is looked for sensors that are due ``every_us``, and ``most`` of them have their turn then."""
+    """The turns of sensors: ``every_us`` it looks for due ones, and ``most`` of them have their turn then."""
 
     every_us: int
     most: int

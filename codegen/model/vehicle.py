@@ -334,7 +334,7 @@ class Reading(Basis):
 
     @property
     def trend(self) -> Quantity | None:
-        """Its change per second, where the component keeps that."""
+        """Return its change per second, where the component keeps that."""
         return next((each for each in self.given if each.derivation.kept_readings), None)
 
     @property

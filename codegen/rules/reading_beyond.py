@@ -32,7 +32,7 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _ends(component: Component, conversion: Conversion, system: System) -> Reach:
-    """In stored units, over all counts and all that the factors of all instances can be."""
+    """Return the ends in stored units, over all counts and all values of the factors of all instances."""
     multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
     offset = conversion.offset
     offsets = factors_by_instance(offset, system.parameters, component.instances) if offset else (None,)
@@ -41,7 +41,7 @@ def _ends(component: Component, conversion: Conversion, system: System) -> Reach
 
 
 def _derived(quantity: Quantity, component: Component, most: int | Fraction) -> Reach | None:
-    """Between what a trend or an estimate can be; None for what readings do not give."""
+    """Return the ends of a trend or an estimate; None for quantities that readings do not give."""
     readings = quantity.derivation.kept_readings
     if readings and component.period_ms:
         rate = Fraction(most) * 1000 / (readings // 2 * component.period_ms)

@@ -96,7 +96,7 @@ class Traffic:
     gaps: int = 0
 
     def plus(self, other: "Traffic") -> "Traffic":
-        """Both together."""
+        """Return the sum of both."""
         return Traffic(
             frames=Counter(self.frames) + Counter(other.frames),
             sizes=Counter(self.sizes) + Counter(other.sizes),

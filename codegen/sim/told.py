@@ -25,7 +25,7 @@ class Telling:
     """Reads what frames tell; ``tables`` are all that a program sends."""
 
     def __init__(self, tables: Sequence[PopulatedMessage] = ()) -> None:
-        """Those of the tables count that tell of any quantity."""
+        """Take the tables that tell of any quantity."""
         self._tables: dict[int, list[PopulatedMessage]] = {}
         for table in tables:
             self._tables.setdefault(table.wire.id, []).append(table)

@@ -98,7 +98,7 @@ def with_bench(
 
 
 def _asked(trace: Trace) -> dict[str, list[Condition]]:
-    """By criterion what a board has to show."""
+    """Return by criterion the conditions that a board has to show."""
     asked: dict[str, list[Condition]] = {}
     for requirement in trace.requirements:
         for limit in requirement.host_limits:

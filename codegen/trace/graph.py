@@ -99,7 +99,7 @@ class Test:
 
     @property
     def name(self) -> str:
-        """As pytest calls it, without its parameters: ``generated/tests/test_frames.py::test_frames``."""
+        """Return pytest's name for it, without its parameters: ``generated/tests/test_frames.py::test_frames``."""
         return f"{self.file}::{self.function}"
 
 

@@ -60,7 +60,7 @@ def need_id(name: str) -> str:
 
 
 def _ids(exchange: Exchange) -> dict[str, str]:
-    """By name the id: where two names would have one, the later one has the hash of its name behind it."""
+    """Return the ids by name: where two names would have one, the later one has the hash of its name behind it."""
     taken: dict[str, str] = {}
     ids: dict[str, str] = {}
     for each in exchange.objects:

@@ -113,7 +113,7 @@ def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
 
 
 def hand_written_results(found: Iterable[TestResult], trace: Trace) -> list[TestResult]:
-    """Those of tests written by hand that say which criteria of the project they show."""
+    """Return the results of tests written by hand that say which criteria of the project they show."""
     return [each for each in found if each.inputs is None and any(trace.called(name) for name in each.shows)]
 
 

@@ -193,7 +193,7 @@ def passes(ms):
 
 
 def turns(count):
-    """Without a program: read, and make all messages, so often; print what that took of the heap."""
+    """Read and make all messages, so often, without a program; print the heap that it took."""
     import telemetry
     from mavlink import Link
 

@@ -97,7 +97,7 @@ def _sections(found: Review) -> list[_Section]:
 
 
 def _limited(head: Sequence[str], sections: Sequence[_Section], bandwidth: Sequence[str]) -> str:
-    """As much as a comment has room for, in the order of the sections, with what is missing counted."""
+    """Return as much as a comment has room for, in the order of the sections, with a count of what is missing."""
     tables = "\n".join(bandwidth)
     room = MOST_CHARACTERS - _TAIL
     text = _cut("\n".join(head), room)

@@ -63,7 +63,7 @@ class Bandwidth:
 
 
 def compare_bandwidth(old: System, new: System) -> Bandwidth:
-    """Both versions side by side."""
+    """Return both versions side by side."""
     before, after = _prices(old), _prices(new)
     rows = tuple(BandwidthRow(name, before.get(name), after.get(name)) for name in dict.fromkeys((*after, *before)))
     whole = BandwidthRow("all", total(before.values()), total(after.values()))

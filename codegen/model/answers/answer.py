@@ -66,7 +66,7 @@ class Answer(ABC):
 
     @property
     def carried(self) -> tuple[Quantity, ...]:
-        """Those quantities the numbers of which go out themselves."""
+        """Return the quantities whose numbers go out themselves."""
         return ()
 
     @property
@@ -150,7 +150,7 @@ class Answer(ABC):
 
     @abstractmethod
     def traits(self, position: int) -> Iterator[Trait]:
-        """Everything that a change of the answer could be about, for its element at ``position``, from 0."""
+        """Yield each attribute that a change of the answer can be about, for its element at ``position``, from 0."""
 
     @property
     def entries(self) -> tuple[str, ...]:

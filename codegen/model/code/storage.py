@@ -67,7 +67,7 @@ class Storage(Enum):
         return rounded
 
     def nearest(self, value: Fraction) -> Fraction:
-        """Of a float, the one that comes nearest; of what lies beyond them all the last one."""
+        """Return the float that comes nearest to a value; for one beyond all the last of them."""
         low, high = self.limits
         return Fraction(self.held(float(max(low, min(high, value)))))
 

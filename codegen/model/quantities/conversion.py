@@ -47,7 +47,7 @@ def factors_by_instance(factor: Factor, parameters: Mapping[str, Parameter], ins
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """From an ADC count to stored steps: (volts at the pin - ``offset``) * ``multiplier``, rounded to nearest.
+    """A conversion of ADC counts to stored steps: (volts at the pin - ``offset``) * ``multiplier``, to the nearest.
 
     With an offset it is limited to ``low`` and ``high``, where it can pass them: a level below empty is empty.
     In whole steps of these two it is ``(count * numerator - offset * offset_numerator) * multiplier / denominator``; a

@@ -176,7 +176,7 @@ class Source(ABC):
 
     @property
     def silence_ms(self) -> int | None:
-        """After how long without anything new it counts as failed; None: it has something new each time."""
+        """Return the time in ms without anything new after which it counts as failed; None: it always has something."""
         return None
 
     # what it is connected to

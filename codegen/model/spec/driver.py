@@ -68,7 +68,7 @@ class DriverSpec(Written):
 
 @dataclass(frozen=True, slots=True)
 class OwnDriver:
-    """Such a driver with the text of its module, whose file is ``path``."""
+    """A driver of the project's own with the text of its module, whose file is ``path``."""
 
     spec: DriverSpec
     path: str

@@ -28,7 +28,7 @@ class Carriers:
 
 
 def find_carriers(spec: Spec, dialect: Dialect) -> Carriers:
-    """Those of all tables; what cannot be found is reported where the tables are resolved."""
+    """Return the carriers in all tables; names that cannot be found are reported where the tables are resolved."""
     fields: dict[str, list[WireField]] = {}
     compared = set(_compared(spec))
     for population in spec.populations:

@@ -55,7 +55,7 @@ class NmeaSpec(SourceSpec):
 
 @dataclass(frozen=True, slots=True)
 class NmeaReceiver(Source):
-    """On a UART; silent for ``silent_ms`` it has failed."""
+    """A receiver on a UART, which has failed after ``silent_ms`` without a line."""
 
     polling: Polling
     line: Serial

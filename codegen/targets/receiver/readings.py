@@ -22,7 +22,7 @@ CHARGING = "is_charging"
 def readings_of(
     message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
 ) -> tuple[Reading, ...]:
-    """Everything that a message says about an instance of the component, each name once."""
+    """Return all readings of a message about an instance of the component, each name once."""
     found: dict[str, Reading] = {}
     for answer in message.answers:
         for reading in _inverse(answer, message, component, roles, dialect):

@@ -206,7 +206,7 @@ def _command_view(program: Program) -> CommandSuiteView:
 
 
 def _withheld_lines(system: System) -> dict[int, tuple[str, ...]]:
-    """By message what it is withheld for, as lines of a table."""
+    """Return by message the quantities that withhold it, as lines of a table."""
     return {
         each.id: tuple(
             one_by_one(f"    {each.id}: ", (f'("{owner}", "{name}")' for owner, name in each.quantities), ",", "[]")

@@ -261,7 +261,7 @@ def counts_stay_small():
 
 
 def lines_take_nothing_from_the_heap():
-    """Whatever they say."""
+    """Nothing is allocated, whatever the lines say."""
     for text in [LINES[kind][0] for kind in LINES] + ["", "GPTXT,x"]:
         bench = Bench()
         bench.driver._uart = Again(line(text))

@@ -56,7 +56,7 @@ class Columns:
 
     @staticmethod
     def of(rows: Sequence[Row]) -> "Columns":
-        """Those of all conditions of all failsafes."""
+        """Return the columns of all conditions of all failsafes."""
         values = {column: {row[column] for row in rows if column in row} for column in COLUMNS}
         shared = {column: next(iter(found)) for column, found in values.items() if len(found) == 1}
         # A name stays in the rows: it is looked up by what they have.

@@ -193,7 +193,7 @@ class _Plain:
 
 
 class _Machine(_Plain):
-    """In machine code a half is read at once where it lies at a multiple of two, as most do."""
+    """The spelling in machine code: a half at a multiple of two, as most are, is read at once."""
 
     def half(self, offset: int) -> str:
         return super().half(offset) if offset % 2 else f"halves[{offset // 2}]"
@@ -345,7 +345,7 @@ class _Statements:
         return [*lines, f"{self._word(word)} = {value}"]
 
     def _extended(self, halves: list[str], count: int) -> Iterator[str]:
-        """As many halves as are kept, the sign in those that the wire does not have."""
+        """Yield as many halves as are kept, the sign in those that the wire does not have."""
         wire = [*(_bare(half) for half in halves), "value" if self._is_long else "value & 0xFFFF"]
         negative = f"value & 0x{_TOP:X} != 0" if self._is_long else "value < 0"
         for at in range(count):

@@ -36,7 +36,7 @@ class ReceptionCase:
 
 
 def reception_cases(system: System) -> Iterator[ReceptionCase]:
-    """Those of all tables."""
+    """Yield the cases of all tables."""
     for table in system.receptions:
         yield from _Cases(table, system).cases()
 
