@@ -32,7 +32,7 @@ def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, C
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
     rover = measure.rover(folder / "rover") / "firmware"
     slow_rover = measure.rover(folder / "slow_rover", machine_code=False) / "firmware"
-    # What the rover sends of itself, its ids and its reading, is what the others have to send.
+    # The rover's own ids and reading are those that the others have to send.
     has = fields(measure.micropython("frame_state.py", rover, 1, 1)["shown"][0])
     many = (passes, short, *has)
     few = (passes, short // 2, *has)

@@ -62,7 +62,7 @@ def _value(figures: list[Figure], key: str) -> float | None:
 def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], quick: bool) -> list[Figure]:
     with ThreadPoolExecutor() as pool:
         used = dict(zip(FORMS, pool.map(lambda form: in_use(folder, form, MOST), FORMS), strict=True))
-        # What is in use once it has started does not fit into less.
+        # The heap in use once it has started does not fit into less.
         least = {form: (used[form] or {}).get("started", 0) // 1024 for form in FORMS}
         tried = pool.map(lambda form: MOST if quick else _smallest(folder, form, least[form]), FORMS)
         smallest = dict(zip(FORMS, tried, strict=True))

@@ -262,7 +262,7 @@ def _load(recording: Recording) -> str:
     whole = load.share(traffic.frames, size, traffic.received, recording.at_ms)
     if not frames:
         return f"{float(100 * whole):.1f} %"
-    # Which frames those of the busiest second were is not told: they are taken to be as all others are.
+    # The frames of the busiest second are not told by name: they are taken to be as all others are.
     alike = {name: Fraction(count * busiest.frames, frames) for name, count in traffic.frames.items()}
     peak = load.share(alike, busiest.size, 0, busiest.length_ms)
     return f"{float(100 * whole):.1f} %, {float(100 * max(whole, peak)):.1f} % in the busiest second"

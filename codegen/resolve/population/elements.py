@@ -40,7 +40,7 @@ def answered_elements(
     ``citation`` is that of the message; it holds where an answer cites nothing of its own.
     """
     answers: list[Elements] = []
-    # What is written but could not be read, or has no such element, was reported: its field is not "unanswered".
+    # A key that could not be read, or names no such element, was reported: its field is not "unanswered".
     broken = {_field_of(key) for key in _written_keys(population) if key not in population.fields}
     for key, answer in population.fields.items():
         cited = (

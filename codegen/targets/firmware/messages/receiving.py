@@ -333,7 +333,7 @@ class _Statements:
         lines = []
         value = "value"
         if halves:
-            # What is within the limits is a number of 30 bits: the halves above its two only have its sign.
+            # A value within the limits is a number of 30 bits: the halves above its two only have its sign.
             top = _bare(halves[1]) if len(halves) > 1 else "value"
             top = f"(({top}) ^ 0x{_TOP:X}) - 0x{_TOP:X}".replace("(value)", "value") if taken.low < 0 else top
             value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")

@@ -48,7 +48,7 @@ class _Cases:
         self._table = table
         self._own = system.system_id, system.component_id
         self._plain = {each.label: _plain(each) for each in table.fields}
-        # What a quantity is after this is seen at the next change.
+        # The value of a quantity after this is seen at the next change.
         is_own = table.spec.sender is Sender.OWN_SYSTEM
         self._sender = (self._own[0], self._own[1] % 255 + 1) if is_own else GROUND_STATION
         self._before = [] if table.spec.sender is not Sender.GROUND_STATION else [_heartbeat(self._sender)]
