@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CODEGEN, TEMPLATES = ROOT / "codegen", ROOT / "templates"
 OWN = ("codegen/sources/", "codegen/boards/", "codegen/corrections/", "templates/start/")
-"""Where they may stand: drivers of sensors, boards, corrections of messages about batteries, projects to begin with."""
+"""The places for such words: drivers of sensors, boards, corrections about batteries, projects to begin with."""
 
 WORDS = re.compile(
     r"batter(?:y|ies)|batt\d?|rovers?|voltages?|chemistr(?:y|ies)|lipo|lion|discharge[ds]?|discharging|cells?|packs"
@@ -53,7 +53,7 @@ ALLOWED = {
 }
 """By file the words that have another meaning there, and which."""
 TOLD = ("described", "Rule")
-"""What is called with texts for people: keys and rules, whose examples are documentation."""
+"""Functions that are called with texts for people: keys and rules, whose examples are documentation."""
 
 
 def words_of(text: str) -> Iterator[str]:
@@ -97,7 +97,7 @@ def names_in(tree: ast.AST) -> Iterator[tuple[int, str]]:
 
 
 def names_in_template(text: str) -> Iterator[tuple[int, str]]:
-    """What a template prints or asks, with its line: all but its comments and the documentation that it prints."""
+    """Yield a template's output and questions by line: all but its comments and the documentation that it prints."""
     text = re.sub(
         r"\{#.*?#\}|<!--.*?-->|\"\"\".*?\"\"\"", lambda found: "\n" * found[0].count("\n"), text, flags=re.DOTALL
     )

@@ -1,4 +1,4 @@
-"""What an experienced reviewer would say of a change is said: nothing that breaks silently passes as harmless."""
+"""Judgements are those of an experienced reviewer: nothing that breaks silently passes as harmless."""
 
 import importlib.util
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the bytes of a field mean, in two versions: units, sentinels, enums, ranges. Nothing of it is in CRC_EXTRA."""
+"""Changes in the meaning of a field's bytes: units, sentinels, enums, ranges. CRC_EXTRA covers none of them."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -48,7 +48,7 @@ def _is_unchanged(pair: Pair) -> bool:
 
 
 class _Teller(NamedTuple):
-    """What makes changes of one field."""
+    """The maker of changes of one field."""
 
     pair: Pair
     message: str
@@ -80,7 +80,7 @@ class _Teller(NamedTuple):
         )
 
     def attribute(self, name: str) -> tuple[str | None, str | None] | None:
-        """Both texts of an attribute, where they differ."""
+        """Return both texts of an attribute, where they differ."""
         old, new = (getattr(side, name) or None for side in self.sides)
         return None if old == new else (old, new)
 
@@ -140,7 +140,7 @@ def _texts(told: _Teller) -> Iterator[Change]:
 
 
 def _units(old: FieldDefinition, new: FieldDefinition) -> tuple[str | None, str | None] | None:
-    """Both units where they differ: of the attributes, and where one is missing what the text says in its place."""
+    """Return both units where they differ: of the attributes, or else of the text."""
     before, after = old.units or None, new.units or None
     if before is not None and after is not None:
         return (before, after) if before != after else None
@@ -170,7 +170,7 @@ def _other_units(old: str | None, new: str | None, text: str) -> Judgement:
 
 
 def _scale(old: FieldDefinition, new: FieldDefinition) -> Fraction | None:
-    """By which factor the number for one value grew, unit and multiplier together; None where that is not known."""
+    """Return the factor by which the number for one value grew, unit and multiplier together; None where unknown."""
     factor = Fraction(1) if (old.units or "") == (new.units or "") else _factor(old.units or "", new.units or "")
     before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
     if factor is None or not isinstance(before, Fraction) or not isinstance(after, Fraction) or not after:

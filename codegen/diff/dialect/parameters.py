@@ -1,4 +1,4 @@
-"""Whether a number of a command still is what it was: its label, its words, its unit, its range, its enum."""
+"""Compares a parameter of a command in two versions: its label, its words, its unit, its range, its enum."""
 
 from collections.abc import Mapping
 
@@ -73,7 +73,7 @@ def _other_words(old: CommandParameter, new: CommandParameter, entries: tuple[En
 
 
 def _swapped(old: CommandParameter, new: CommandParameter, entries: tuple[EnumEntry, EnumEntry]) -> str:
-    """That two parameters changed places, where they did."""
+    """Return the end of a sentence that says that two parameters changed places; empty where they did not."""
     label = dict(old.attributes).get("label", "")
     for other in entries[1].parameters:
         if other.number != new.number and label and dict(other.attributes).get("label") == label:

@@ -1,4 +1,4 @@
-"""Whether a number that was one thing still is it: a respelling, another thing, or a question for a person."""
+"""Judges a number under another name: a respelling, another thing, or a question for a person."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -24,7 +24,7 @@ _SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
 
 
 class Judgement(NamedTuple):
-    """What comes of a change: whether somebody ``breaks``, ``doubt`` as the question for a person, and why."""
+    """The judgement of a change: whether it ``breaks`` somebody, the ``doubt`` for a person to settle, its effect."""
 
     breaks: bool = False
     doubt: str = ""

@@ -1,4 +1,4 @@
-"""How alike two names or two texts are: a respelling, a better text, or words for something else."""
+"""The likeness of two names or two texts: a respelling, a better text, or words for something else."""
 
 import re
 from collections.abc import Callable, Collection, Iterable
@@ -41,7 +41,7 @@ _TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
 
 
 class Likeness(StrEnum):
-    """How alike two wordings are.
+    """The likeness of two wordings.
 
     UNSAID: at least one says nothing. NEAR: most words of one are in the other. VAGUE: some are. OPPOSITE: a word is
     replaced by one that excludes it; DISPUTED: so it is, but much else is another, too.
