@@ -38,6 +38,7 @@ def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
         or (finding.rule.id in _OF_MEMBERS and _is_taken_from(reading, finding.place))
         or (finding.rule.id in _NUMBERS and _is_of_nearer(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_own_member(reading, finding))
+        or (finding.rule.id in _OF_MEMBERS and _is_own_argument(reading, finding))
     )
 
 
@@ -148,3 +149,26 @@ def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
     if len(known) < len(members) and is_of_other_type(reading, finding.place, message.name):
         return True
     return _HALF * len(known) < len(members)
+
+
+@once
+def _signatures(reading: Reading) -> tuple[tuple[int, frozenset[str]], ...]:
+    """Return the line of each heading, with the names of the arguments if it is the signature of a function."""
+    found = []
+    for part in reading.prose.passages:
+        if part.kind is PassageKind.HEADING:
+            call = _SIGNATURE.search(part.text)
+            names = frozenset(re.findall(r"[A-Za-z_]\w*", call["arguments"])) if call is not None else frozenset()
+            found.append((part.place.line, names))
+    return tuple(found)
+
+
+_SIGNATURE = re.compile(r"[a-z_]\w*\((?P<arguments>[^()]*)\)")
+
+
+def _is_own_argument(reading: Reading, finding: Diagnostic) -> bool:
+    """Return whether a name is that of an argument of the function that the section describes."""
+    headings = _signatures(reading)
+    index = bisect_right(headings, finding.place.line, key=lambda heading: heading[0]) - 1
+    field = finding.message.partition(" ")[0].partition(".")[2]
+    return index >= 0 and field in headings[index][1]

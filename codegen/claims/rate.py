@@ -60,6 +60,8 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         claims: list[SizeClaim] | None = None
         for found in _PER_SECOND.finditer(passage.text):
             start, end = _row_or_sentence(passage.text, *passage.sentence(found.start(), found.end()))
+            if _OF_WHOLE.search(passage.text, start, found.start()):
+                continue
             inside = between(mentions, start, end)
             rates = _rates(passage.text, start, end) or _rates(passage.text, 0, start)
             lead = _COSTS.search(passage.text, max(start, found.start() - 40), found.start())
@@ -80,6 +82,10 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 yield reading.found(
                     as_sure(RULE, is_sure=is_sure), place, words, f"{text}, not {found['number']}", hint
                 )
+
+
+_OF_WHOLE = re.compile(r"(?:%|\bper ?cent|\bpart|\bshare|\bfraction|\bout) of (?:the |an? |its |all )?$", re.IGNORECASE)
+"""Before what a line can carry, of which a message takes a part: "7 % of the 5760 bytes/s"."""
 
 
 def _rates(text: str, start: int, end: int) -> set[Fraction]:

@@ -12,6 +12,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_own_column
 from codegen.claims.rules import SCALING, SIZE
 from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
 
 
@@ -22,6 +23,11 @@ def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> E
         alone = [offset for offset in named if is_alone(span, offset)]
         is_only = {str(term.value) for _, term in span.sentence.within(*near(at), "M")} == {name}
         is_amount = re.fullmatch(r"\s*N bytes\s*", span.text[slice(*around(span, at))]) is not None
+        is_of_field = (
+            rule == SIZE.id and _names_field(span, reading.messages[name]) and not _OF_MESSAGE.search(head_of(span, at))
+        )
+        if is_of_field:
+            return Evidence.WORDS
         if is_only and ((alone and is_headed(span, at, rule)) or (is_amount and rule == SIZE.id)):
             return Evidence.COLUMN
     if any(is_beside(span, offset, at) for offset in named):
@@ -38,6 +44,17 @@ def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> E
     if span.is_code and not named and topic.above[:1] and topic.above[0].name == name and closed(span.text[:at]):
         return Evidence.CODE
     return Evidence.WORDS
+
+
+_OF_MESSAGE = re.compile(r"payload|frame|packet|message|wire", re.IGNORECASE)
+
+
+def _names_field(span: Span, message: WireMessage) -> bool:
+    """Return whether a cell of a row is the name of a field of a message."""
+    return any(
+        isinstance(term.value, NamedField) and message.field(term.value.name) is not None and is_alone(span, offset)
+        for offset, term in span.sentence.within(0, len(span.text), "FP")
+    )
 
 
 def _is_constant(span: Span, at: int, name: str) -> bool:

@@ -69,6 +69,17 @@ _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _WORD = re.compile(r"\w+")
+_PLACE = re.compile(
+    r"(?:\w\.[A-Za-z]\w{0,4}:(?:\d{1,6}[:,-])?"
+    r"|\b(?:lines?|pages?|steps?|issues?|tickets?|commits?) #?(?:\d{1,6}(?: ?[-\u2013,] ?| to | and ))?)$",
+    re.IGNORECASE,
+)
+"""Before the number of a line or the like: "gimbal.cpp:102", "line 102", "lines 102 to 110", "step 7"."""
+_PLACE_ALONE = re.compile(r"(?:^|[\s(`]):$")
+"""The same without its file, if a colon follows: ":102: NAME"."""
+_PLACE_MOST = 30
+_FILLING = re.compile(r" bytes?\b|-(?:terminated|filled|padded|bytes?)\b")
+"""Behind "zero" where it is what a byte is, and not how many there are."""
 _SHARES: Mapping[str, int | Fraction] = {
     "tenth": 10,
     "hundredth": 100,
@@ -144,6 +155,8 @@ def _term(
 ) -> Term | None:
     """The term of a match; None for what is only words here."""
     start, end = found.span()
+    if (found["number"] or found["quantity"]) and _is_place(text, start):
+        return None
     if found["name"]:
         return _name(found, codes, words, before, text, high)
     if found["quantity"] and _of_quantity(found) is None:
@@ -152,6 +165,14 @@ def _term(
         return None if number is None or value is None else Term("N", value, number[0], start, number.end())
     made = _of_capitals(found, words) or _of_type(found) or _of_unit(found, before) or _of_number(found)
     return None if made is None else Term(*made, found[0], start, end, _is_quoted(text, start, end))
+
+
+def _is_place(text: str, start: int) -> bool:
+    """Return whether a number is that of a line in a file, of a page, a step or an issue."""
+    before = text[max(start - _PLACE_MOST, 0) : start]
+    if _PLACE.search(before):
+        return True
+    return _PLACE_ALONE.search(before) is not None and re.match(r"\d+:", text[start : start + 8]) is not None
 
 
 def _of_capitals(found: "re.Match[str]", words: Vocabulary) -> _Made | None:
@@ -261,7 +282,8 @@ def _name(
     field = snake(name) if is_code and name[:1].islower() and not name.islower() else ""
     if field in words.fields:
         return Term("F", NamedField(field), written, start, end)
-    if written.lower() in NUMBER_WORDS and written.lower() != "one":
+    is_filling = written.lower() == "zero" and _FILLING.match(text, end) is not None
+    if written.lower() in NUMBER_WORDS and written.lower() != "one" and not is_filling:
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
     return _camel(name, start, end, words)
 

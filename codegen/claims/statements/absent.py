@@ -66,19 +66,23 @@ _SMALL = (0, 1)
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value that a sentence about something unknown gives a field."""
     for low, high in _sentences(span):
-        absent = [
-            (found.start(), found.end())
+        words_for = [
+            found
             for found in _ABSENT.finditer(span.text, low, high)
             if not _NEGATED.search(span.text, max(low, found.start() - 30), found.start())
         ]
+        clear = [found for found in words_for if found[0] != "empty"]  # "255 unknown, 0 empty" tells two states
+        absent = [(found.start(), found.end()) for found in clear or words_for]
         if not absent or _RULED_OUT.search(span.text, low, high):
             continue
         values = [
             (at, number(term)) for at, term in span.sentence.within(low, high, "NS") if _is_value(span.text, low, at)
         ]
-        for group, at, tied in _told(span, low, high, absent, [at for at, _ in values]):
+        told = [*_told(span, low, high, absent, [at for at, _ in values])]
+        states = {place for _, _, tied in told for place in tied}  # "0 unknown, 1 invalid": one of them may be right
+        for group, at, _ in told:
             one = about(reading, span, group)
-            if one is not None and not any(_is_right(one, value, is_tied=place in tied) for place, value in values):
+            if one is not None and not any(_is_right(one, value, is_tied=place in states) for place, value in values):
                 yield from _found(reading, span, one, at, (low, high))
 
 
@@ -125,6 +129,8 @@ def _told(
 def _carried(span: Span, low: int, high: int) -> list[int]:
     """The field that the sentences before one are about: the only one of the passage so far, and of no other thing."""
     before = [said for said in said_of_fields(span) if said.start < low]
+    if _OF_SEVERAL.match(span.text, low):
+        return []
     names = {span.sentence.term(said.names[-1]).written for said in before}
     if len(names) != 1 or any(len(said.names) > 1 for said in before):
         return []
@@ -132,6 +138,10 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
+_OF_SEVERAL = re.compile(
+    r"\s*(?:the|both|all|these|those) (?:(?:N|[a-z]+) ){0,2}[a-z]{3,}s\b[^.;]*?\b(?:are|have|use|carry|hold)\b"
+)
+"""The beginning of a sentence about several things, which no single field is: "the two temperatures are ..."."""
 _CARRIED = 250
 """How far a field is carried, in characters."""
 

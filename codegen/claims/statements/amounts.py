@@ -95,6 +95,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         one = _field(reading, span, (start, end), (low, high), unit)
         if one is None and at < offset and _SENT_AS.fullmatch(text, start + 1, end):
             one = _unnamed(reading, span, (low, high), unit)
+        if value < 0 < amount and _AGAINST.match(text, at + 1):
+            value = -value
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
@@ -137,6 +139,11 @@ _RULED_OUT = words(
     r"\bdivid", r"\bmultipl", r"\blimit", r"\bthreshold", r"\bresolution\b", r"\bsteps?\b", r"\baccura", r"\btoleran",
     r"\bfactor\b", r"\bwarn", r"\balarm",
 )  # fmt: skip
+_AGAINST = re.compile(
+    r"[ ,]*(?:[a-z]+ ){0,3}(?:south|west|down|below|beneath|under|left|back|behind|aft|astern|port|revers|charg|descen"
+    r"|sink|brak|lower)"
+)
+"""Behind an amount whose sign is told in words: "15.23 m to the south" is negative."""
 _BEHIND_AMOUNT = 60
 """How far behind an amount words still make it no statement."""
 

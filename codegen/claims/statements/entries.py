@@ -128,12 +128,21 @@ def _only(reading: Reading, span: Span, enum: EnumDefinition, low: int, high: in
 _TOLD_FIRST = re.compile(r"[\s|:=(,]*(?:(?:is|has|always|must be|set to|fixed at|the|value|to|as|=)[\s:]*){0,4}")
 
 
+def _enums_named(span: Span) -> list[str]:
+    """Return the enums that a part names, without those that it says its values are not of."""
+    named = span.sentence.within(0, len(span.text), "E")
+    return [str(term.value) for at, term in named if not _NO_ENUM.search(span.text, max(at - 20, 0), at)]
+
+
+_NO_ENUM = re.compile(r"\b(?:not|no|never|nor) (?:an? |any |the |from |of |in )*$")
+
+
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:
     """What a list or a table tells the values of: a field above it, an enum that is named, or a field."""
     fields = _fields(reading, above)
     if fields:
         return fields[-1]
-    named = [reading.enums[str(term.value)] for _, term in above.sentence.within(0, len(above.text), "E")]
+    named = [reading.enums[name] for name in _enums_named(above)]
     if named:
         return _Subject(named[-1].name, named[-1])
     topic = spans[0].topic
@@ -192,10 +201,7 @@ def _most_right(subjects: Sequence[_Subject], pairs: Sequence[_Pair]) -> _Subjec
 
 def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Values of a field or an enum that the sentence names otherwise: "NAME answers 0 (accepted), 1 (denied)"."""
-    enums = [
-        _Subject(str(term.value), reading.enums[str(term.value)])
-        for _, term in span.sentence.within(0, len(span.text), "E")
-    ]
+    enums = [_Subject(name, reading.enums[name]) for name in _enums_named(span)]
     for subject in enums[-1:]:
         yield from _values(reading, span, subject, 0, len(span.text))
         return
@@ -213,7 +219,7 @@ def _unnamed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int) -> Iterator[Diagnostic]:
     known = meaning(subject.enum)
     told: set[int] = set()
-    for value, words, offset in (*_alone(span, low, high), *_pairs(span, low, high)):
+    for value, words, offset in _as_meant(subject, span, [*_alone(span, low, high), *_pairs(span, low, high)]):
         before = span.text[max(low, offset - 30) : offset]
         if offset in told or _RESPECTIVELY.search(before) or _NOT.search(re.split(r"[,.;(]", before)[-1]):
             continue
@@ -221,6 +227,25 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
         if meant is not None:
             told.add(offset)
             yield _finding(reading, span, subject, meant, value, offset, words)
+
+
+def _as_meant(subject: _Subject, span: Span, pairs: list[_Pair]) -> list[_Pair]:
+    """Return the pairs of a list with "bit" in it in the reading that has the fewest wrong ones.
+
+    "bit 1 healthy, 2 retracted, 4 moving" gives values, "bits: 0 healthy, 1 retracted" gives their places.
+    """
+    if len(pairs) < _FEWEST or not re.search(r"\bbits?\b", span.text):
+        return pairs
+    known = meaning(subject.enum)
+    raw = [(int(number(span.sentence.term(at)) or 0), words, at) for _, words, at in pairs]
+    shifted = [(1 << value, words, at) for value, words, at in raw if 0 <= value < _BITS]
+    readings = (pairs, raw, *((shifted,) if len(shifted) == len(raw) else ()))
+    return min(
+        readings, key=lambda each: sum(known.meant_otherwise(value, words) is not None for value, words, _ in each)
+    )
+
+
+_BITS = 64
 
 
 def _finding(

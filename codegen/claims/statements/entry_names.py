@@ -49,6 +49,8 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
                 and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start())
             ):
                 continue  # "FIRST 1, SECOND 2"
+            if _is_beside_by_chance(span, *sorted((found.start("name"), found.start("value")))):
+                continue
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)
     if span.is_code and not span.is_comment:
@@ -57,6 +59,30 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
             name = span.sentence.term(comment.start("name")).written
             yield from _value(reading, span, name, values.get(name), stated)
+
+
+def _is_beside_by_chance(span: Span, low: int, high: int) -> bool:
+    """Return whether a comma only divides a name and a number: arguments of a call, elements of a list of code.
+
+    A pair in brackets of its own, ``{NAME, 3}``, and a line of comma-separated values belong together.
+    """
+    text = span.text
+    if text[low + 1 : high].strip() != ",":
+        return False
+    if _CALLED.search(text, 0, low) or _IN_LIST.search(text, 0, low) or re.match(r", [NQSV]\b", text[high + 1 :]):
+        return True
+    if not span.is_code or span.is_comment:
+        return False
+    is_pair = re.search(r"(?<![\w)\]])[({\[] ?$", text[:low]) and re.match(r" ?[)}\]]", text[high + 1 :])
+    is_table = span.language in _OF_VALUES and not re.search(r"[({\[]", text)
+    return not (is_pair or is_table)
+
+
+_CALLED = re.compile(r"[\w\])>]\((?:[^()]|\([^()]*\))*$")
+"""The open parenthesis of a call."""
+_IN_LIST = re.compile(r"\b[NQSV], $")
+"""A longer list, of which nobody can tell what belongs to what: "3, NAME, 0"."""
+_OF_VALUES = ("", "csv", "tsv", "text", "txt")
 
 
 @once

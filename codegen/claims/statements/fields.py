@@ -34,6 +34,13 @@ _EXCEPT = re.compile(
 )
 
 
+_CONTRAST = re.compile(
+    r"\b(?:where|while|whereas|unlike|but|as) (?:in )?(?:the|its|their|that) (?:(?!and\b)[a-z]+ ){0,2}?"
+    r"(?:ones?|others?|latter|former)\b"
+)
+"""A clause about another thing of the same name: "`lat_int` is an integer where the local one has a float"."""
+
+
 @dataclass(frozen=True, slots=True)
 class Said:
     """What is said of one or several fields: their offsets, and the bounds of what follows them."""
@@ -76,6 +83,8 @@ def _said(span: Span) -> Iterator[Said]:
                 if "{" not in span.text[found.end() : until]
                 else until,
             )
+        other = _CONTRAST.search(span.text, found.end(), until) if not span.is_code else None
+        until = other.start() if other is not None else until
         names = tuple(offset for offset in range(found.start(), found.end()) if span.text[offset] in "FP")
         before = groups[index - 1].end() if index else 0
         yield Said(span, names, found.start(), found.end(), until, before)

@@ -218,7 +218,10 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
-_SIZED = re.compile(r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])(?!\w|,? and [FP]|, [FP]|/| ?[NQ])")
+_SIZED = re.compile(
+    r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])"
+    r"(?!\w|,? (?:and|to|through|up to) [FP]|, [FP]|/| ?(?:-|\u2013|\.\.\.?|\u2026) ?[FP]| ?[NQ])"
+)
 
 
 def _takes(field: WireField, size: float | Fraction) -> bool:

@@ -26,7 +26,7 @@ _BYTES = re.compile(
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
     r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
-    r"|items|entries|messages)|[.-]\d)"
+    r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|cells|integers|T\b)|[.-]\d)"
     r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
 )
 _LENGTHS = re.compile(
@@ -218,7 +218,8 @@ def _stated(span: Span) -> Iterator[_Size]:
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
         at = each.start("number") if each["number"] else each.start("sizeof")
         is_argument = span.is_code and not span.is_comment and re.search(r", ?$", each[0][:-1]) is not None
-        if at not in paired and not is_of_frame and not is_argument:
+        is_word = span.sentence.term(at).written.isalpha()  # "payload: five arrays" counts something else
+        if at not in paired and not is_of_frame and not is_argument and not is_word:
             yield _Size(span, at, each.end(), each[0])
 
 

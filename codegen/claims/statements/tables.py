@@ -12,8 +12,9 @@ from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
+from codegen.claims.statements import field_sizes
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.subjects import About, about
+from codegen.claims.statements.rows import Row, field_of, row_of
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic, Rule
@@ -49,31 +50,10 @@ _NOT_PAYLOAD = re.compile(r"frame|packet|wire")
 _ENOUGH = 2
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
-    """A row, its cells as bounds in the short text, and the message that it is about, if it names one."""
-
-    span: Span
-    cells: tuple[tuple[int, int], ...]
-    message: WireMessage | None
-
-    def number(self, column: int) -> int | None:
-        """The offset of the number that is all of a cell, or of ``N bytes``."""
-        if column >= len(self.cells):
-            return None
-        low, high = self.cells[column]
-        found = _NUMBER.fullmatch(self.span.text, low, high)
-        return None if found is None else found.start("number")
-
-
-_NUMBER = re.compile(r"\s*#?(?P<number>N)(?: ?bytes?| b)?\s*")
-_MESSAGE = re.compile(r"\s*(?P<message>M)(?: \([^)]*\))?\s*")
-
-
 def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     """Every table of a document."""
     for is_row, run in groupby(parts, lambda span: span.kind is PassageKind.ROW):
-        rows = [_row(reading, span) for span in run] if is_row else []
+        rows = [row_of(reading, span) for span in run] if is_row else []
         if len(rows) > 1:
             heads = [_IN_BYTES.sub("", head.lower()) or head.lower() for head in rows[0].span.heads]
             for column, head in enumerate(heads):
@@ -82,33 +62,22 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
             yield from _bandwidths(reading, rows[1:], heads)
 
 
-def _row(reading: Reading, span: Span) -> _Row:
-    text = span.text
-    start = text.index("|") + 1 if text.lstrip().startswith("|") else 0
-    cells: list[tuple[int, int]] = []
-    for cell in text[start:].rstrip("| ").split("|"):
-        cells.append((start, start + len(cell)))
-        start += len(cell) + 1
-    found = [each for low, high in cells if (each := _MESSAGE.fullmatch(text, low, high)) is not None]
-    names = list(dict.fromkeys(str(span.sentence.term(each.start("message")).value) for each in found))
-    first = _MESSAGE.fullmatch(text, *cells[0]) if cells else None
-    message = reading.messages[names[0]] if len(names) == 1 or (first is not None and names) else None
-    return _Row(span, tuple(cells), message)
-
-
-def _messages(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> Iterator[Diagnostic]:
+def _messages(reading: Reading, rows: Sequence[Row], column: int, head: str) -> Iterator[Diagnostic]:
     """A column of ids, CRC_EXTRA or sizes, one message in each row."""
     told = [
         (row, row.message, at) for row in rows if row.message is not None and (at := row.number(column)) is not None
     ]
     told = [(row, message, at) for row, message, at in told if message.id >= 0]
-    if _ID.fullmatch(head):
-        for row, message, at in told:
-            yield from _other(reading, row, at, message.id, MESSAGE_ID, message, "id")
-    elif _CRC.fullmatch(head):
-        for row, message, at in told:
-            yield from _other(reading, row, at, message.crc_extra, CRC_EXTRA, message, "CRC_EXTRA")
-    elif sizes := _sizes(head, told):
+    is_of_fields = field_sizes.is_of_fields(reading, rows, column, head)
+    if _ID.fullmatch(head) or _CRC.fullmatch(head):
+        rule, what = (MESSAGE_ID, "id") if _ID.fullmatch(head) else (CRC_EXTRA, "CRC_EXTRA")
+        facts = [
+            (row, at, message.id if rule is MESSAGE_ID else message.crc_extra, message) for row, message, at in told
+        ]
+        right = sum(number(row.span.sentence.term(at)) == own for row, at, own, _ in facts)
+        for row, at, own, message in facts if not is_of_fields or 2 * right >= len(facts) else ():
+            yield from _other(reading, row, at, own, rule, message, what)
+    elif not is_of_fields and (sizes := _sizes(head, told)):
         for row, message, at in told:
             value, written = number(row.span.sentence.term(at)), row.span.sentence.term(at).written
             if value not in sizes(message):
@@ -119,7 +88,7 @@ def _messages(reading: Reading, rows: Sequence[_Row], column: int, head: str) ->
 
 
 def _other(
-    reading: Reading, row: _Row, at: int, own: int, rule: Rule, message: WireMessage, what: str
+    reading: Reading, row: Row, at: int, own: int, rule: Rule, message: WireMessage, what: str
 ) -> Iterator[Diagnostic]:
     term = row.span.sentence.term(at)
     if number(term) != own:
@@ -136,7 +105,7 @@ _MEANINGS: Mapping[str, _Sizes] = {
 }
 
 
-def _sizes(head: str, told: Sequence[tuple[_Row, WireMessage, int]]) -> _Sizes | None:
+def _sizes(head: str, told: Sequence[tuple[Row, WireMessage, int]]) -> _Sizes | None:
     """What a column of sizes means: by its heading, and where that leaves it open by most of its rows."""
     if _BASE.fullmatch(head):
         return lambda message: {message.base_length}
@@ -157,7 +126,7 @@ def _sizes(head: str, told: Sequence[tuple[_Row, WireMessage, int]]) -> _Sizes |
     return lambda message: set().union(*(sizes(message) for sizes in meanings.values()))
 
 
-def _bandwidths(reading: Reading, rows: Sequence[_Row], heads: Sequence[str]) -> Iterator[Diagnostic]:
+def _bandwidths(reading: Reading, rows: Sequence[Row], heads: Sequence[str]) -> Iterator[Diagnostic]:
     """A column of bytes per second beside one of rates, one message in each row.
 
     Where no row shows the size that it was computed from, they may be measured: then most rows have to be right.
@@ -187,7 +156,7 @@ _MOST = 3
 class _Bandwidth:
     """What a row says of bytes per second: ``size`` is the largest that it shows, or that of a frame."""
 
-    row: _Row
+    row: Row
     message: WireMessage
     at: int
     hertz: Fraction
@@ -196,7 +165,7 @@ class _Bandwidth:
     is_right: bool
 
 
-def _bandwidth(reading: Reading, row: _Row, rate: int, total: int) -> _Bandwidth | None:
+def _bandwidth(reading: Reading, row: Row, rate: int, total: int) -> _Bandwidth | None:
     """The bytes per second of a row."""
     hertz, at, message = _hertz(row, rate), row.number(total), row.message
     value = number(row.span.sentence.term(at)) if at is not None else None
@@ -214,7 +183,7 @@ def _bandwidth(reading: Reading, row: _Row, rate: int, total: int) -> _Bandwidth
     return _Bandwidth(row, message, at, hertz, size, bool(given), is_right)
 
 
-def _hertz(row: _Row, column: int) -> Fraction | None:
+def _hertz(row: Row, column: int) -> Fraction | None:
     """The rate of a cell, ``4`` or ``4 Hz``."""
     at = row.number(column)
     if at is None and column < len(row.cells):
@@ -235,15 +204,16 @@ _TOTAL = re.compile(
 )
 
 
-def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> Iterator[Diagnostic]:
+def _fields(reading: Reading, rows: Sequence[Row], column: int, head: str) -> Iterator[Diagnostic]:
     """A column of offsets, or of values for unknown, one field in each row."""
     if _LENGTH.fullmatch(head):
         yield from _lengths(reading, rows, column)
+    yield from field_sizes.check(reading, rows, column, head, is_length=_LENGTH.fullmatch(head) is not None)
     if _EXTENSION.fullmatch(head):
         yield from _extensions(reading, rows, column)
     is_offset, is_sentinel = _OFFSET.fullmatch(head) is not None, _UNKNOWN.fullmatch(head) is not None
     for row in rows if is_offset or is_sentinel else ():
-        one = _field(reading, row)
+        one = field_of(reading, row)
         if one is None or column >= len(row.cells):
             continue
         low, high = row.cells[column]
@@ -264,10 +234,10 @@ def _fields(reading: Reading, rows: Sequence[_Row], column: int, head: str) -> I
 _LENGTH = re.compile(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")
 
 
-def _lengths(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+def _lengths(reading: Reading, rows: Sequence[Row], column: int) -> Iterator[Diagnostic]:
     """A column with the number of elements of each array; bytes will do."""
     for row in rows:
-        one, at = _field(reading, row), row.number(column)
+        one, at = field_of(reading, row), row.number(column)
         value = number(row.span.sentence.term(at)) if at is not None else None
         if one is None or at is None or value is None or not one.field.is_array:
             continue
@@ -285,10 +255,10 @@ _EXTENSION = re.compile(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 
 _YES_OR_NO = re.compile(r"\s*(?:(?P<yes>yes|y|x|true|\u2713|\u2714|extension|ext)|(?P<no>no|n|false|base|-))\s*")
 
 
-def _extensions(reading: Reading, rows: Sequence[_Row], column: int) -> Iterator[Diagnostic]:
+def _extensions(reading: Reading, rows: Sequence[Row], column: int) -> Iterator[Diagnostic]:
     """A column that says of each field whether it is an extension."""
     for row in rows:
-        one = _field(reading, row)
+        one = field_of(reading, row)
         said = _YES_OR_NO.fullmatch(row.span.text, *row.cells[column]) if column < len(row.cells) else None
         if one is None or said is None:
             continue
@@ -305,12 +275,3 @@ def _is_of_kind(field: WireField, *, is_extension: bool) -> bool:
 
 def _begins_at(field: WireField, offset: float | Fraction) -> bool:
     return field.offset == offset
-
-
-def _field(reading: Reading, row: _Row) -> About | None:
-    """The field of a row: the first cell that is one name of a field."""
-    for low, high in row.cells:
-        found = re.compile(r"\s*(?P<name>[FP])\s*").fullmatch(row.span.text, low, high)
-        if found is not None:
-            return about(reading, row.span, found.start("name"))
-    return None

@@ -103,10 +103,21 @@ _OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
 
 
 def _is_path(span: Span, offset: int) -> bool:
-    """Whether code converts to a type, ``u32::from(x)`` or ``sum::<u32>()``, and declares nothing with it."""
+    """Whether code converts to a type, ``u32::from(x)``, ``sum::<u32>()``, ``(T)(x)``, and declares nothing with it."""
     if not span.is_code or span.is_comment:
         return False
+    if span.text.endswith("(", 0, offset) and _CASTS.match(span.text, offset + 1):
+        return True
     return span.text.startswith("::", offset + 1) or span.text.endswith("::<", 0, offset)
+
+
+_CASTS = re.compile(r"\) ?[(\w&*]")
+_TURNED = re.compile(
+    r"\b(?:widen|enlarg|extend|shrink|narrow|promot|convert|cast|turn|chang|mak|grow)\w* "
+    r"(?:up )?(?:the |both |field |type of )*$"
+)
+"""Before a name of what is to be given another type: "may we widen F to T"."""
+_TO = re.compile(r"(?: (?:of|in) (?:the )?M)? (?:in)?to (?:an? )?$")
 
 
 def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -117,6 +128,8 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         gap = span.text[said.end : offset]
         behind = span.text[offset + 1 :]
         if _OF_ANOTHER.search(gap):
+            return
+        if _TO.fullmatch(gap) and _TURNED.search(span.text, max(said.before, said.start - 40), said.start):
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)

@@ -60,6 +60,8 @@ _NOT = re.compile(
 )
 
 
+_NEXT_STATE = re.compile(rf"[NS] ?(?:is |means |=|:|-|\u2013)? ?{NOTHING}, $")
+"""Before the value of another state: "255 unknown, 0 empty"."""
 _DO_NOT = re.compile(
     r"\b(?:never|do not|don't|must not|should not) (?:ever )?(?:send|use|set|write|fill|put|treat|take) [a-z ]*$"
 )
@@ -89,6 +91,9 @@ def is_unknown(field: WireField, value: float) -> bool:
 def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = [each for form in _FORMS for each in form.finditer(text, said.end, said.until)]
+    found = [
+        each for each in found if not _NEXT_STATE.search(text[max(said.end, each.start() - 14) : each.start("value")])
+    ]
     head = re.search(
         rf"(?P<value>[NS])(?: is| stands| means)?(?: the)? {NOTHING}(?: value)? (?:in|for|of)(?: the)?(?: fields?)? $",
         text[max(said.before, said.start - 50) : said.start],
