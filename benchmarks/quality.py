@@ -17,12 +17,14 @@ from collections.abc import Sequence
 import quality_results
 from quality_results import Found
 from results import ROOT
+from whole_program import module_folders
 
 PAGE = ROOT / "docs" / "quality.md"
 FOLDERS = ("codegen", "templates", "tests")
 """Of which the lines are counted; documents that tests read, and what was generated, are none of them."""
 CODE = (".py", ".j2", ".in", ".css", ".js", ".html")
-PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery"}
+PROGRAMS = {"rover": "", "smart_battery": "smart_battery"}
+"""By how a program is called its name in the project."""
 
 
 def main() -> int:
@@ -55,10 +57,11 @@ def tests() -> Found:
 def generated() -> Found:
     """Return how many cases and checks the generated suite of each program has."""
     found = {}
-    for program, folder in PROGRAMS.items():
-        suite = ROOT / folder / "tests"
-        cases = json.loads((suite / "cases.json").read_text(encoding="utf-8"))["messages"]
-        checks = sum(_checks(path.read_text(encoding="utf-8")) for path in suite.glob("*_checks.py"))
+    for program, name in PROGRAMS.items():
+        own, common = module_folders(ROOT / "generated", "tests", program=name)
+        cases = json.loads((own / "cases.json").read_text(encoding="utf-8"))["messages"]
+        scripts = [*own.glob("*_checks.py"), *common.glob("*_checks.py")]
+        checks = sum(_checks(path.read_text(encoding="utf-8")) for path in scripts)
         found[program] = {"cases": len(cases), "checks": checks}
     return found
 

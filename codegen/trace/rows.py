@@ -28,7 +28,7 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
 
 
 def placed(rows: Iterable[Row], shared: Mapping[str, str]) -> tuple[Row, ...]:
-    """Return the rows with the files of their symbols where they lie, which ``shared`` says where programs share them."""
+    """Return the rows with the files of their symbols where they lie, as ``shared`` has them."""
 
     def where(symbol: Symbol) -> Symbol:
         return symbol._replace(file=shared.get(symbol.file, symbol.file))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: 5fccefc4de8480ed
+# Inputs: 9f8c720c159824cc
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
@@ -50,7 +50,8 @@ def started(interpreter, script, *arguments, heap="2m"):
     """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
     program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
-    return [*program, str(files(f"tests/{script}")[0]), *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
+    program.append(str(files(f"tests/{script}")[0]))
+    return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
 
 
 def run_under(interpreter, script, *arguments, heap="2m"):

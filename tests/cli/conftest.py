@@ -13,6 +13,7 @@ from codegen.commands import document_findings
 from codegen.diagnostics import Report, Rule
 from codegen.findings.catalogue import rule_catalogue
 from codegen.source import Place
+from codegen.targets.shared_files import Output
 
 
 @dataclass
