@@ -118,7 +118,10 @@ def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
             for module in root.glob("*.py"):
                 shutil.copy(module, copy)
             output, further = PROGRAMS[program]
-            copies.put(whole_program(ROOT / output, copy / "generated" / further, further))
+            whole = whole_program(ROOT / output, copy / "generated" / further, further)
+            if (ROOT / output / further / "receiver").exists():  # which the suite tests, too
+                shutil.copytree(ROOT / output / further / "receiver", whole / "receiver")
+            copies.put(whole)
         yield copies
     finally:
         shutil.rmtree(folder, ignore_errors=True)

@@ -12,8 +12,8 @@ def module_folders(output: Path, *parts: str, program: str = "") -> list[Path]:
 
 
 def whole_program(output: Path, folder: Path, program: str = "") -> Path:
-    """Copy firmware, mocks, tests and receiver of a program below an output folder into ``folder``, and return that."""
-    for part in (*SHARED_PARTS, "receiver"):
+    """Copy firmware, mocks and tests of a program below an output folder into ``folder``, and return that."""
+    for part in SHARED_PARTS:
         for source in reversed(module_folders(output, part, program=program)):
             if source.exists():
                 shutil.copytree(source, folder / part, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))

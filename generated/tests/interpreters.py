@@ -1,5 +1,5 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: 9f8c720c159824cc
+# Inputs: 1365537ddc9ba27b
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
@@ -15,6 +15,11 @@ FOLDERS = [HERE.parent, HERE.parents[0] / "common"]  # of this program, and of w
 PATHS = [str(folder / part) for part in ("firmware", "mocks", "tests") for folder in FOLDERS]
 CASES = HERE / "cases.json"
 sys.path.append(str(FOLDERS[-1] / "tests"))  # pytest knows the folder of the tests only
+
+
+def path_of(*names):
+    """Return where a file of the program lies, such as `"firmware", "messages.py"`."""
+    return next(path for folder in FOLDERS if (path := folder.joinpath(*names)).exists())
 
 
 def files(pattern):
@@ -33,7 +38,7 @@ def micropython():
 @cache
 def _lists_of(script):
     """Return the lists of a script by name, as they are written there: it is not run."""
-    statements = ast.parse(files(f"tests/{script}")[0].read_text()).body
+    statements = ast.parse(path_of("tests", script).read_text()).body
     found = [each for each in statements if isinstance(each, ast.Assign) and isinstance(each.value, ast.Tuple)]
     return {ast.unparse(each.targets[0]): each.value.elts for each in found}
 
@@ -50,7 +55,7 @@ def started(interpreter, script, *arguments, heap="2m"):
     """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
     program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
-    program.append(str(files(f"tests/{script}")[0]))
+    program.append(str(path_of("tests", script)))
     return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
 
 

@@ -235,7 +235,7 @@ def test_the_suite_fails(part, file, old, new, tmp_path):
 
 def mutation(file: str, old: str, new: str) -> str:
     """The text of a file of the firmware with one change."""
-    text = SCRIPTS.files(f"firmware/{file}")[0].read_text()
+    text = SCRIPTS.path_of("firmware", file).read_text()
     assert old in text, f"{old!r} is not in {file}"
     return text.replace(old, new, 1)
 
