@@ -19,6 +19,8 @@ from quality_results import Found
 from results import ROOT
 from whole_program import module_folders
 
+from codegen.model.program_folders import COMMON, SHARED_PARTS
+
 PAGE = ROOT / "docs" / "quality.md"
 FOLDERS = ("codegen", "templates", "tests")
 """Of which the lines are counted; documents that tests read, and what was generated, are none of them."""
@@ -37,6 +39,7 @@ def main() -> int:
         quality_results.store("counts", "generated", generated())
         quality_results.store("counts", "criteria", criteria())
         quality_results.store("counts", "lines", {folder: lines(folder) for folder in FOLDERS})
+        quality_results.store("counts", "programs", programs())
     PAGE.write_text(page(quality_results.read()), encoding="utf-8")
     print(f"{PAGE.relative_to(ROOT)} written")
     return 0
@@ -108,6 +111,15 @@ def _shown_by(kinds: set[bool], *, has_limit: bool) -> str:
     return words[frozenset(kinds)] + (", and in part on a bench" if has_limit else "")
 
 
+def programs() -> Found:
+    """Return how many modules, and lines in them, the programs of the rover's project have for themselves and alike."""
+    found = {}
+    for program, folder in (*PROGRAMS.items(), (COMMON, COMMON)):
+        paths = [path for part in SHARED_PARTS for path in (ROOT / "generated" / folder / part).glob("*.py")]
+        found[program] = {"modules": len(paths), "lines": sum(path.read_bytes().count(b"\n") for path in paths)}
+    return found
+
+
 def lines(folder: str) -> int:
     """Return how many lines the code below a folder has."""
     paths = [path for path in (ROOT / folder).rglob("*") if path.suffix in CODE and "__pycache__" not in path.parts]
@@ -173,6 +185,11 @@ Python, as bytes and as datagrams (`benchmarks/hostile.py`): each frame among th
 `make quality` counted the lines of code, with comments and empty ones, of these folders.
 
 {lines}
+
+The rover and its smart battery are two programs of one project. What they have alike is written once
+([files.md](files.md#several-programs)): without that there would be {shared:,} lines more in `generated/`.
+
+{programs}
 """
 
 
@@ -208,6 +225,12 @@ def page(found: dict[str, dict[str, Found]]) -> str:
             ],
         ),
         lines=_table(("folder", "lines"), [(f"`{name}/`", number) for name, number in counts["lines"].items()]),
+        shared=counts["programs"][COMMON]["lines"] * (len(PROGRAMS) - 1),
+        programs=_table(
+            ("program", "modules of its own", "lines"),
+            [(name, each["modules"], each["lines"]) for name, each in counts["programs"].items() if name != COMMON]
+            + [("what both have alike", counts["programs"][COMMON]["modules"], counts["programs"][COMMON]["lines"])],
+        ),
     )
 
 
