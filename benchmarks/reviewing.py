@@ -82,8 +82,9 @@ def figures(
         "diff_releases_first": lambda: first(releases),
         "mavgen": mavgen,
     }
-    for command in (check, revisions, releases):  # what is measured below has been run before
-        measure.weighed(command, project)
+    if rounds > 1:
+        for command in (check, revisions, releases):  # what is measured below has been run before
+            measure.weighed(command, project)
     times = measure.best({name: _processor(run) for name, run in contestants.items()}, rounds)
     return [
         Figure(

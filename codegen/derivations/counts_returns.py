@@ -136,8 +136,7 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         return
     counting = list(_counting(around))
     if count not in others:
-        hint = did_you_mean(count, counting or others)
-        around.bad("restarts_with", f"there is no quantity {count}", BAD_RETURN, hint)
+        around.no_quantity("restarts_with", count, BAD_RETURN, counting)
     elif count not in counting:
         hint = "counts_returns_of: names what returns"
         around.bad("restarts_with", f"{count} does not count returns", BAD_RETURN, hint)

@@ -94,9 +94,14 @@ class Surroundings:
         self.report.add(rule, self.spec.at(key), message, hint, related)
         self.failed = True
 
-    def no_quantity(self, key: str, name: str, rule: Rule) -> None:
-        """Report that the component has no quantity called so."""
-        self.bad(key, f"there is no quantity {name}", rule, did_you_mean(name, self.others))
+    def no_quantity(self, key: str, name: str, rule: Rule, among: Iterable[str] = ()) -> None:
+        """Report that the component has no quantity called so; one that could not be read has been reported already.
+
+        What may have been meant is one of ``among``, or of all.
+        """
+        self.failed = True
+        if not self.whole.state.is_written(self.component, name):
+            self.bad(key, f"there is no quantity {name}", rule, did_you_mean(name, list(among) or self.others))
 
     def time_ms(self, key: str, written: str | None) -> int | None:
         """A time in ms; None where none is written, or after a finding."""

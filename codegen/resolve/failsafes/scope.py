@@ -45,7 +45,7 @@ class FailsafeScope:
             return None
         quantity = whole.quantities.get(name)
         if quantity is None:
-            if name not in whole.spec.quantities:
+            if not whole.spec.is_written(name):
                 hint = did_you_mean(name, whole.quantities)
                 self.report.add(UNKNOWN_QUANTITY, spec.at(key), f"{owner} has no quantity {name}", hint)
             return None

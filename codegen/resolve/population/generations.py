@@ -46,7 +46,7 @@ def resolve_generations(
         citation = cite_optional(written.requirement, written.at("requirement"), index, report)
         aspects = cite_aspects(written, index, report)
         component = components.get(name)
-        if component is None and name not in spec.state.components:
+        if component is None and not spec.state.has_written(name):
             message = f"the state has no component {name} that there could be generations of messages about"
             report.add(BAD_GENERATIONS, written.place, message, did_you_mean(name, components))
         problems = [

@@ -67,7 +67,7 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
     component = None
     if population.for_each is not None:
         component = parts.components.get(population.for_each)
-        if component is None:
+        if component is None and not parts.spec.state.has_written(population.for_each):
             hint = did_you_mean(population.for_each, parts.components)
             place = population.at("for_each")
             report.add(UNKNOWN_COMPONENT, place, f"the state has no component {population.for_each}", hint)

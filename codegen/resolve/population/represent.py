@@ -40,7 +40,7 @@ def resolve_representations(
         place = population.at(f"represents.{name}")
         component = components.get(name)
         if component is None:
-            if name not in state.components:
+            if not state.has_written(name):
                 hint = did_you_mean(name, components)
                 report.add(BAD_REPRESENTATION, place, f"the state has no component {name}", hint)
         elif name == population.for_each:
@@ -84,7 +84,7 @@ def _choice(
         place = policy.at("lowest")
         quantity = component.quantities.get(policy.lowest)
         if quantity is None:
-            if policy.lowest not in component.spec.quantities:
+            if not component.spec.is_written(policy.lowest):
                 hint = did_you_mean(policy.lowest, component.quantities)
                 report.add(BAD_REPRESENTATION, place, f"{component.name} has no quantity {policy.lowest}", hint)
             return None

@@ -46,7 +46,11 @@ class TextSender:
         """Send at most one message to a station, at which the connection is."""
         if station.said is None and station.text == self._texts.last:
             return
-        if self._connection.port.is_up and (station.said is not None or self._take(station)) and self._send(station):
+        if not self._connection.port.is_up:
+            return
+        if station.said is None:
+            self._take(station)
+        if self._send(station):
             # A NUL ends a long text: the chunk after 50 characters may be empty.
             station.chunk += 1
             length = len(station.said[1])
@@ -54,20 +58,18 @@ class TextSender:
                 station.said = None
 
     def _take(self, station):
-        """Take the next text; False: all that were new are overwritten already."""
-        while station.text != self._texts.last:
+        """Take the next text that is not overwritten, as the newest never is."""
+        found = None
+        while found is None:
             station.text += 1
             found = self._texts.get(station.text)
-            if found is not None:
-                text = found[1].encode()
-                if self._connection.link.version == 1:
-                    text = text[:_TEXT]
-                if len(text) > _TEXT:
-                    station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
-                station.said = found[0], text
-                station.chunk = 0
-                return True
-        return False
+        text = found[1].encode()
+        if self._connection.link.version == 1:
+            text = text[:_TEXT]
+        if len(text) > _TEXT:
+            station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
+        station.said = found[0], text
+        station.chunk = 0
 
     def _send(self, station):
         severity, text = station.said
