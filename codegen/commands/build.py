@@ -7,6 +7,7 @@ from dataclasses import replace
 from codegen.commands.trace import documents_of, generated_tests, read_trace_lock, rows
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
+from codegen.model.program_folders import ProgramFolders
 from codegen.model.system import System
 from codegen.project.of_systems import of_systems
 from codegen.project.systems import folders_of, output_folder, project_folder
@@ -75,16 +76,17 @@ def stale_firmware(system: System) -> list[str]:
     """The modules of the firmware, by file name, that a build would change or add in the output folder."""
     folders = folders_of(system)
     return [
-        os.path.basename(path)
-        for path, text in render_firmware(system).items()
-        if not _is_written(text, folders.find(path))
+        os.path.basename(path) for path, text in render_firmware(system).items() if not _is_written(text, path, folders)
     ]
 
 
-def _is_written(text: str, path: str | None) -> bool:
-    """Return whether a file is a module as it is rendered; where programs share it, its header tells more sources."""
-    found = None if path is None else DISK.read_bytes(path, Report())
-    return found is not None and united([found.decode("utf-8", "replace"), text]) is not None
+def _is_written(text: str, path: str, folders: ProgramFolders) -> bool:
+    """Return whether a module is on the disk as it is rendered; the header of one that is common tells more sources."""
+    place = folders.find(path)
+    found = None if place is None else DISK.read_bytes(place, Report())
+    if found is None or place == os.path.join(folders.own, path):
+        return found == text.encode()
+    return united([found.decode("utf-8", "replace"), text]) is not None
 
 
 def compile_systems(systems: Iterable[System], architecture: str, report: Report) -> dict[str, str | bytes]:

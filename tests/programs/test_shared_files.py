@@ -107,6 +107,9 @@ def test_a_module_that_is_stale_in_the_common_folder_is_told(built: Path) -> Non
     path.write_text(path.read_text() + "# changed\n")
     systems = read_systems(str(built / "specs" / "codegen.yaml"), Report())
     assert [stale_firmware(system) for system in systems] == [["storage.py"], ["storage.py"]]
+    own = built / "generated" / "firmware" / "state.py"
+    own.write_text(own.read_text().replace("# Inputs: ", "# Inputs: 0"))
+    assert stale_firmware(systems[0]) == ["state.py", "storage.py"]
     assert folders_of(systems[1]).find("firmware", "storage.py") == str(path)
 
 
