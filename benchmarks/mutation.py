@@ -34,7 +34,7 @@ PROGRAMS = {
 }
 """By program the output folder of its project, and its name there; what its tests read of the project lies above."""
 LONGEST = 6
-"""What takes so many times as long as the suite without any fault says nothing, and is left for --again.
+"""The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again.
 
 A check that hangs is left after two minutes at most, and fails: it is the computer that is busy.
 """

@@ -1,4 +1,4 @@
-"""What a derivation may ask while it is resolved: the quantity that it belongs to, and all that stands around it."""
+"""The input of a derivation while it is resolved: the quantity that it belongs to, and the specification around it."""
 
 import dataclasses
 from collections.abc import Callable, Iterable, Mapping
@@ -35,7 +35,7 @@ MOST_COUNTED = 255
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """How a quantity is kept: the fields of ``Quantity`` that are known before its derivation."""
+    """The storage of a quantity: the fields of ``Quantity`` that are known before its derivation."""
 
     kind: QuantityKind
     unit: Unit
@@ -129,7 +129,7 @@ class Surroundings:
         return self.spec.written(SourcedSpec) is not None
 
     def outputs(self) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives it, and what of it; nothing where none does, or after a finding."""
+        """Return by instance the sensor that gives it, and the output; nothing without one, or after a finding."""
         if self.found is None:
             self.found = self._outputs()
         return self.found
@@ -172,7 +172,7 @@ class Surroundings:
         return None
 
     def given_to(self, name: str) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives another quantity of the component, and what of it, as far as it is known.
+        """Return by instance the sensor and the output that give another quantity of the component, as far as known.
 
         What is wrong with it is reported there.
         """

@@ -1,4 +1,4 @@
-"""Which instances of a component there are, and what is known of each."""
+"""Resolves the instances of a component, and the facts about each."""
 
 import re
 from collections.abc import Mapping

@@ -18,7 +18,7 @@ from codegen.sim.line import Line, Watched, lines_of, watched
 from codegen.sim.told import Telling
 
 MODULE = "app"
-"""What the user's code is imported as where nothing else is named."""
+"""The module of the user's code where no other is named."""
 
 SCRIPT = "sim.py"
 """The mock that runs the firmware of a simulation."""

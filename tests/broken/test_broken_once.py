@@ -1,4 +1,4 @@
-"""What cannot be read is reported once: nothing that names it is told that it does not exist."""
+"""A name whose declaration cannot be read is reported once: nothing that uses it is told that it does not exist."""
 
 import pytest
 from test_broken_tables import Case, check_place, name_of

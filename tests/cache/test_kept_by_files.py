@@ -1,4 +1,4 @@
-"""What depends on files that are read meanwhile is kept for as long as these are what they were."""
+"""Results that depend on files read meanwhile are kept for as long as these are as they were."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -95,7 +95,7 @@ def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) ->
 
 
 def test_who_notes_inside_of_another_note_notes_for_both(tmp_path: Path) -> None:
-    """What is read of the outer files is none of the inner notes, also while nothing was read yet."""
+    """Reads of the outer files are none of the inner notes, also while nothing was read yet."""
     first, second = tmp_path / "first", tmp_path / "second"
     for file in (first, second):
         file.write_text("1")

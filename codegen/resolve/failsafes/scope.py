@@ -1,4 +1,4 @@
-"""What failsafes name: quantities, actions; and how a finding about one is told."""
+"""The names that failsafes can use, quantities and actions, and the findings about them."""
 
 from collections.abc import Mapping
 
@@ -15,7 +15,7 @@ from codegen.resolve.failsafes.setting import SettingReader
 
 @dataclass(frozen=True, slots=True)
 class FailsafeScope:
-    """What a failsafe may name, and where its findings go."""
+    """The names that a failsafe may use, and the report for its findings."""
 
     settings: SettingReader
     components: Mapping[str, Component]

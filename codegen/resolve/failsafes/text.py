@@ -79,7 +79,7 @@ def _parts(
 
 
 def _decimals(quantity: Quantity) -> int:
-    """As many decimals as the steps that are kept have, two at most."""
+    """Return as many decimals as the stored steps have, two at most."""
     decimals = 0
     while decimals < 2 and 10**decimals < quantity.steps:
         decimals += 1

@@ -1,4 +1,4 @@
-"""What decides whether and when a message goes out, beside its stream: its generation, and what announces it."""
+"""Resolves generations and announcements, which decide beside the stream whether and when a message goes out."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -26,7 +26,7 @@ BAD_ANNOUNCEMENT = Rule(
     "once, and no text.",
 )
 CHOICES = tuple(Generation)
-"""What the values of the parameter choose: 0, 1 and 2."""
+"""The choices of the parameter's values 0, 1 and 2."""
 
 
 def resolve_generations(

@@ -39,7 +39,7 @@ _POINTLESS = {
     "per": "says nothing without board",
     **dict.fromkeys(("split", "min", "max", "rounding"), "says nothing about what is not read as a number"),
 }
-"""What there is to say of a key that shapes answers of other kinds only."""
+"""The message about a key that shapes answers of other kinds only."""
 
 
 @dataclass(frozen=True, slots=True)

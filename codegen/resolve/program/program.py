@@ -31,7 +31,7 @@ BAD_PROGRAM = Rule(
     "and each action has a name of its own.",
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
-"""What the difference of two ticks_us() tells on a board."""
+"""The largest difference of two ticks_us() on a board."""
 
 _CALLS = {
     *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),

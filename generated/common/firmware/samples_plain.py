@@ -1,7 +1,7 @@
 # Generated from specs/board.yaml, specs/state.yaml, specs/smart_battery/board.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
 # Inputs: da324e812d991979
-"""What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
+"""Takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time
 

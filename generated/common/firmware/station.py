@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/station.py, dialect common: do not edit.
-# Inputs: f6b5f56717763d47
-"""What a link keeps of each station that it serves, and what it is told in texts.
+# Inputs: 22d7e48f366f5ba8
+"""The state of each station that a link serves, and the texts that it is sent.
 
 Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
 """
@@ -20,7 +20,7 @@ _TEXT = const(50)  # characters of a STATUSTEXT
 
 
 class Station:
-    """Its rates, and how far it has been told what it is to know; `address` None is the declared one, or a wire's end.
+    """A station: its rates, and how far it has been told; `address` None is the declared one, or a wire's end.
 
     `heard_ms` is the time.ticks_ms() of its last frame, and counts while `is_heard`. `streams` are those of its rates,
     `sequence` is the number of its next frame, `waiting` has replies that the port did not take yet, and `parameter` is
