@@ -1,4 +1,4 @@
-"""Where the files of a program lie: in a folder of its own and, where a project has several programs, in a common one.
+"""The folders of a program: one of its own and, where a project has several programs, one that is common to them.
 
 The firmware asks with ``try: import x`` whether a module is there. So the common folder has only what all programs of
 the project have alike, and a program looks into its own folder first.

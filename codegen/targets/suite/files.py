@@ -53,7 +53,7 @@ class SuiteView:
 
 @dataclass(frozen=True, slots=True)
 class FoldersView:
-    """Where the suite finds the firmware, the mocks and itself.
+    """The folders in which the suite finds the firmware, the mocks and itself.
 
     ``common`` is the folder of what all programs of the project have alike, empty where there is one program. It lies
     in the parent of number ``above`` of the suite: 0 is that which the suite lies in.
