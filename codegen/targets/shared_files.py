@@ -1,4 +1,4 @@
-"""The layout of the output: modules that all programs of a project have alike are written once, into a common folder."""
+"""The layout of the output: modules that all programs of a project have alike lie once, in a common folder."""
 
 import os
 import re
