@@ -109,6 +109,44 @@ def test_how_far_the_arithmetic_of_the_steady_path_reaches(rover: System, monkey
     assert {text.partition(":")[0]: int(text.rpartition(" ")[2]) for text in told} == REACHED
 
 
+def converted(numerator: int, denominator: int, low: int, high: int, away: int = 0, offset_numerator: int = 0) -> Any:
+    """A system with a reading of 12 bits by a multiplier, ``low`` to ``high``, and an offset of -``away`` to 1."""
+    conversion = SimpleNamespace(
+        channel=SimpleNamespace(full_scale=4095),
+        multiplier=SimpleNamespace(name="MULT", minimum=low, maximum=high),
+        numerator=numerator,
+        denominator=denominator,
+        offset=SimpleNamespace(minimum=-away, maximum=1) if away else None,
+        offset_numerator=offset_numerator,
+    )
+    quantity = SimpleNamespace(path="volts", spec=SimpleNamespace(at=lambda _: PLACE))
+    reading = SimpleNamespace(quantity=quantity, conversion=conversion)
+    return SimpleNamespace(readings=lambda: (reading,), components={}, messages=())
+
+
+@pytest.mark.parametrize(
+    ("system", "most"),
+    [
+        (converted(1, 2, 0, 7), 4095 * 7),
+        (converted(1, 2, -9, 7), 4095 * 9),
+        (converted(1, 3, 0, 7, away=5_000, offset_numerator=1), 5_000 * 7),
+        (converted(2, 1_000_000, 0, 7), (4095 * 7 + 1) * 2 + 500_000),
+        (converted(30, 20_000, 0, 7), 20_000 * 30 + 10_000),
+        (converted(30, 40_000, -1, 7), 40_000 * 30 + 20_000),
+        (converted(30, 40_000, 0, 7, away=1, offset_numerator=3), 40_000 * 33 + 20_000),
+        (converted(9, 4, 0, 7, away=8, offset_numerator=5), (4095 * 7 // 4 + 1) * 9 + (8 * 7 // 4 + 1) * 5),
+    ],
+)
+def test_how_far_a_conversion_reaches(system: Any, most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A product, what is left of it, or what comes out: whichever is largest may be a small integer, and no more."""
+    told = []
+    for limit in (most, most - 1):
+        monkeypatch.setattr(small_int, "_sums", lambda *_: ())  # which has its own test
+        monkeypatch.setattr(small_int, "SMALL_INT_MAX", limit)
+        told += [finding.message for finding in small_int.check(system)]
+    assert told == [f"volts: the conversion from counts reaches {most}"]
+
+
 def counted(most: int, stale_ms: int | None, **derivations: Any) -> Any:
     """A system that counts of what a sensor gives, -``most`` to 1, and has other quantities with their derivations."""
     nothing = {"sums": None, "remains": None, "lasts": None, "conversion": None, "gives": ()}
