@@ -106,7 +106,7 @@ def test_one_word_in_place_of_another_in_name_and_text_is_another_thing() -> Non
     [
         ("1: walk, 2: trot", "1: trot, 2: walk", BREAK, "1 was 'walk' and is 'trot'"),
         ("The left wheel turns", "The right wheel turns", BREAK, "the opposite"),
-        ("Left: road leads town by river", "Right: counts sheep, wool, goats, cows", DOUBT, "the opposite of what it said"),
+        ("Left: road leads town by river", "Right: counts sheep, wool, goats, cows", DOUBT, "the opposite of"),
         ("The horse walks along there", "The mule walks along there", DOUBT, "'mule' in place of 'horse'"),
         ("Grass on the northern hill", "Ships sailing across oceans", DOUBT, "something else"),
         ("Grass on hill", "Ships sailing across oceans", NOTHING, ""),
