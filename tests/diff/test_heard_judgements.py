@@ -12,8 +12,16 @@ from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system import heard_otherwise as judging
 from codegen.source import Place
 
-FIELDS = {"adc.volts": ("M.a",), "MULT": ("M.a", "M.b"), "RAW": ("M.c",), "battery": ()}
+FIELDS = {
+    "adc.volts": ("M.a",),
+    "MULT": ("M.a", "M.b"),
+    "RAW": ("M.c",),
+    "MANY": ("M.a", "M.b", "M.c", "M.d"),
+    "adc.many": ("M.a", "M.b", "M.c", "M.d"),
+    "battery": (),
+}
 LINK = {"uart": 0, "baud": 9600, "udp": None, "tcp_server": None, "tcp_client": None, "to": None, "local_port": 0}
+_TOLD = {"told": ("M.d",), "many": FIELDS["MANY"]}
 LATER = "whether it is heard often enough: 1 times a second and no longer 2"
 SILENT = "who does not ask for it hears nothing"
 WIRED = "whether the board was changed with it"
@@ -24,7 +32,7 @@ def fields(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where numbers go in both versions of the program."""
     monkeypatch.setattr(judging, "fields_by_source", lambda _: FIELDS)
     monkeypatch.setattr(judging, "scaling_parameters", lambda _: {"MULT": ("q",)})
-    monkeypatch.setattr(judging, "told_of_fact", lambda _, __, fact: ("M.d",) if fact == "told" else ())
+    monkeypatch.setattr(judging, "told_of_fact", lambda _, __, fact: _TOLD.get(fact, ()))
     monkeypatch.setattr(judging, "default_rate", lambda message: message.rate)
 
 
@@ -44,12 +52,11 @@ def program(**parts: Any) -> Any:
     return SimpleNamespace(**{**nothing, "parameters": {}, "generations": (), **parts})
 
 
-def sent(
-    rate: int, stream: str | None = "S", *, unknown: int = 0, connection: bool = False, change: bool = False
-) -> Any:
-    """A program with one message."""
+def sent(rate: int, stream: str | None = "S", *, unknown: int = 0, by: str = "") -> Any:
+    """A program with one message; ``by`` is the key that sends it, or nothing."""
     table = {"name": "M", "rate": Fraction(rate), "stream": stream, "withheld_for": (None,) * unknown}
-    return program(messages=(SimpleNamespace(**table, on_connection=connection, on_change=change),))
+    own = {key: key == by for key in ("on_connection", "on_change")}
+    return program(messages=(SimpleNamespace(**table, **own),))
 
 
 def stream(rate: int) -> Any:
@@ -102,6 +109,9 @@ def judged(rule: ChangeRule, subject: str, old: Any, new: Any, texts: tuple[str 
         (rules.MESSAGE_STREAM, "M", sent(2, unknown=1), sent(2, unknown=1), False, ""),
         (rules.MESSAGE_STREAM, "M", sent(2, unknown=2), sent(2, unknown=1), False, ""),
         (rules.MESSAGE_STREAM, "gone", sent(2), sent(1), False, ""),
+        (rules.MESSAGE_STREAM, "M", sent(2), program(), False, ""),
+        (rules.MESSAGE_STREAM, "M", program(), sent(1), False, ""),
+        (rules.MESSAGE_STREAM, "M", sent(2), sent(0, None, unknown=1), True, SILENT),
         (rules.STREAM_RATE, "stream S", stream(2), stream(1), False, LATER),
         (rules.STREAM_RATE, "stream S", stream(2), stream(0), True, SILENT),
         (rules.STREAM_RATE, "stream S", stream(2), stream(2), False, ""),
@@ -119,6 +129,19 @@ def judged(rule: ChangeRule, subject: str, old: Any, new: Any, texts: tuple[str 
             *(rules.PARAMETER_DEFAULT, "RAW", parameter("RAW", 4), parameter("RAW", 5), False),
             "whether other numbers in M.c are meant, where no value is stored",
         ),
+        (
+            *(rules.PARAMETER_DEFAULT, "MANY", parameter("MANY", 4), parameter("MANY", 5), False),
+            "whether other numbers in M.a, M.b, M.c and 1 more are meant, where no value is stored",
+        ),
+        (
+            *(rules.CHANNEL, "adc.many", channel("many"), program(), True),
+            "nothing is measured for M.a, M.b, M.c and 1 more",
+        ),
+        (
+            *(rules.FACT, "board.battery.many", program(), program(), False),
+            "whether 4 is what receivers are to be told in M.a, M.b, M.c and 1 more",
+        ),
+        (rules.FACT, "board.battery.other.one", program(), program(), False, ""),
         (rules.PARAMETER_DEFAULT, "NOWHERE", parameter("NOWHERE", 4), parameter("NOWHERE", 5), False, ""),
         (rules.CHANNEL, "adc.volts", channel(), program(), True, "nothing is measured for M.a"),
         (rules.CHANNEL, "adc.none", channel("none"), program(), False, ""),
@@ -179,6 +202,10 @@ def test_what_is_sent_by_itself_is_heard_without_a_stream(key: str) -> None:
     old, new = sent(2), sent(1, None, by=key)
     assert judged(rules.MESSAGE_STREAM, "M", old, new, ("S", "on request")).doubt == LATER
     assert judged(rules.MESSAGE_STREAM, "M", old, sent(0, "T", by=key), ("S", "T")).effect == SILENT
+    unsure = judged(rules.MESSAGE_STREAM, "M", old, sent(0, None, unknown=1, by=key), ("S", "on request"))
+    assert "take its silence" in unsure.doubt
+    on_a_stream = judged(rules.MESSAGE_STREAM, "M", old, sent(0, "T", unknown=1), ("S", "T"))
+    assert "take its silence" in on_a_stream.doubt
 
 
 @pytest.mark.parametrize("texts", [(None, "told 4"), ("told 3", None)])
