@@ -138,6 +138,19 @@ def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) ->
         later_run()
 
 
+def test_what_was_compared_before_counts_for_whoever_notes(tmp_path: Path) -> None:
+    """A file that ``seen`` has is not read again, and is one that the answer depends on all the same."""
+    file = tmp_path / "file"
+    file.write_text("1")
+    ask, seen = Asked(file), dict[str, str]()
+    for _ in range(3):
+        noting, read = DISK.noting()
+        assert with_files_read("one", ask, seen, noting) == ["1"]
+        assert str(file) in read
+        later_run()
+    assert ask.count == 1
+
+
 def test_who_notes_inside_of_another_note_notes_for_both(tmp_path: Path) -> None:
     """What is read of the outer files is none of the inner notes, also while nothing was read yet."""
     first, second = tmp_path / "first", tmp_path / "second"

@@ -2,11 +2,16 @@
 
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from codegen.diagnostics import Report
+from codegen.model.spec.command import CommandSpec
 from codegen.project.systems import read_system
+from codegen.resolve.commands.commands import resolve_commands
+from codegen.source import Place
 
 MINIMAL = Path(__file__).resolve().parents[1] / "projects" / "minimal" / "specs"
 LARGEST = 2**30 - 1
@@ -75,6 +80,28 @@ def test_a_parameter(name: str, keys: str, said: list[str] | None, specs: Path) 
     """None stands for a finding whose words are looked at elsewhere."""
     told = found(specs, parameters=f"parameters: {{{name}: {{doc: d, {keys}}}}}\n")
     assert told == said if said is not None else len(told) == 1, told
+
+
+def test_a_family_of_a_component_that_is_one(specs: Path) -> None:
+    """The board lists no instances of it, and so no defaults of theirs."""
+    family = "parameters: {A: {doc: d, for_each: vehicle, default: 1, min: 0, max: 2, step: 1}}\n"
+    assert found(specs, parameters=family) == []
+
+
+@pytest.mark.parametrize(("number", "is_carried"), [(0, False), (1, True), (0xFFFF, True), (0x10000, False)])
+def test_a_command_has_a_number_of_16_bits(number: int, is_carried: bool) -> None:
+    """COMMAND_LONG carries no other, and 0 is no command."""
+    entry = SimpleNamespace(name="MAV_CMD_OWN", value=number, parameters=())
+    enum = SimpleNamespace(entries=(entry,), entry=lambda _: entry)
+    command = CommandSpec(place=Place("commands.yaml"), doc="d", method="pump")
+    dialect: Any = SimpleNamespace(enums={"MAV_CMD": enum})
+    vehicle: Any = SimpleNamespace(modes={}, arming=None, actions=())
+    commands: Any = SimpleNamespace(commands={"MAV_CMD_OWN": command})
+    report = Report()
+    made = resolve_commands(commands, vehicle, dialect, {}, report)
+    assert [each.number for each in made] == [number] * is_carried
+    said = f"no COMMAND_LONG carries MAV_CMD_OWN: its number is {number}"
+    assert [each.message for each in report] == [said] * (not is_carried)
 
 
 @pytest.mark.parametrize(
