@@ -36,7 +36,7 @@ def switched(text: str, alternative: str) -> str:
 
 
 def steps(tests: list[str]) -> Iterator[tuple[str, list[str]]]:
-    """What is run in the copy, by name; the paths of ``tests`` last."""
+    """Yield the commands to run in the copy, by name; the paths of ``tests`` last."""
     codegen = [PYTHON, "-m", "codegen"]
     yield "build", [*codegen, "build", "--force", "--clean"]
     yield "build --check", [*codegen, "build", "--check"]
@@ -48,7 +48,7 @@ def steps(tests: list[str]) -> Iterator[tuple[str, list[str]]]:
 
 
 def findings(alternative: str, tests: list[str]) -> Iterator[str]:
-    """What fails with an alternative, in a copy of the checkout; says what it does."""
+    """Yield the failures with an alternative, in a copy of the checkout; print each step."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary) / "checkout"
         shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*LEFT_OUT))

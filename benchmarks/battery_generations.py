@@ -1,4 +1,4 @@
-"""What the old and the new battery messages cost on the same flight: bytes per second, with BATT_REPORT 0, 1 and 2.
+"""The cost of the old and the new battery messages on the same flight: bytes per second, with BATT_REPORT 0, 1 and 2.
 
 `python benchmarks/battery_generations.py [SCENARIO]` runs a scenario of the project through the simulation, as fast as
 it can, once with each value of the parameter, and prints a table. The simulation goes by its own clock, so that every

@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""How general the checker of documents is: many ways to say a thing, of many messages, once right and once wrong.
+"""Tests how general the checker of documents is: many ways to say a thing, of many messages, once right, once wrong.
 
     python benchmarks/claims_phrasings.py [--each N] [--seed N] [--missed] [KIND...]
 
@@ -34,10 +34,10 @@ PHRASINGS = Path(__file__).with_suffix(".yaml")
 ASIDES = PHRASINGS.with_name("claims_asides.yaml")
 
 Words = dict[str, str]
-"""What fills a phrasing: by the name in its braces."""
+"""The words that fill a phrasing: by the name in its braces."""
 
 Fact = tuple[Words, Words]
-"""What is right of a message, and the same with something wrong in it."""
+"""A true statement about a message, and the same with something wrong in it."""
 
 Maker = Callable[[random.Random], Fact | None]
 

@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""How right the checker of documents is: precision and recall on the documents of tests/claims/corpus.
+"""Scores the checker of documents: precision and recall on the documents of tests/claims/corpus.
 
     python benchmarks/claims_score.py [--wrong] [--kinds] [--evidence] FOLDER...
 
@@ -34,7 +34,7 @@ Fault = dict[str, Any]
 
 @dataclass(frozen=True)
 class Score:
-    """What came of some documents: findings that are right, those that are wrong, faults found and all faults.
+    """The score of some documents: findings that are right, those that are wrong, faults found and all faults.
 
     ``surely_found`` are the faults that certain findings find.
     """
@@ -58,7 +58,7 @@ class Score:
         return self.found / self.faults if self.faults else 1.0
 
     def __str__(self) -> str:
-        """Both, with the numbers that they are of."""
+        """Return both, with the numbers that they are of."""
         findings = self.right + self.wrong
         sure = 100 * self.sure_and_right / self.sure if self.sure else 100.0
         return (

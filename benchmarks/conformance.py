@@ -59,12 +59,12 @@ KINDS = {
     "class": "id, CRC_EXTRA, lengths, fields; refusals of None without a sentinel and of ids above 255 in MAVLink 1",
     "enum entries": "names and values of enum entries",
 }
-"""What a kind of case is; the order is that of the page."""
+"""The kinds of cases, described; the order is that of the page."""
 
 
 @dataclass
 class Row:
-    """What the comparison of a dialect brought."""
+    """The result of comparing a dialect."""
 
     name: str
     messages: int = 0
@@ -84,7 +84,7 @@ HEAD = ["dialect", "messages", "frames", "encoded", "decoded", "of them MAVLink 
 
 
 BOARD = {"forms": ("plain",), "interpreter": conformance.MICROPYTHON32, "modules": (conformance.SINGLE_FLOATS,)}
-"""What stands in for a board: words of 32 bits without machine code, and floats of 32 bits where struct is asked."""
+"""The stand-in for a board: words of 32 bits without machine code, and floats of 32 bits where struct is asked."""
 
 WITH_DOUBLES = ("common", "python_array_test", "test")
 """The dialects that state messages with fields of type double."""
@@ -218,7 +218,7 @@ def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int, 
 
 
 def _undone(rows: Sequence[Row]) -> str:
-    """What differs, and what was compared with modules that pymavlink does not bring."""
+    """Return as text the differences, and the comparisons with modules that pymavlink does not bring."""
     differences = [f"- {row.name}: {difference}" for row in rows for difference in row.outcome.differences]
     made = [f"- {reason}" for row in rows for reason in row.made]
     if differences:

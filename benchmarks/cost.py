@@ -1,4 +1,4 @@
-"""How many instructions the steady path of the firmware takes, and what that predicts for a board.
+"""Counts the instructions of the firmware's steady path, and predicts the time on a board from them.
 
 Instructions are counted by valgrind's callgrind with the unix port of MicroPython on x86-64: at every run the same
 number, whatever else the computer does. CYCLES and MOST_CYCLES say how those of a board are predicted from it.
@@ -31,7 +31,7 @@ CYCLES, MOST_CYCLES = 1.34, 1.9
 """Cycles of an RP2350 for an instruction on x86-64: likely, and at most."""
 MEGAHERTZ = 150
 CONVERSIONS_US = 23
-"""What five calls of the converter took in that emulator: NFR-00060 names it."""
+"""The time of five calls of the converter in that emulator: NFR-00060 names it."""
 
 LAYOUTS = range(5)  # how many names are there before; counting.py says why
 MARK = "setenv"  # what counting.py calls at the beginning and the end of each run
@@ -41,7 +41,7 @@ PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; 
 
 @dataclass(frozen=True)
 class Workload:
-    """What is counted: `name` in benchmarks/micropython/cost_`script`.py, less what others there take.
+    """A workload: `name` in benchmarks/micropython/cost_`script`.py, less the cost of another one there.
 
     `most` is the goal; with `by_length` it is as much for each byte as that of BATTERY_STATUS.
     """

@@ -29,7 +29,7 @@ class Figure:
 
     @property
     def is_met(self) -> bool | None:
-        """Whether the target is met, None without a target or without a value."""
+        """Return whether the target is met, None without a target or without a value."""
         if self.value is None or not self.target:
             return None
         return self.value <= self.most if self.most is not None else self.value >= (self.least or 0)
@@ -41,7 +41,7 @@ class Figure:
 
     @property
     def verdict(self) -> str:
-        """What became of the target."""
+        """Return in words whether the target was met."""
         return {True: "met", False: "not met", None: ""}[self.is_met]
 
 

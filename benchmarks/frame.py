@@ -1,4 +1,4 @@
-"""How long one BATTERY_STATUS takes from values, or from the state of the vehicle, to the frame; what it allocates."""
+"""The time of one BATTERY_STATUS from values, or from the state of the vehicle, to the frame, and its allocations."""
 
 from collections.abc import Callable
 from functools import partial
@@ -27,12 +27,12 @@ def figures(quick: bool) -> list[Figure]:
 
 
 def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, Callable[[], Result]]:
-    """Everybody who makes the frame, ready to run."""
+    """Return all that make the frame, ready to run."""
     codec = measure.codec(folder / "codec", "BATTERY_STATUS")
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
     rover = measure.rover(folder / "rover") / "firmware"
     slow_rover = measure.rover(folder / "slow_rover", machine_code=False) / "firmware"
-    # What the rover sends of itself, its ids and its reading, is what the others have to send.
+    # The rover's own ids and reading are those that the others have to send.
     has = fields(measure.micropython("frame_state.py", rover, 1, 1)["shown"][0])
     many = (passes, short, *has)
     few = (passes, short // 2, *has)
@@ -56,7 +56,7 @@ def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, C
 
 
 def fields(frame: str) -> tuple[int, ...]:
-    """What the contestants are told: sender, and values of the fields except for the charge, which counts."""
+    """Return the input of the contestants: sender, and values of the fields except for the charge, which counts."""
     from pymavlink.dialects.v20 import common  # noqa: PLC0415
 
     (message,) = common.MAVLink(None).parse_buffer(bytes.fromhex(frame))

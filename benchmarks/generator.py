@@ -1,4 +1,4 @@
-"""How long codegen takes and how much memory, process against process: against mavgen.py and against Python itself."""
+"""The time and memory of codegen, process against process: against mavgen.py and against Python itself."""
 
 import itertools
 import os
@@ -61,14 +61,14 @@ def figures(quick: bool) -> list[Figure]:
 
 
 def _compile() -> None:
-    """What pip does with the packages that it installs: a checkout may never have been compiled."""
+    """Compile codegen, as pip does with the packages that it installs: a checkout may never have been compiled."""
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     measure.said([sys.executable, "-m", "compileall", "-q", str(measure.ROOT / "codegen")])
 
 
 @contextmanager
 def _first_run(folder: Path) -> Iterator[None]:
-    """Without anything that an earlier run found out."""
+    """Run without anything that an earlier run found out."""
     warm = os.environ["CODEGEN_CACHE"]
     os.environ["CODEGEN_CACHE"] = str(folder / "cold")
     try:
@@ -236,7 +236,7 @@ def _edit(path: Path) -> None:
 
 
 def _starts(folder: Path, rounds: int) -> list[Figure]:
-    """What a command costs that does nothing."""
+    """Return the cost of a command that does nothing."""
     commands = {
         "version": [measure.tool("codegen"), "--version"],
         "help": [measure.tool("codegen"), "--help"],

@@ -37,7 +37,7 @@ FOLDERS = ("resolve", "rules", "decode", "targets", "diff", "claims")
 BATCHES = (1, 3, None)
 """So many files of tests run in one process, and then the next: most faults are noticed by the first one."""
 NOT_FOUND = "exit code 4"
-"""What pytest says of a test that it does not know."""
+"""pytest's exit code for a test that it does not know."""
 MEMORY = 4_000_000_000
 """Bytes that a process may take: there are faults that make endless lists."""
 _NUMBERS = count(1)
@@ -136,7 +136,7 @@ def chosen_tests(mutant: Mutant, text: str, suites: Mapping[str, Reached], most:
     own = f"tests/{mutant.file.split('/')[1]}/"
 
     def worth(name: str) -> float:
-        """Who is about a module reaches what others leave out, and does not only pass through."""
+        """Return the worth of a file of tests: more where it is about the module or reaches lines that others miss."""
         rare = sum(1 / reach[line] for line in reaching[name].lines[mutant.file])
         return rare * (4 if name.startswith(own) else 1) / (begin + reaching[name].seconds)
 

@@ -1,4 +1,4 @@
-"""How much heap the programs of the rover and the boat take on a MicroPython whose words have 32 bits, as a board's."""
+"""The heap of the rover's and the boat's programs on a MicroPython whose words have 32 bits, as a board's."""
 
 import json
 import math
@@ -62,7 +62,7 @@ def _value(figures: list[Figure], key: str) -> float | None:
 def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], quick: bool) -> list[Figure]:
     with ThreadPoolExecutor() as pool:
         used = dict(zip(FORMS, pool.map(lambda form: in_use(folder, form, MOST), FORMS), strict=True))
-        # What is in use once it has started does not fit into less.
+        # The heap in use once it has started does not fit into less.
         least = {form: (used[form] or {}).get("started", 0) // 1024 for form in FORMS}
         tried = pool.map(lambda form: MOST if quick else _smallest(folder, form, least[form]), FORMS)
         smallest = dict(zip(FORMS, tried, strict=True))

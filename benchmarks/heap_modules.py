@@ -1,4 +1,4 @@
-"""Where the heap of the rover's program goes: module by module, and what machine code adds to it on a board."""
+"""The heap of the rover's program, module by module, and the share that machine code adds on a board."""
 
 import json
 import os
@@ -69,7 +69,7 @@ def _added(folder: Path, form: str) -> dict[str, int]:
 
 
 def _machine_code(firmware: Path, folder: Path, imported: set[str]) -> Figure:
-    """By how many bytes the modules in machine code are larger than those in plain Python that are imported."""
+    """Return by how many bytes the imported modules in machine code are larger than those in plain Python."""
     more = 0
     for module in firmware.glob("*_viper.py"):
         plain = module.with_name(module.name.replace("_viper", "_plain"))

@@ -26,7 +26,7 @@ from pymavlink.dialects.v20 import common as common_2
 from pymavlink.generator.mavcrc import x25crc
 
 CODEC = ("HEARTBEAT", "SYS_STATUS", "PARAM_VALUE", "TIMESYNC", "BATTERY_STATUS", "STATUSTEXT", "LOGGING_DATA", "PING")
-"""What the codec receives: truncated and long messages, text, and words of 64 bits."""
+"""The messages that the codec receives: truncated and long ones, text, and words of 64 bits."""
 LONGEST_PIECE = 1400
 """Bytes, so that it fits into a datagram."""
 PING = 4

@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""What each part of a pass of the main loop costs: counts passes, and writes codegen/loop/costs.json.
+"""Measures the cost of each part of a pass of the main loop: counts passes, and writes codegen/loop/costs.json.
 
 Instructions are counted as by cost.py, of single passes of several projects. Costs of one kind are fitted to all of
 them by least squares of the relative errors; no cost is below 0. To be done again after each change of the main loop.
@@ -28,7 +28,7 @@ ROVER = results.ROOT
 EVERYTHING = {
     "specs/board.yaml": (("BATT2_MONITOR: 0", "BATT2_MONITOR: 4"), ("samples: 5", "samples: 15")),
 }
-"""What is changed in a copy of the rover, so that more is read."""
+"""The changes in a copy of the rover, so that more is read."""
 OTHERS = ("named_tables", "received", "watched_boat")
 STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     ("control alone", ("control",), (Part.PASS,)),
@@ -44,12 +44,12 @@ STAGES: tuple[tuple[str, tuple[str, ...], tuple[Part, ...]], ...] = (
     ("readings", ("readings",), (Part.COMPONENT, Part.READING, Part.SAMPLE)),
     ("failsafes", ("jobs",), (Part.WATCH, Part.FAILSAFE, Part.CONDITION, Part.REPORT, Part.REMINDER)),
 )
-"""What is fitted after another: what it is called, of which rows, and which costs."""
+"""The stages of the fit, one after another: name, rows, and fitted costs."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """So many instructions for some work, in a project."""
+    """A count of instructions for some work, in a project."""
 
     project: str
     name: str

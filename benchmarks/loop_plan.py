@@ -1,4 +1,4 @@
-"""What benchmarks/micropython/cost_passes.py is to do with a project: which passes count, and what is due in them."""
+"""The plan for benchmarks/micropython/cost_passes.py in a project: the passes to count, and the work due in them."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ NOTHING = "nothing"
 
 @dataclass(frozen=True)
 class Counted:
-    """What is counted under a ``name``: some ``work``, beside that of the row called ``beyond``."""
+    """A count under a ``name``: some ``work``, beside that of the row called ``beyond``."""
 
     name: str
     of: str

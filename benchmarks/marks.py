@@ -1,4 +1,4 @@
-"""Which blocks of a module are reached: a copy of it that sets a byte for each, in memory that all processes share.
+"""Records the blocks of a module that are reached: a copy of it sets a byte for each, in memory of all processes.
 
 It costs a few hundredths of the time of a run; a tracer, such as that of coverage, costs more than the run itself.
 What a program sets that a test ends by force is there as well.

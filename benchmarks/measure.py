@@ -1,5 +1,5 @@
 # ruff: noqa: S603, T201  a benchmark starts the programs that it compares, and prints what it found
-"""What the benchmarks share: contestants that take turns, processes that are weighed, their command line.
+"""The common part of the benchmarks: contestants that take turns, processes that are weighed, their command line.
 
 Times mean little on their own: another machine has others. Every figure here is a ratio of two runs on one machine, or
 a number of bytes. Contestants take turns for several rounds, so that a busy moment hits all of them, and of each the
@@ -49,7 +49,7 @@ def tool(name: str) -> str:
 
 
 def said(command: Iterable[str], **options: Any) -> str:
-    """What a command prints; the benchmark ends with what it said if it fails."""
+    """Return the output of a command; the benchmark ends with that output if the command fails."""
     command = list(command)
     done = ended(command, **options)
     if done.returncode:
@@ -58,12 +58,12 @@ def said(command: Iterable[str], **options: Any) -> str:
 
 
 def ended(command: Iterable[str], **options: Any) -> "subprocess.CompletedProcess[str]":
-    """What a command printed, and how it ended."""
+    """Return the output of a command, and how it ended."""
     return subprocess.run(list(command), capture_output=True, text=True, check=False, **options)
 
 
 def micropython(script: str, folder: Path, *arguments: object) -> Result:
-    """What a script of benchmarks/micropython answers under MicroPython, with modules from `folder`."""
+    """Return the answer of a script of benchmarks/micropython under MicroPython, with modules from `folder`."""
     path = os.pathsep.join((str(folder), str(HERE / "micropython")))
     # As much heap as a large board has, so that garbage costs what it costs there.
     command = [tool("micropython"), "-X", "heapsize=512k", str(HERE / "micropython" / script)]
@@ -71,7 +71,7 @@ def micropython(script: str, folder: Path, *arguments: object) -> Result:
 
 
 def cpython(script: str, folder: Path | None, *arguments: object) -> Result:
-    """What a script answers under CPython: one of benchmarks/cpython; with `folder`, one of benchmarks/micropython."""
+    """Return the answer of a script of benchmarks/cpython under CPython; with `folder`, of benchmarks/micropython."""
     path = os.pathsep.join((str(folder or ""), str(HERE / "micropython")))
     home = HERE / ("micropython" if folder else "cpython")
     return _answer([sys.executable, "-B", str(home / script), *map(str, arguments)], {"PYTHONPATH": path})
@@ -91,7 +91,7 @@ def c_program(name: str, folder: Path) -> Path | None:
 
 
 def has_cc() -> bool:
-    """Whether this system has a C compiler."""
+    """Return whether this system has a C compiler."""
     return shutil.which("cc") is not None
 
 
@@ -99,7 +99,7 @@ NO_CC = "" if has_cc() else "this system has no cc"
 
 
 def c_answer(program: Path, *arguments: object) -> Result:
-    """What a compiled program answers."""
+    """Return the answer of a compiled program."""
     return _answer([str(program), *map(str, arguments)], {})
 
 
@@ -163,7 +163,7 @@ def without_machine_code(source: Path, folder: Path) -> Path:
 
 @dataclass(frozen=True)
 class Weighed:
-    """What one process took: seconds, the most memory that it had at once, in the system's unit, and processor time.
+    """The cost of one process: seconds, its largest memory, in the system's unit, and processor time.
 
     ``processor`` are the seconds of user and system, those of processes that it has started and waited for included.
     """

@@ -29,7 +29,7 @@ from quality_results import left_by, store
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
 LONGEST = 6
-"""What takes so many times as long as the suite without any fault says nothing, and is left for --again.
+"""The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again.
 
 A check that hangs is left after two minutes at most, and fails: it is the computer that is busy.
 """

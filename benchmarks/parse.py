@@ -1,4 +1,4 @@
-"""How long it takes to receive twenty BATTERY_STATUS frames that arrive at once, and what that allocates."""
+"""The time to receive twenty BATTERY_STATUS frames that arrive at once, and its allocations."""
 
 from collections.abc import Callable
 from functools import partial
@@ -28,7 +28,7 @@ def figures(quick: bool) -> list[Figure]:
 
 
 def contestants(folder: Path, passes: int, count: int) -> dict[str, Callable[[], Result]]:
-    """Everybody who receives, ready to run."""
+    """Return all that receive, ready to run."""
     codec = measure.codec(folder / "codec", "BATTERY_STATUS")
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
     frames = folder / "frames"

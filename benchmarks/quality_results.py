@@ -1,4 +1,4 @@
-"""What the commands about tests have found, stored for docs/quality.md: benchmarks/results/quality.json."""
+"""Stores the results of the commands about tests for docs/quality.md: benchmarks/results/quality.json."""
 
 import json
 from collections.abc import Mapping

@@ -1,5 +1,5 @@
 # ruff: noqa: S603, S607, T201  it runs tests, and says how far it is
-"""Which lines of a stage each file of tests reaches, found once by marks in its blocks and kept in build/mutation.
+"""Finds the lines of a stage that each file of tests reaches, by marks in its blocks, and keeps them in build/mutation.
 
 Each file of tests runs in a process of its own: what one file asks and keeps in memory hides no line from the next. It
 runs in a copy of the repository whose stages are written anew (`marks.py`), so that a file of tests that fails is one
@@ -33,7 +33,7 @@ SUITES = (
 
 @dataclass(frozen=True)
 class Reached:
-    """What a file of tests reaches: by file of codegen its lines, how long it took, and whether it passed."""
+    """The reach of a file of tests: by file of codegen its lines, the time that it took, and whether it passed."""
 
     passed: bool
     seconds: float

@@ -18,7 +18,7 @@ MEASURED = ("codegen", "templates")
 
 @dataclass(frozen=True)
 class Result:
-    """What a benchmark says about itself, its figures, and the fingerprint of the sources that it measured."""
+    """The result of a benchmark: its description, its figures, and the fingerprint of the sources that it measured."""
 
     compares: str
     figures: tuple[Figure, ...]

@@ -1,4 +1,4 @@
-"""How long a review of two pymavlink releases takes, process against process: against pymavlink's own parser."""
+"""The time of a review of two pymavlink releases, process against process: against pymavlink's own parser."""
 
 import sys
 from functools import partial

@@ -1,4 +1,4 @@
-"""How fast codegen sim lets time pass at full speed, on one core."""
+"""The speed of codegen sim at full speed, on one core."""
 
 import os
 from functools import partial

@@ -1,4 +1,4 @@
-"""How much flash and heap a codec takes, for one message, for twelve and for all of common.xml."""
+"""The flash and heap of a codec for one message, for twelve and for all of common.xml."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What the stages have to say about their input: values with a rule, a place and a hint, never exceptions."""
+"""Findings of the stages about their input: values with a rule, a place and a hint, never exceptions."""
 
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
@@ -9,7 +9,7 @@ from codegen.source import Place
 
 
 class Severity(StrEnum):
-    """How bad a finding is: an error stops the build, a warning does not, and an information asks for nothing."""
+    """The severity of a finding: an error stops the build, a warning does not, and an information asks for nothing."""
 
     ERROR = "error"
     WARNING = "warning"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 else:
 
     def dataclass(*, frozen: bool, slots: bool, kw_only: bool = False) -> Callable[[_Class], _Class]:
-        """As the decorator of the standard library, for classes that are frozen and have slots."""
+        """Return the decorator of the standard library for classes that are frozen and have slots."""
         if not (frozen and slots):
             raise TypeError("a class whose objects change is a dataclass of the standard library")
 
@@ -35,7 +35,7 @@ _FEW = 12
 """So many objects are made before it pays to compile how."""
 
 _DESCRIPTION = ("__dataclass_fields__", "__dataclass_params__", "__match_args__")
-"""Where the standard library puts what it finds out about a class, and looks for it."""
+"""Attributes of a class in which the standard library keeps its findings about it."""
 
 
 class _Slot(NamedTuple):

@@ -45,7 +45,7 @@ def find_unit(name: str | None, place: Place, report: Report) -> Unit | None:
 
 
 def unknown_field_unit(field: WireField) -> Diagnostic:
-    """That a dialect states a unit that is not known, at the field; the same finding whoever asks for the unit."""
+    """Return the finding, at a field, that the unit in the dialect is not known; the same for all who ask."""
     units = field.definition.units or ""
     hint = f"{nearest_unit(units)}; corrections.yaml can set its units"
     return Diagnostic(field.definition.place, UNKNOWN_UNIT, f"{field.name} is in {units!r}, no known unit", hint)

@@ -1,4 +1,4 @@
-"""What is asked again and again of objects that never change, and takes long to find out."""
+"""Remembers results that are asked for repeatedly, are slow to compute, and concern objects that never change."""
 
 from collections.abc import Callable
 from typing import TypeVar

@@ -1,4 +1,4 @@
-"""For pytest: ``@pytest.mark.requirement("FR-00068.3")`` says what a test shows, and JUnit's results say so, too.
+"""A plugin of pytest: ``@pytest.mark.requirement("FR-00068.3")`` says what a test shows, also in JUnit's results.
 
 To be switched on in a project's pytest settings: ``addopts = "-p codegen.pytest_plugin"``. The generated suites do the
 same by themselves. Results also say with which specification they were made.

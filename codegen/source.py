@@ -1,4 +1,4 @@
-"""Where a thing is written: the place that every diagnostic points at."""
+"""Places in source files, which every diagnostic points at."""
 
 import os
 from collections.abc import Mapping

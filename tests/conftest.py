@@ -54,7 +54,7 @@ def pytest_xdist_auto_num_workers() -> int:
 
 
 def pytest_collection_finish() -> None:
-    """What was imported and collected stays until the end: no later look for cycles goes through it."""
+    """Freeze the objects that were imported and collected: they stay, so no later look for cycles goes through them."""
     gc.collect()
     gc.freeze()
 
@@ -81,7 +81,7 @@ def read_once() -> Iterator[None]:
 
 
 OTHER_DRAFTS = pytest.StashKey[int]()
-"""How many tests are about drafts that specs/codegen.yaml does not list."""
+"""The number of tests about drafts that specs/codegen.yaml does not list."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -129,7 +129,7 @@ def long_first(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
 
 
 def _run_of(item: pytest.Item) -> object:
-    """What several tests wait for: one run has all checks of a program that simulate days on an interpreter."""
+    """Return the key of a shared run: one has all checks of a program that simulate days on an interpreter."""
     if item.get_closest_marker("days") is None:
         return item
     assert isinstance(item, pytest.Function)

@@ -44,7 +44,7 @@ def suite_is_green(folder: Path, *tests: str, only: str = "") -> None:
 
 @cache
 def scripts_of(tests: Path) -> ModuleType:
-    """How a suite runs its scripts: the module of that name in its folder. It takes a third of the time of pytest."""
+    """Return the module with which a suite runs its scripts, from its folder: three times as fast as pytest."""
     spec = spec_from_file_location("scripts_of_a_suite", tests / "interpreters.py")
     assert spec is not None
     assert spec.loader is not None

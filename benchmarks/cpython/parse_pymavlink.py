@@ -27,7 +27,7 @@ def received(first, count):
 
 
 def values(message):
-    """What the others show."""
+    """Return the values that the other contestants show."""
     charge = [message.current_consumed, message.energy_consumed, message.temperature]
     return [*charge, message.voltages[0], message.current_battery, message.battery_remaining]
 

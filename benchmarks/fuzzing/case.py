@@ -14,7 +14,7 @@ from fuzzing.hostile import PATHS
 from fuzzing.samples import Sample, kind_of, kinds
 
 ODD = ("folder", "empty", "missing", "link out", "link to folder", "link to itself", "link inside", "pipe")
-"""What may be where a file belongs, or a folder."""
+"""Odd things in place of a file, or of a folder."""
 
 _STRUCTURED: dict[str, Callable[[bytes, random.Random], bytes]] = {
     ".yaml": by_nodes,

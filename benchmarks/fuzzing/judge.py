@@ -22,7 +22,7 @@ from fuzzing.made import faults_of_made
 from fuzzing.watch import Seen, watched
 
 HIDDEN = "nobody is to quote this"
-"""What stands in a file beside the project: no output may have it."""
+"""The content of a file beside the project: no output may have it."""
 KEPT = "generated/kept.txt"
 """A file in the output folder that is nobody's."""
 LONGEST_S = 10.0
@@ -38,7 +38,7 @@ Main = Callable[[list[str]], int]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What codegen did with an input: its exit code, the seconds that it took, and what of it is wrong."""
+    """The result of codegen for an input: its exit code, the seconds that it took, and its faults."""
 
     code: int
     seconds: float

@@ -1,4 +1,4 @@
-"""What a build has made of an input that it took: modules that compile, data that can be read."""
+"""Checks the output of a build from an input that it took: modules compile, data can be read."""
 
 import hashlib
 import json

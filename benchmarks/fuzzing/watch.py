@@ -1,4 +1,4 @@
-"""What a command does with files, as the interpreter tells it: every opening, writing, moving and starting."""
+"""Records a command's use of files, as the interpreter reports it: every opening, writing, moving and starting."""
 
 import os
 import sys

@@ -74,7 +74,7 @@ heartbeat = bytes(station.encode(messages.Heartbeat(unknown=False).update(type=d
 
 
 def idle(rounds):
-    """Nothing is due and nothing arrives."""
+    """Run passes in which nothing is due and nothing arrives."""
     run = still.run
     for _ in range(rounds):
         run(0)

@@ -1,5 +1,5 @@
 # ruff: noqa: T201  what is printed is the answer
-"""What modules take on the heap once they are imported, and which ones came with them.
+"""Prints the heap that modules take once they are imported, and the modules that came with them.
 
 Arguments: names of modules to import.
 """

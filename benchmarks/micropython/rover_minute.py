@@ -35,7 +35,7 @@ import socket  # noqa: E402, F401
 
 import machine  # noqa: E402
 
-# What a board has in its flash is none of the program's.
+# The modules that a board has in its flash are none of the program's.
 import network  # noqa: E402, F401
 
 for gpio in (26, 27, 28, 29):  # whichever the program reads

@@ -18,7 +18,7 @@ from wasmtime import Module
 HERE = Path(__file__).resolve().parent
 TOOLS = Path(sys.executable).parent
 WASM_OPT = MODULE.parent / "node_modules" / "binaryen" / "bin" / "wasm-opt"
-# What the module was compiled with; with everything that Binaryen knows, wasmtime does not take its output.
+# The features with which the module was compiled; with all of Binaryen's, wasmtime does not take its output.
 FEATURES = (
     "exception-handling",
     "reference-types",

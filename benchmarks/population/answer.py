@@ -7,14 +7,14 @@ from functools import cached_property
 from population.fields import Field
 
 SMALL = 2**30 - 1
-"""What a word of the state holds."""
+"""The largest number in a word of the state."""
 STALE_S = 1
 """After how many seconds a value is too old, where the table says so."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What answers an element of a field.
+    """The answer for an element of a field.
 
     ``kind`` is number, enum, flags, clock, text or fixed. ``written`` is the answer in the table of the message,
     ``quantity`` what state.yaml says of the quantity ``name``, by key. Of a number: 1 ``unit`` is ``wire`` on the wire
@@ -58,17 +58,17 @@ class Answer:
 
     @property
     def is_first(self) -> bool:
-        """Whether it is the one of a list that stands for all in the specification."""
+        """Return whether it is the one of a list that stands for all in the specification."""
         return not self.listed or self.at == 0
 
     @property
     def hides_all(self) -> bool:
-        """Whether the whole array is unknown while this is: the sentinel speaks for all of it."""
+        """Return whether the whole array is unknown while this is: the sentinel speaks for all of it."""
         return bool(self.listed) and self.field.unknown[0] is not None and self.field.unknown[-1] is None
 
     @cached_property
     def factor(self) -> Fraction:
-        """What one stored step is on the wire."""
+        """Return the number on the wire for one stored step."""
         assert self.steps is not None
         return self.wire / self.steps
 

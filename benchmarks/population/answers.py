@@ -1,4 +1,4 @@
-"""How each element of a field is answered: by a quantity, in a unit that fits, as a user could write it in state.yaml.
+"""Answers each element of a field: by a quantity, in a unit that fits, as a user could write it in state.yaml.
 
 What the tables say is drawn by lot, from a fixed seed: in which unit people think, in which it is stored, limits, an
 initial value, an age.
@@ -16,9 +16,9 @@ from population.numeric import real, trusted, whole
 
 TAKEN = {"instance", "number", "failures", "expire", "forget", "keep", "gone"}
 LISTS = True
-"""Whether a quantity with ``elements`` answers arrays as a whole; else each element has a quantity of its own."""
+"""True: a quantity with ``elements`` answers arrays as a whole; else each element has a quantity of its own."""
 TEXTS = True
-"""Whether a quantity is a ``text``; else texts are constants."""
+"""True: a quantity is a ``text``; else texts are constants."""
 CLOCKS = {"us": 1, "ms": 1000, "cs": 10_000, "ds": 100_000, "s": 1_000_000}
 
 
@@ -36,7 +36,7 @@ def answer(message: Message, seed: int) -> list[Answer]:
 
 
 def refused(before: Answer) -> Answer:
-    """What is said of an element instead, where the generator refuses its quantity: nothing is known, or 0."""
+    """Return the answer in place of one whose quantity the generator refuses: nothing is known, or 0."""
     if before.kind == "text":
         return Answer(before.field, 0, "text", '{constant: "x"}')
     written = "unknown" if before.unknown is not None else "{constant: 0}"
@@ -87,7 +87,7 @@ def _clock(base: Answer, name: str) -> Answer:
 
 
 def _flags(message: Message, base: Answer, dice: random.Random) -> Answer:
-    """Some entries at all times, some by booleans of the state, some never."""
+    """Return flags: some entries at all times, some by booleans of the state, some never."""
     assert base.field.enum is not None
     fitting = {value: name for value, name in base.field.enum.entries.items() if 0 < value < 1 << base.field.bits}
     single = {value: name for value, name in fitting.items() if value.bit_count() == 1}

@@ -20,7 +20,7 @@ WAITS_US = 300_000, 0, 7
 
 @dataclass(frozen=True)
 class Case:
-    """What is set, answer by answer, before a message is sent; ``None`` is expected where it is withheld.
+    """The settings before a message is sent, answer by answer; ``None`` is expected where it is withheld.
 
     ``before_us`` pass before that, ``age_us`` after it.
     """
@@ -33,7 +33,7 @@ class Case:
 
 @dataclass
 class State:
-    """What the vehicle knows, as the documents say it: stored values, and when each was set."""
+    """The state of the vehicle according to the documents: stored values, and when each was set."""
 
     answers: Sequence[Answer]
     now_us: int = 0
@@ -46,7 +46,7 @@ class State:
             self.values[at], self.set_us[at] = kept(self.answers[at], setting), self.now_us
 
     def value(self, at: int) -> Fraction | float | str | None:
-        """What is known of an answer now; a clock goes on."""
+        """Return the value of an answer now; a clock goes on."""
         found, value = self.answers[at], self.values.get(at)
         age_us = self.now_us - self.set_us.get(at, 0)
         if found.kind == "clock" and isinstance(value, Fraction):
@@ -54,7 +54,7 @@ class State:
         return None if found.is_aging and age_us > STALE_S * 1_000_000 else value
 
     def expected(self) -> tuple[Carried, ...] | None:
-        """What each field has to carry; None where the message is withheld."""
+        """Return the expected value of each field; None where the message is withheld."""
         values = [self.value(at) for at in range(len(self.answers))]
         pairs = list(zip(self.answers, values, strict=True))
         if any(value is None and each.withholds for each, value in pairs):

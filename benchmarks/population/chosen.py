@@ -29,7 +29,7 @@ def traits(message: Message) -> Iterator[Hashable]:
 
 
 def _sentinel(field: Field) -> str:
-    """Where the sentinel of the first element lies among its numbers."""
+    """Return where the sentinel of the first element lies among its numbers."""
     unknown = field.unknown[0]
     if unknown is None:
         return "none"

@@ -17,7 +17,7 @@ from population.running import FORMS, run, write_cases
 
 @dataclass
 class Outcome:
-    """What came of it: proven elements by label, rules of those refused, numbers by message, and what differs.
+    """The result: proven elements by label, rules of those refused, numbers by message, and differences.
 
     ``texts`` are fields that a constant answers; ``withheld`` are cases in which nothing goes out.
     """
@@ -74,7 +74,7 @@ def prove(
 def _differences(
     module: ModuleType, name: str, answers: Sequence[Answer], case: Case, line: str, outcome: Outcome
 ) -> list[str]:
-    """What is wrong with a frame: pymavlink's reading of each field is held against what was set, and packed again."""
+    """Return the faults of a frame: pymavlink's reading of each field is compared with the setting and packed anew."""
     if case.expected is None or line == "-" or " or " in line:
         outcome.withheld[name] += line == "-"
         is_right = (line == "-") == (case.expected is None) and " or " not in line
@@ -102,7 +102,7 @@ def _differences(
 
 
 def _read(decoded: Any, name: str) -> Any:
-    """What pymavlink decodes; of a text the bytes, since it takes all texts for ASCII."""
+    """Return the value that pymavlink decodes; of a text the bytes, since it takes all texts for ASCII."""
     return getattr(decoded, f"_{name}_raw", getattr(decoded, name))
 
 

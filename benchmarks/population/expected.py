@@ -1,4 +1,4 @@
-"""What a field has to carry for what the state keeps: one number, or for floats the ends of what is near enough."""
+"""The expected value of a field for a stored one: one number, or for floats the ends of those near enough."""
 
 import math
 import struct
@@ -19,7 +19,7 @@ class Carried:
     text: str | None = None
 
     def is_met_by(self, value: object) -> bool:
-        """Whether what pymavlink decodes is right."""
+        """Return whether a value that pymavlink decoded is right."""
         if self.text is not None:
             return value == self.text
         if not isinstance(value, int | float):
@@ -31,7 +31,7 @@ class Carried:
 
 
 def carried(answer: Answer, value: Fraction | float | str | None) -> Carried:
-    """What an element of a field carries while its source has a value; None is unknown, and said by the sentinel."""
+    """Return the value of a field's element for that of its source; None is unknown, and sent as the sentinel."""
     if answer.kind == "text":
         if answer.steps is None:
             return Carried(0, 0, answer.written.split('"')[1])
@@ -55,7 +55,7 @@ def carried(answer: Answer, value: Fraction | float | str | None) -> Carried:
 
 
 def cut(text: str, size: int) -> str:
-    """As many whole characters of a text as so many bytes of UTF-8 hold, up to a NUL."""
+    """Return as many whole characters of a text as so many bytes of UTF-8 hold, up to a NUL."""
     return text.partition("\0")[0].encode()[:size].decode(errors="ignore")
 
 
@@ -75,7 +75,7 @@ def _whole(answer: Answer, steps: Fraction) -> int:
 
 
 def _rounded(answer: Answer, steps: Fraction) -> int:
-    """As the table says."""
+    """Return the steps on the wire, rounded as the table says."""
     over, under = steps.numerator * answer.factor.numerator, steps.denominator * answer.factor.denominator
     if answer.rounding == "down":
         return over // under

@@ -54,12 +54,12 @@ class Field:
 
     @property
     def is_float(self) -> bool:
-        """Whether it carries IEEE 754 numbers."""
+        """Return whether it carries IEEE 754 numbers."""
         return self.code in "fd"
 
     @property
     def bits(self) -> int:
-        """Of one element."""
+        """Return the bits of one element."""
         return 8 * {"b": 1, "h": 2, "i": 4, "q": 8, "f": 4, "d": 8, "s": 1}[self.code.lower()]
 
 
@@ -73,7 +73,7 @@ class Message:
 
     @property
     def elements(self) -> int:
-        """How many values it carries; a text is one."""
+        """Return the number of values that it carries; a text is one."""
         return sum(1 if field.code == "s" else max(1, field.count) for field in self.fields)
 
 

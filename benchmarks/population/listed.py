@@ -1,4 +1,4 @@
-"""What is set in lists: all values of one at once, through the same one of both attributes."""
+"""Settings of lists: all values of one at once, through the same one of both attributes."""
 
 import math
 import random
@@ -26,7 +26,7 @@ def together(answers: Sequence[Answer], settings: Sequence[Setting], dice: rando
 
 
 def lists(answers: Sequence[Answer]) -> Iterator[range]:
-    """Where the values of each list stand."""
+    """Yield the places of the values of each list."""
     for at, each in enumerate(answers):
         if each.listed and each.at == 0:
             yield range(at, at + each.listed)

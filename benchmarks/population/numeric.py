@@ -1,4 +1,4 @@
-"""How a field of numbers is answered: in which unit, how it is kept, within which limits, and what stands in."""
+"""Answers a field of numbers: its unit, its storage, its limits, and the value that stands in for unknown."""
 
 import random
 import re
@@ -11,7 +11,7 @@ from population.units import PEOPLE
 
 
 def real(base: Answer, dice: random.Random) -> Answer:
-    """As the float of the field, in its unit or another one, or in whole steps of a thousandth."""
+    """Answer with a float: that of the field, in its unit or another one, or in whole steps of a thousandth."""
     unit, wire = _people(base.field, dice)
     keys, steps, attribute = [("unit", unit)] if unit else [], None, ""
     if base.field.unit and dice.random() < 0.3:
@@ -22,7 +22,7 @@ def real(base: Answer, dice: random.Random) -> Answer:
 
 
 def whole(base: Answer, dice: random.Random) -> Answer:
-    """In steps of the field, or in finer ones that are rounded."""
+    """Answer in steps of the field, or in finer ones that are rounded."""
     field = base.field
     unit, per_unit = _people(field, dice)
     wire = per_unit / field.multiplier
@@ -42,7 +42,7 @@ def whole(base: Answer, dice: random.Random) -> Answer:
 
 
 def _shaped(found: Answer, dice: random.Random) -> Answer:
-    """With what the table itself says: how it is rounded, and limits that are narrower."""
+    """Return the answer with keys of the table: its rounding, and limits that are narrower."""
     keys = ""
     if found.factor.denominator != 1 and dice.random() < 0.5:
         found = replace(found, rounding=dice.choice(("down", "up", "toward_zero")))
@@ -73,7 +73,7 @@ def _times(unit: str, tens: int) -> str:
 
 
 def _suffix(unit: str) -> str:
-    """How the attribute with what is kept ends: with its unit."""
+    """Return the end of the name of the attribute with the stored value: its unit."""
     text = unit.replace("%", "pct") if unit.endswith("%") else re.sub("[^a-z0-9]+", "_", unit.lower()).strip("_")
     return text or "number"
 
@@ -108,7 +108,7 @@ def _reach(found: Answer) -> tuple[int, int]:
 
 
 def _with_initial(found: Answer, dice: random.Random) -> Answer:
-    """Where the field has no sentinel, a value that stands in, or nothing: then the message is withheld."""
+    """Return an answer to a field without a sentinel: with an initial value, or with the message withheld."""
     if found.unknown is not None:
         return found
     if dice.random() < 0.5:
@@ -130,14 +130,14 @@ def _with_initial(found: Answer, dice: random.Random) -> Answer:
 
 
 def trusted(found: Answer, dice: random.Random) -> Answer:
-    """Some are believed for a second only."""
+    """Return the answer, some of which are believed for a second only."""
     if found.initial is not None or dice.random() < 0.75:
         return found
     return replace(found, is_aging=True, quantity=(*found.quantity, ("stale_after", f"{STALE_S} s")))
 
 
 def _is_written(number: Fraction) -> bool:
-    """Whether a number has an end when it is written with a point."""
+    """Return whether a number has an end when it is written with a point."""
     rest = number.denominator
     for prime in (2, 5):
         while rest % prime == 0:

@@ -44,7 +44,7 @@ def _target(message: str, found: Answer) -> list[Any]:
 
 
 def _packed(setting: Setting) -> bytes:
-    """As driver.py reads it: kind and, times 8, which of both attributes; then the value."""
+    """Return a setting for driver.py: kind and, times 8, which of both attributes; then the value."""
     if not setting.how:
         return b"\0"
     stored, value = 8 if setting.how == STORED else 0, setting.value
@@ -59,7 +59,7 @@ def _packed(setting: Setting) -> bytes:
 
 
 def run(folder: Path, form: str) -> list[str]:
-    """What the firmware sends, case by case."""
+    """Return the frames that the firmware sends, case by case."""
     firmware = folder / "generated" / "firmware"
     if form != "machine code":
         plain = folder / "plain"

@@ -40,7 +40,7 @@ VARIES = {
     "what is set": "through both attributes: the ends, beside and far beyond them, None, NaN, infinities, denormals,"
     " the sentinel, random values; nothing for more than a second (`stale_after`)",
 }
-"""What is drawn by lot for each element of each field."""
+"""The properties that are drawn by lot for each element of each field."""
 
 
 def section(outcome: Outcome, table: Callable[[Sequence[Sequence[str]], Sequence[int]], str]) -> str:

@@ -1,4 +1,4 @@
-"""What is set: ways to set an attribute, the extremes of an answer, random values, and what the state then keeps."""
+"""Settings of an attribute: the ways to set it, its extremes, random values, and the values that the state keeps."""
 
 import math
 import random
@@ -27,7 +27,7 @@ BEYOND = (1e39, -1e300, math.inf, -math.inf, 1e-38, 1e-45, -7e-46, 5e-324, 2.225
 
 
 def is_fixed(answer: Answer) -> bool:
-    """Whether there is nothing to set: a constant, or flags of which none depends on the state."""
+    """Return whether there is nothing to set: a constant, or flags of which none depends on the state."""
     is_constant = answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None)
     return is_constant or (answer.kind == "flags" and not any(name for name, _ in answer.flags))
 
@@ -106,7 +106,7 @@ def lots(answer: Answer, dice: random.Random) -> Setting:
 
 
 def kept(answer: Answer, setting: Setting) -> Fraction | float | str | None:
-    """What the state then has: whole steps between the limits, or the float as it was set; None is unknown."""
+    """Return the stored value: whole steps between the limits, or the float as it was set; None is unknown."""
     value = setting.value
     if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return answer.initial if answer.kind != "clock" else None

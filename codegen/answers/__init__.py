@@ -1,4 +1,4 @@
-"""What a field of a table can be answered with. Each kind of answer has a module here, which knows all about it.
+"""The kinds of answers for fields of a table. Each kind has a module here, which knows all about it.
 
 Stages know none of them: they ask the methods of ``codegen.model.answers.answer.Answer``. Beside the kinds lies what
 several of them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (whether it fits the field),

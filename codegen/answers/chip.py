@@ -16,10 +16,10 @@ from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component
 
 UNIQUE_ID = "unique_id"
-"""What a table writes for the number that the maker gave the board's chip, as a text in hex."""
+"""The word in a table for the number that the maker gave the board's chip, as a text in hex."""
 
 MOCK_CHIP = bytes.fromhex("e6613852831b2c21")
-"""What the mocked board says when it is asked for the number of its chip."""
+"""The number of the mocked board's chip."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class ChipAnswer(KindOfAnswer):
 
     @property
     def is_chip_number(self) -> bool:
-        """It is."""
+        """Return True: the text is the number of the chip."""
         return True
 
     def is_fact(self, component: Component) -> bool:

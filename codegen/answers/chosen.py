@@ -74,7 +74,7 @@ class ChosenAnswer(KindOfAnswer):
         return (next(holding, self.otherwise[1]),) * self.covers.count
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """Those of the smallest entry, and those of the largest."""
+        """Return the bytes of the smallest entry, and those of the largest."""
         used = [bytes_of(value) for value in (*(entry for _, entry, _ in self.conditional), self.otherwise[1])]
         return min(used), max(used)
 
@@ -121,7 +121,7 @@ class ChosenAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """There is a case for each condition."""
+        """Return True: there is a case for each condition."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

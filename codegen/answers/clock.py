@@ -108,7 +108,7 @@ class ClockAnswer(KindOfAnswer):
         return (self.beside if value == self.hole else value,)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """None at the start, all later."""
+        """Return none at the start, and all later."""
         return 0, self.covers.field.type.size
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -134,7 +134,7 @@ class ClockAnswer(KindOfAnswer):
         ]
 
     def _divided(self, code: PayloadCode, halves: list[str], divisor: int) -> list[str]:
-        """By the way of people: the highest half first, with what is left of it in front of the next."""
+        """Return the lines of a long division: the highest half first, each remainder in front of the next half."""
         size = self.covers.field.type.size
         lines = [f"value = {halves[-1]} % {divisor}"] if size < 2 * len(halves) else []
         for at in reversed(range(len(halves) - len(lines))):
@@ -173,7 +173,7 @@ class ClockAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With the time."""
+        """Return True: it changes with the time."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

@@ -99,7 +99,7 @@ class CopiedAnswer(LiveAnswer):
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
 
     def _fitting(self, kept: int | Fraction) -> int | Fraction:
-        """Within the limits, and not the sentinel."""
+        """Return a number brought within the limits, and off the sentinel."""
         value = max(self.scaling.low, min(self.scaling.high, kept))
         beside = self.scaling.beside
         return beside if beside is not None and value == self.scaling.hole else value

@@ -1,4 +1,4 @@
-"""How many instances of a component there are."""
+"""The answer that is the number of instances of a component."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -20,7 +20,7 @@ from codegen.model.vehicle import Component
 
 @dataclass(frozen=True, slots=True)
 class CountAnswer(KindOfAnswer):
-    """How many instances of ``component`` board.yaml lists, switched on or not."""
+    """The number of instances of ``component`` in board.yaml, switched on or not."""
 
     covers: Elements
     component: str
@@ -60,7 +60,7 @@ class CountAnswer(KindOfAnswer):
         return (self.count,)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """As many as it takes."""
+        """Return the bytes of the number."""
         return bytes_of(self.count), bytes_of(self.count)
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -83,5 +83,5 @@ class CountAnswer(KindOfAnswer):
         yield Trait("value", str(self.count), Aspect.CONSTANT)
 
     def is_fact(self, component: Component) -> bool:
-        """It stays the same."""
+        """Return True: the number stays the same."""
         return True

@@ -51,12 +51,12 @@ class FactAnswer(KindOfAnswer):
         return cls(covers, tuple(part for fact in facts if (part := answers[fact]) is not None))
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """Those of the instance."""
+        """Return the values of the instance."""
         return self.parts[instance].fixed
 
     @property
     def constants(self) -> tuple[Value, ...]:
-        """Those of every instance."""
+        """Return the values of all instances."""
         return tuple(value for part in self.parts for value in part.fixed)
 
     @property
@@ -65,7 +65,7 @@ class FactAnswer(KindOfAnswer):
         return self.parts[0].fixed if len({part.fixed for part in self.parts}) == 1 else None
 
     def statements(self, code: PayloadCode) -> list[str]:
-        """Those of the instance."""
+        """Return the statements that put the value of the instance."""
         covers, values = self.covers, [part.fixed[0] for part in self.parts]
         texts = tuple(value for value in values if isinstance(value, str))
         if texts:
@@ -107,7 +107,7 @@ class FactAnswer(KindOfAnswer):
         return len({part.fixed for part in self.parts}) == len(self.parts)
 
     def is_fact(self, component: Component) -> bool:
-        """It is one by its name."""
+        """Return True: it is a fact of the board."""
         return True
 
 

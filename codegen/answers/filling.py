@@ -35,7 +35,7 @@ def stand_in(source: Quantity | Parameter) -> list[str]:
 
 
 def fitted(scaling: Scaling, unknown: int | None, why: str = "unknown") -> list[str]:
-    """From stored steps in ``value`` to the number on the wire; ``unknown`` is what goes out for an unknown value.
+    """Return the lines that turn stored steps in ``value`` into the number on the wire, ``unknown`` for an unknown one.
 
     Unknown lies below every limit, so a known value that is within them is compared with two numbers only. ``why`` is
     the comment beside what goes out instead.

@@ -1,4 +1,4 @@
-"""What a field asks of its answer: its unit, its enum, its sentinel."""
+"""Checks that an answer fits its field: its unit, its enum, its sentinel."""
 
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule

@@ -131,7 +131,7 @@ class FixedAnswer(KindOfAnswer):
         return (self.meaning,)
 
     def is_fact(self, component: Component) -> bool:
-        """Whatever the table states is one."""
+        """Return True: a constant of the table is a fact."""
         return True
 
 

@@ -80,7 +80,7 @@ class FlagsAnswer(KindOfAnswer):
         return (mask,) * self.covers.count
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """Those of what is always set, and those of all flags."""
+        """Return the bytes of the flags that are always set, and those of all flags."""
         every = self.mask
         for _, value, _ in self.conditional:
             every |= value

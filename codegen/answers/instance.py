@@ -62,7 +62,7 @@ class InstanceAnswer(KindOfAnswer):
         return ((first or 0) + instance,)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """As many as the number takes."""
+        """Return the bytes of the numbers of the first and the last instance."""
         return bytes_of(first), bytes_of(last)
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -90,7 +90,7 @@ class InstanceAnswer(KindOfAnswer):
 
     @property
     def is_instance_number(self) -> bool:
-        """It is."""
+        """Return True: it is the number of the instance."""
         return True
 
 

@@ -1,4 +1,4 @@
-"""What makes a kind of answer known to the tables: which answers are meant, and how one is bound."""
+"""The base of the kinds of answers: how a table's keys select a kind, and how an answer of that kind is bound."""
 
 from abc import abstractmethod
 from typing import ClassVar

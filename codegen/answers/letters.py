@@ -1,4 +1,4 @@
-"""Which fields take a text, and whether the empty one means unknown there."""
+"""Finds out whether a field takes a text, and whether the empty text means unknown there."""
 
 from codegen.model.answers.answer import Elements
 from codegen.model.dialect.dialect import Kind, SentinelForm

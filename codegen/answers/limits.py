@@ -1,4 +1,4 @@
-"""What a live value is limited to, with the sentinel kept out of reach."""
+"""Limits of a live value: of the table, of the dialect and of the wire type, with the sentinel kept out of reach."""
 
 import math
 from fractions import Fraction

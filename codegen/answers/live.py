@@ -138,7 +138,7 @@ class LiveAnswer(KindOfAnswer):
         return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """Those of the limits and of the sentinel; a negative number takes all."""
+        """Return the bytes of the limits and of the sentinel; a negative number takes all."""
         scaling, unknown, size = self.scaling, self.unknown, self.covers.field.type.size
         can_be_zero = scaling.low <= 0 <= scaling.high and scaling.hole != 0
         if not self.covers.field.type.is_integer:
@@ -254,7 +254,7 @@ class LiveAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With its source."""
+        """Return True: it changes with its source."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

@@ -102,7 +102,7 @@ class RowAnswer(KindOfAnswer):
         return self.quantities if self._withholds else ()
 
     def is_withheld(self, known: Known) -> bool:
-        """While one of the values is unknown."""
+        """Return whether one of the values is unknown, where that withholds the message."""
         return self._withholds and not is_known(self.source, known)
 
     def withholding(self, code: PayloadCode) -> list[str]:
@@ -131,11 +131,11 @@ class RowAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of each part."""
+        """Return the scaling of each part."""
         return tuple(part.scaling for part, _, _ in self.parts)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """Those of the last part, behind all others."""
+        """Return the bytes up to those of the last part, which lies behind all others."""
         part, begin, end = self.parts[-1]
         size = self.covers.field.type.size
         least, most = part.used_bytes(first, last)
@@ -203,7 +203,7 @@ class RowAnswer(KindOfAnswer):
         return self.source.component != component.name
 
     def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
-        """None: receivers take the field as it stands."""
+        """Yield nothing: receivers take the field as it stands."""
         yield from ()
 
     def read_back(self) -> Iterator[ReadBack]:
@@ -212,7 +212,7 @@ class RowAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With its source."""
+        """Return True: it changes with its source."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

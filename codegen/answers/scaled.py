@@ -1,4 +1,4 @@
-"""What answers have in common that take a number and scale it: their words, their bytes, their cases."""
+"""The common part of answers that take a number and scale it: their words, their bytes, their cases."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What the answers of one table can refer to."""
+"""The names that the answers of one table can refer to."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -15,7 +15,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class Pages:
-    """What the pages of a message are made of: ``size`` values of ``quantity`` on each of ``count`` pages."""
+    """The content of a message with pages: ``size`` values of ``quantity`` on each of ``count`` pages."""
 
     quantity: Quantity
     size: int

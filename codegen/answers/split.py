@@ -113,7 +113,7 @@ class SplitAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of the whole."""
+        """Return the scaling of the whole value."""
         return (self.scaling,)
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -183,7 +183,7 @@ class SplitAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With its source."""
+        """Return True: it changes with its source."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
@@ -192,7 +192,7 @@ class SplitAnswer(KindOfAnswer):
         yield from property_cases(self.source, plain)
 
     def value_cases(self) -> Iterator[StateCase]:
-        """Those of stored values."""
+        """Yield the cases of stored values."""
         path = self.source.path
         yield from limit_cases(self.scaling, path)
         for elements in range(1, self.covers.count + 1):

@@ -87,7 +87,7 @@ class TextAnswer(KindOfAnswer):
         return (cut(kept_text(self.source, known) or "", self.size),)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """None of the empty text."""
+        """Return no byte for the empty text, and all for the longest."""
         return 0, self.size
 
     def statements(self, code: PayloadCode) -> list[str]:
@@ -129,7 +129,7 @@ class TextAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With its source."""
+        """Return True: it changes with its source."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

@@ -111,9 +111,40 @@ def is_successor(name: str, names: Names) -> bool:
     )
 
 
+_SAME_WORDS = {
+    word: words[0]
+    for words in (
+        ("lon", "lng", "long", "longitude"), ("lat", "latitude"), ("alt", "altitude", "height"), ("hdg", "heading"),
+        ("temp", "temperature"), ("vel", "velocity", "speed"), ("curr", "current"), ("volt", "voltage"),
+        ("press", "pressure", "baro"), ("dist", "distance"), ("acc", "accel", "acceleration"), ("sat", "satellites"),
+        ("sys", "system"), ("comp", "component"), ("msg", "message"), ("seq", "sequence"), ("pos", "position"),
+        ("batt", "battery"), ("cap", "capacity"), ("dir", "direction"), ("max", "maximum"), ("min", "minimum"),
+    )
+    for word in words
+}  # fmt: skip
+"""Words of names that stand for the same, each with the first of its group."""
+
+
+def _plain_words(name: str) -> list[str]:
+    return [_SAME_WORDS.get(word, word) for word in name.split("_")]
+
+
+def same_field(name: str, message: WireMessage) -> list[str]:
+    """The field that a name means in other words: `lon` for `lng`, or with a word of its message, `target_type`."""
+    words = _plain_words(name)
+    own = {word.lower() for word in message.name.split("_")}
+    return [
+        field.name
+        for field in message.fields
+        if _plain_words(field.name) == words or (words[0] in own and _plain_words(field.name) == words[1:])
+    ][:1]
+
+
 def near_fields(name: str, message: WireMessage) -> list[str]:
     """The field that a name is like, letter by letter or in all its words."""
     own = [field.name for field in message.fields]
+    if same := same_field(name, message):
+        return same
     near = get_close_matches(name, own, n=1, cutoff=_ALIKE)
     words = set(name.split("_"))
     return near or [each for each in own if len(words) > 1 and words == set(each.split("_"))][:1]

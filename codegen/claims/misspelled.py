@@ -50,3 +50,25 @@ _ID_BEHIND = re.compile(
     r"`? ?(?:\(|\|| is | has the id |, )(?:id |ID |#)?\s*(?P<id>\d{1,5})(?=[).,;| ]|$)(?! ?(?:Hz|bytes|B\b))"
 )
 _ID_BEFORE = re.compile(r"(?:^\s*\||[(#]) ?(?P<id>\d{1,5}) ?[|:,)]? ?`?$")
+
+
+def shortened_message(name: str, known: Iterable[str]) -> str | None:
+    """Return the only message whose name is this one with other underscores, or with words more in its middle."""
+    words = name.split("_")
+    joined = "".join(words)
+    found = [
+        each
+        for each in known
+        if each.replace("_", "") == joined or (len(words) >= _LONG and _is_within(words, each.split("_")))
+    ]
+    return found[0] if len(words) > 1 and len(found) == 1 else None
+
+
+def _is_within(words: list[str], own: list[str]) -> bool:
+    """Whether words are those of a name in their order, with its first and its last one."""
+    rest = iter(own)
+    return words[0] == own[0] and words[-1] == own[-1] and all(word in rest for word in words)
+
+
+_LONG = 3
+"""Words of a name that is hardly that of anything else."""

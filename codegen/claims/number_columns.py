@@ -27,7 +27,8 @@ _FACTS: Mapping[str, Callable[[WireMessage], tuple[int, ...]]] = {
     "min_length": lambda message: (message.base_length,),
     "length": lambda message: (message.base_length, message.length),
 }
-_ITEM = re.compile(r"\W*[A-Z][A-Z0-9_]{2,60}[\s:=\u2013(-]{1,4}#?\d{1,5}\W*")
+_ITEM = re.compile(r"\W*(?:#?\d{1,5}\W{1,5}){0,4}[A-Z][A-Z0-9_]{2,60}\W{0,5}(?:#?\d{1,5}\W{0,5}){0,4}")
+"""An item that is a name and numbers, and nothing else."""
 _CELL = re.compile(r"#?\d{1,5}")
 _IN_TEXT = ("id", "crc")
 """What columns of tables are taken for without a heading: lengths may be what was sent, without zeros at the end."""
@@ -72,7 +73,7 @@ def _runs(reading: Reading) -> Iterator[tuple[list[_Row], Collection[str]]]:
         parts = list(run)
         if kind in (PassageKind.ROW, PassageKind.ITEM):
             rows = _together([_row_of(reading, part) for part in parts if isinstance(part, Passage)])
-            yield from ((row, _IN_TEXT) for row in rows)
+            yield from ((row, _FACTS if kind is PassageKind.ITEM else _IN_TEXT) for row in rows)
         for part in parts:
             if isinstance(part, CodeBlock):
                 rows = _together([_row(reading, line.text, _places(line)) for line in part.lines])

@@ -32,6 +32,11 @@ _OWN_THINGS = (
     r"(?:logs?|variables?|databases?|topics?|columns?|structs?|tables?|displays?|apps?|screens?|csv|cop(?:y|ies)|forks?"
     r"|dialects?|firmwares?|sensors?|drivers?|sliders?|radios?|files?|buffers?|node|recording|parser|enums?|page|gui|code)"
 )
+_OWN_PLACES = (
+    r"(?:structs?|class|data ?base|logs?|log ?book|spreadsheet|csv(?: file)?|apps?|gui|source|script|program|parser"
+    r"|cache"
+    r"|dashboard|recordings?|export|viewer|config(?:uration)?)"
+)
 _HANDLED = (
     r"(?:show|keep|store|log|copy|convert|plot|display|print|cast|allocate|reserve|prefer|round|scale|limit|clip|measured"
     r"|turn|write|save|use the first|read (?:it|them|that)? ?(?:as|into))"
@@ -39,7 +44,11 @@ _HANDLED = (
 _ASIDE = words(
     r"\b(?:draft|proposals?|proposed?|rfc|suggest\w*|wish|idea)\b",
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
+    rf"\bin (?:the|a|this|that) (?:[a-z]+ )?{_OWN_PLACES}\b",
     rf"\b(?:we|i|they) (?:then |only |first |also |had |would )*{_HANDLED}\b",
+    r"\b(?:in|over|of|on|from|the|an?) (?:the |an? )?(?:[a-z]+ )?(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus"
+    r"|dataflash|geojson|kml|gpx)"
+    r" (?:mode|message|frame|sentence|packet|register|topic|log|file|bus|protocol|value|units?)\b",
     r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)"
     r" (?:to|into|as|in|with|by|on|for)\b",
     r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",

@@ -78,6 +78,14 @@ ENUM_OF = Rule(
 )
 
 
+NO_FIELD = Rule(
+    "claim-no-field",
+    "A document names a field that its message does not have, and that looks like one that it has. Correct the name. "
+    "It is likely, not certain: another system may have a field of that name.",
+    Severity.WARNING,
+)
+
+
 @cache
 def as_sure(rule: Rule, *, is_sure: bool) -> Rule:
     """The rule of a finding whose subject is named, or, where another one may be meant, that of a likely one."""

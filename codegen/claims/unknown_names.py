@@ -5,11 +5,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import groupby, pairwise
 
-from codegen.claims.about import Surroundings, message_about, surroundings
+from codegen.claims.about import surroundings
 from codegen.claims.field_notes import field_notes
 from codegen.claims.known_names import (
     FAMILY,
-    SHORT,
     UPPER,
     Names,
     entry_start,
@@ -19,22 +18,17 @@ from codegen.claims.known_names import (
     near_fields,
     near_message,
 )
-from codegen.claims.misspelled import is_spelled_so, numbered_message
+from codegen.claims.membership import names_field_of
+from codegen.claims.misspelled import is_spelled_so, numbered_message, shortened_message
 from codegen.claims.reading import Reading, between
-from codegen.claims.ruled_out import is_aside
-from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.claims.unknown_fields import fields, first, members, no_field, qualified
+from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.once import once
 from codegen.source import Place
 
-NO_FIELD = Rule(
-    "claim-no-field",
-    "A document names a field that its message does not have, and that looks like one that it has. Correct the name. "
-    "It is likely, not certain: another system may have a field of that name.",
-    Severity.WARNING,
-)
 NO_MESSAGE = Rule(
     "claim-no-message",
     "A document names a message that no dialect has, and that looks like one of them. Correct the name, or list the "
@@ -81,20 +75,6 @@ _OWN = re.compile(
     r"|upstream)\b",
     re.IGNORECASE,
 )
-_ELSE = re.compile(
-    r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
-    r"|signal|script|module|column|table|key)s?\s+$",
-    re.IGNORECASE,
-)
-_IS_ELSE = re.compile(
-    r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
-)
-_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
-_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
-_QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
-_FILES = frozenset(
-    ["md", "yaml", "yml", "py", "c", "h", "hpp", "cpp", "rs", "ts", "js", "json", "xml", "html", "txt", "csv"]
-)
 _IN_CODE = re.compile(
     r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"
     r"|\bMAVLINK_MSG_ID_(?P<constant>[A-Z][A-Z0-9_]{2,60})(?![\w])"
@@ -103,7 +83,6 @@ _TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<messag
 _DECLARED = re.compile(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
 _CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
 _MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
-_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]|and\b|or\b))")
 _QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
 _WORD = re.compile(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
 _JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
@@ -122,21 +101,21 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         for note in notes.notes if not notes.is_whole and notes.message.name not in names.followed else ():
             is_one = note.type is None or notes.message.field(note.name) or note.name in names.fields
             if not is_one and near_fields(note.name, notes.message):
-                yield _no_field(reading, note.passage.place, notes.message, note.name)
+                yield no_field(reading, note.passage.place, notes.message, note.name)
     for kind, run in groupby(surroundings(reading), lambda each: getattr(each[0], "kind", None)):
         parts = list(run)
         passages = [part for part, _ in parts if isinstance(part, Passage)]
         listed = _listed(reading, passages) if kind in (PassageKind.ROW, PassageKind.ITEM) else frozenset[int]()
         if kind in (PassageKind.ROW, PassageKind.ITEM):
-            yield from _members(reading, passages, parts[0][1], names)
+            yield from members(reading, passages, parts[0][1], names)
         for part, around in parts:
             if isinstance(part, CodeBlock):
                 yield from _code(reading, part, names)
                 continue
             yield from _messages(reading, part, names, listed)
             yield from _entries(reading, part, names)
-            yield from _fields(reading, part, around, names)
-            yield from _qualified(reading, part, names)
+            yield from fields(reading, part, around, names)
+            yield from qualified(reading, part, names)
 
 
 def unknown_names(reading: Reading) -> Iterator[str]:
@@ -147,14 +126,9 @@ def unknown_names(reading: Reading) -> Iterator[str]:
         yield from (found[0] for found in _CONSTANT.finditer(text) if found[0] not in reading.messages)
 
 
-def _first(passage: Passage) -> "re.Match[str] | None":
-    """What a row or an item begins with."""
-    return _BEGINNING.match(passage.text)
-
-
 def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
     """The passages of a run whose beginnings are names of messages: at least one of them is known."""
-    begun = [(passage, found["name"]) for passage in passages if (found := _first(passage)) and found["name"].isupper()]
+    begun = [(passage, found["name"]) for passage in passages if (found := first(passage)) and found["name"].isupper()]
     if sum(name in reading.messages for _, name in begun) * 2 < len(begun):
         return frozenset()
     return frozenset(id(passage) for passage, _ in begun)
@@ -185,12 +159,15 @@ def _messages(reading: Reading, passage: Passage, names: Names, listed: Collecti
             _JOINED.fullmatch(passage.text[min(found.end(), each.end) : max(found.start(), each.start)])
             for each in mentions[:_NEAR]
         )
-        is_same = reading.sightings and is_spelled_so(name, names.messages)
-        if not (is_begun or is_beside or is_told or is_joined or is_same):
+        is_same = reading.sightings and (
+            is_spelled_so(name, names.messages) or shortened_message(name, names.messages) is not None
+        )
+        near = shortened_message(name, names.messages) or near_message(name, names)
+        has_field = near is not None and names_field_of(passage, low, high, names.messages[near])
+        if not (is_begun or is_beside or is_told or is_joined or is_same or has_field):
             continue
         if _PARAMETER.match(name):
             continue
-        near = near_message(name, names)
         is_row = is_begun and passage.kind is not PassageKind.HEADING
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)
@@ -278,58 +255,6 @@ _LONG = 3
 """Words of a name that is hardly that of anything else."""
 
 
-def _fields(reading: Reading, passage: Passage, around: Surroundings, names: Names) -> Iterator[Diagnostic]:
-    """Names in code spans that look like a field of the message that the passage is about."""
-    for low, high in passage.codes:
-        name = passage.text[low:high]
-        if name in names.fields or _SNAKE.fullmatch(name) is None:
-            continue
-        message = message_about(reading, passage, around, low, high)
-        if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
-            continue
-        if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
-            continue
-        is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
-        if near_fields(name, message) or (is_called and reading.named(passage)):
-            yield _no_field(reading, passage.place_at(low), message, name)
-
-
-def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:
-    text = f"{message.name} has no field {name}"
-    hint = did_you_mean(name, [field.name for field in message.fields])
-    return reading.found(NO_FIELD, place, f"{message.name} {name}", text, hint)
-
-
-def _qualified(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagnostic]:
-    """``MESSAGE.field``: the field of a known message is looked for letter by letter, or as the beginning of one."""
-    for found in _QUALIFIED.finditer(passage.text):
-        message, name = names.messages.get(found["message"]), found["field"]
-        if message is None or message.field(name) or name in _FILES or message.name in names.followed:
-            continue
-        begun = [field.name for field in message.fields if field.name.startswith(name) or name.startswith(field.name)]
-        if begun or near_fields(name, message):
-            yield _no_field(reading, passage.place_at(found.start("field")), message, name)
-
-
-def _members(reading: Reading, passages: Sequence[Passage], around: Surroundings, names: Names) -> Iterator[Diagnostic]:
-    """Rows and items of which most begin with fields of the message that the heading names: the others are none."""
-    message = around.first
-    begun = [(passage, found) for passage in passages if (found := _first(passage)) and not found["name"].isupper()]
-    own = [(passage, found) for passage, found in begun if message is not None and message.field(found["name"])]
-    is_table = bool(passages) and _OF_FIELDS.match(passages[0].text) is not None
-    if message is None or len(own) + is_table < 2 or not own or message.name in names.followed:
-        return
-    for passage, found in begun:
-        name = found["name"]
-        is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
-        is_like = len(name) > SHORT and near_fields(name, message)
-        if name not in names.fields and (is_begun or is_like):
-            yield _no_field(reading, passage.place_at(found.start("name")), message, name)
-
-
-_OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
-
-
 def _code(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnostic]:
     """Names that code asks for by their message, and members of what it got."""
     quoted = [(line, found) for line in code.lines for found in _QUOTED.finditer(line.text)]
@@ -358,7 +283,7 @@ def _read(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnosti
         for found in _MEMBER.finditer(line.text) if variables else ():
             message = variables.get(found["variable"])
             if message is not None and not message.field(found["field"]) and near_fields(found["field"], message):
-                yield _no_field(reading, _at(line, found.start("field")), message, found["field"])
+                yield no_field(reading, _at(line, found.start("field")), message, found["field"])
 
 
 def _at(line: Line, offset: int) -> Place:

@@ -17,6 +17,14 @@ _WORDS = (
     ),
     re.compile(rf"{_VALUE}: [^.;,]*\bnot\b"),
     re.compile(
+        r"\b(?P<value>zero|-?\d{1,6}|U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN) (?:values? |in this value )?(?:means?"
+        r"|indicates?|marks?)"
+        r" [^.;,>]{0,40}?\b(?:unknown|invalid|not available|ignore|unused)",
+        re.IGNORECASE,
+    ),
+    re.compile(rf"\b[Uu]se {_VALUE} if [^.;,]{{0,40}}\b(?:unknown|not available|invalid)"),
+    re.compile(rf"\b(?:unknown|invalid): {_VALUE}", re.IGNORECASE),
+    re.compile(
         rf"(?:unknown|not known|invalid|not available),? (?:set to|set it to|use|is|=|send)[: ]+{_VALUE}", re.IGNORECASE
     ),
 )

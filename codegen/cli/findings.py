@@ -12,7 +12,7 @@ from codegen.findings.shortened import shortened
 from codegen.findings.text import closing_line, finding_text
 
 FORMATS = ("text", "json", "github", "sarif", "junit", "gitlab")
-"""How findings can be printed."""
+"""Formats in which findings can be printed."""
 
 
 def print_findings(report: Report, form: str = "text", *, shows_waived: bool = True) -> None:

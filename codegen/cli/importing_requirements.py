@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from codegen.exchanged.stated import StatedFile
 
 ENDINGS = (".reqif", ".json")
-"""How the names of files end that have requirements, not fields."""
+"""Ends of the names of files that have requirements, not fields."""
 OPTIONS = ("prefix", "status", "text", "heading", "id", "type", "version")
 """Options of this alone."""
 OF_FIELDS = ("message", "dialect", "for_each", "stream", "requirement", "merge", "compare")

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from codegen.emit.plan import Plan
 
 ARCHITECTURES = ("bytecode", "armv6m", "armv7m", "armv7emsp", "armv7emdp", "xtensawin", "rv32imc", "x64")
-"""What ``--mpy`` compiles for: names of mpy-cross, and "bytecode" for every board.
+"""Targets of ``--mpy``: names of mpy-cross, and "bytecode" for every board.
 
 An RP2040 takes armv6m, an RP2350 that or armv7emsp.
 """

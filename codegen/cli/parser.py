@@ -33,7 +33,7 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(formatter_class=_Formatter, **options)
 
     def parse_args(self, args: "Any" = None, namespace: "Any" = None) -> "Any":
-        """As argparse does, but options that nobody knows are told by the parser of their command."""
+        """Parse as argparse does, but let the parser of a command report unknown options."""
         found, unknown = self.parse_known_args(args, namespace)
         if unknown:
             getattr(found, "parser", self).error(f"unrecognized arguments: {' '.join(unknown)}")

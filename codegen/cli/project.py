@@ -1,4 +1,4 @@
-"""Which project a command works on."""
+"""Finds the project that a command works on."""
 
 import argparse
 import os

@@ -20,7 +20,7 @@ _SLOWEST = 0.1
 
 
 class UsageError(Exception):
-    """That the command cannot be run as it was given, in words for the user."""
+    """An error of usage: the command cannot be run as it was given; the text is for the user."""
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:

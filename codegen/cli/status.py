@@ -1,4 +1,4 @@
-"""What ``codegen sim`` prints: the line that shows the state as it goes, what happens, and the result."""
+"""The output of ``codegen sim``: a line with the state as it runs, the happenings, and the result."""
 
 import os
 import signal

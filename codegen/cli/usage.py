@@ -1,4 +1,4 @@
-"""What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
+"""The text of ``codegen --help``, written out so that it can be printed before argparse is imported."""
 
 COMMANDS = (
     *("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "deploy", "bench", "watch"),
@@ -18,7 +18,7 @@ documents, from requirement documents, field tables and dialects.
 
 codegen --help lists all commands, codegen COMMAND --help their options.
 """
-"""What ``codegen`` says alone: how one begins."""
+"""The output of ``codegen`` alone: how one begins."""
 
 HELP = """\
 usage: codegen [-h] [--project FILE] [--debug] [--version] COMMAND ...

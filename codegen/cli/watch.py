@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 ENDINGS = (".yaml", ".yml", ".xml", ".md")
 """Files of a specification."""
 WAKE_MS = 500
-"""How long it waits at most before it looks whether somebody has ended it."""
+"""The longest wait before it looks whether somebody has ended it."""
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 class Following:
-    """What follows a build without a fault: a deploy, a simulation that runs until the next one, or nothing."""
+    """The step after a build without a fault: a deploy, a simulation that runs until the next one, or nothing."""
 
     def __init__(self, project: str, deploys: bool, port: str | None, scenario: str | None) -> None:
         self._project = project

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def bench_inputs_of(systems: Iterable[System]) -> dict[tuple[str, str], str]:
-    """By project and program the hash of the specification that results of `codegen bench` have to be about."""
+    """Return by project and program the hash of the specification that results of `codegen bench` have to be about."""
     return {(each.spec.project.project, each.spec.program): bench_inputs(each) for each in systems}
 
 

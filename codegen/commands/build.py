@@ -1,4 +1,4 @@
-"""What is made of systems: the files of the output folder, modules for boards, and a few words about both."""
+"""Builds from systems: the files of the output folder, compiled modules for boards, and a summary of both."""
 
 import os
 from collections.abc import Iterable, Sequence

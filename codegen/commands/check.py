@@ -1,4 +1,4 @@
-"""What is wrong with the specification, and with what documents claim about it."""
+"""Checks the specification, and the claims that documents make about it."""
 
 from typing import TYPE_CHECKING
 

@@ -114,7 +114,7 @@ def codec_of(
     machine_code: bool = True,
     package: str | None = None,
 ) -> dict[str, str]:
-    """Like :func:`codec_files`, of a dialect that was read."""
+    """Return the files of a codec, like :func:`codec_files`, for a dialect that was read."""
     messages = chosen_messages(names, dialect, report)
     chosen = chosen_enums(enums, messages, dialect, report)
     if report.has_errors:

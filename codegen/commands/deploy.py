@@ -1,4 +1,4 @@
-"""What belongs on a board: the program compiled for it, the file of the Wi-Fi, an image."""
+"""Collects the files for a board: the compiled program, the Wi-Fi settings, an image."""
 
 import os
 from typing import TYPE_CHECKING

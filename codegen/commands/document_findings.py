@@ -1,4 +1,4 @@
-"""What is wrong in the documents of a project, kept from one run to the next: most edits leave most documents alone.
+"""Findings in the documents of a project, cached from one run to the next: most edits leave most documents alone.
 
 What is found in a document depends on its text, on all that the documents are compared with, and on files that are read
 meanwhile, such as dialects that have a message of the same name. While these are as they were, so is what was found.
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What is wrong in a document: where its tables differ from those of the messages, and in what it claims."""
+    """The findings in a document: drift between its tables and those of the messages, and false claims."""
 
     drift: tuple[Diagnostic, ...]
     claims: tuple[Diagnostic, ...]

@@ -56,7 +56,7 @@ def _with_overlay(reference: Reference, spec: Spec, overlay: str, files: Files) 
 
 
 def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
-    """By message the rates in Hz of its streams, until somebody changes them; without those that are never sent."""
+    """Return by message the rates in Hz of its streams, until somebody changes them; without those never sent."""
     found: dict[str, set[Fraction]] = {}
     for system in systems:
         for message in system.messages:
@@ -66,7 +66,7 @@ def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
 
 
 def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, ...]]:
-    """By name what each program says of a parameter, in the order of the programs."""
+    """Return by name each program's parameter, in the order of the programs."""
     found: dict[str, tuple[StatedParameter, ...]] = {}
     for system in systems:
         for index, name in enumerate(sorted(system.parameters)):
@@ -111,7 +111,7 @@ def example_numbers(paths: Iterable[str], reference: Reference, files: Files = D
 
 
 OfDialect = Mapping[str, tuple[Diagnostic, ...]]
-"""What differs from the dialect, by the overlay that is in use besides; empty for none."""
+"""Differences from the dialect, by the overlay that is in use besides; empty for none."""
 
 
 def of_dialects(text: str, path: str, reference: Reference, files: Files) -> OfDialect:

@@ -1,4 +1,4 @@
-"""What there is to tell about one thing, in all programs of a project."""
+"""Collects the explanations of one topic from all programs of a project."""
 
 from codegen.diagnostics import Report
 

@@ -28,7 +28,7 @@ from codegen.project.systems import read_systems
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What is to be imported from ``document`` (a path as the user wrote it): None for what is not stated.
+    """A request to import from ``document`` (a path as the user wrote it); None: the user did not state it.
 
     ``table`` is the file of the table, where the project's own is not meant; ``needs_table`` says that there has to be
     one already, to be compared or merged with.
@@ -45,7 +45,7 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Imported:
-    """What a document proposes, what stands above it, and how it differs from the ``table`` that there is, if any."""
+    """An imported proposal with its heading, and its differences from the existing ``table``, if there is one."""
 
     proposal: Proposal
     heading: Heading
@@ -65,7 +65,7 @@ class Imported:
 
 @dataclass(frozen=True, slots=True)
 class NoTable:
-    """That there is no table yet of the message that a document is about."""
+    """The refusal where no table exists yet for the message that a document is about."""
 
     message: str
 

@@ -36,7 +36,7 @@ _PLAIN = re.compile(r"[A-Za-z][\w.-]*")
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """What somebody begins with: a kind, in a folder (absolute). None leaves board or dialect as the kind has it."""
+    """A request for a new project: a kind, in a folder (absolute). None leaves board or dialect as the kind has it."""
 
     kind: str
     folder: str

@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Unusable:
-    """Why a simulation cannot be run as it was asked for, in words for the user."""
+    """The reason for which a requested simulation cannot be run, in words for the user."""
 
     why: str
 
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """What is asked for: a scenario as ``scenario_of`` takes it, what runs the firmware, and where it sends to.
+    """A request for a simulation: a scenario as ``scenario_of`` takes it, the runtime, and the target of its frames.
 
     ``speed`` is how often faster than real time, 0 as fast as it can; ``duration_ms`` how long, None for ever; where
     ``is_whole``, as long as the scenario. ``flash`` is the folder that is the board's file system, ``code`` the file

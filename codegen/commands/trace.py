@@ -1,4 +1,4 @@
-"""What criteria, tables, symbols and tests of a project have to do with one another, and what was reviewed."""
+"""Reads the trace of a project: its criteria, rows of tables, symbols and tests, and the reviewed texts."""
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
@@ -24,7 +24,7 @@ from codegen.project.systems import project_folder
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Why something cannot be done with what the user names, in words."""
+    """The reason for which something cannot be done with a name that the user gave, in words."""
 
     why: str
 

@@ -29,7 +29,7 @@ from codegen.trace.lock import (
 
 @dataclass(frozen=True, slots=True)
 class LookedAt:
-    """What somebody has looked at: the criteria or documents ``names``, or ``all`` that are not reviewed.
+    """A review by a person: of the criteria or documents ``names``, or of ``all`` that are not reviewed.
 
     Of one criterion that may be some of its suspect ``links`` alone. ``reason`` says what was looked at, ``by`` who
     looked.
@@ -44,7 +44,7 @@ class LookedAt:
 
 @dataclass(frozen=True, slots=True)
 class Accepted:
-    """What the lock file at ``path`` has now: the ``criteria`` that were accepted, and those that were ``dropped``."""
+    """The new content of the lock file at ``path``: the accepted ``criteria``, and those that were ``dropped``."""
 
     path: str
     criteria: Sequence[str]

@@ -1,4 +1,4 @@
-"""What a command does with the waivers of a project: they are judged by the day on which it runs."""
+"""Applies the waivers of a project to the findings of a command, as of the day on which it runs."""
 
 import os
 from collections.abc import Callable, Collection

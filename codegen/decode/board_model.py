@@ -1,4 +1,4 @@
-"""Which kinds of boards there are: those that come with codegen, and those that lie in the folder of the project."""
+"""Finds the file of a kind of board: among those that come with codegen, or in the folder of the project."""
 
 import os
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What a criterion says of the criteria that it depends on: ``(depends on FR-00070.3, criteria 1 and 2)``.
+"""Reads the dependencies in the text of a criterion: ``(depends on FR-00070.3, criteria 1 and 2)``.
 
 Parentheses that say anything else are prose; those that begin with a criterion and go on otherwise are a finding.
 """

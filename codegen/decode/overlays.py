@@ -1,4 +1,4 @@
-"""Which parts of a specification count: those without an overlay, and those of an overlay that the project lists."""
+"""Selects the parts of a specification that count: those without an overlay, and those of the project's overlays."""
 
 import os
 from dataclasses import replace
@@ -45,7 +45,7 @@ class Overlays:
         return is_listed
 
     def is_applied(self, correction: Correction, project: Project | None) -> bool:
-        """As ``is_used`` says of a correction; one that is not applied is kept for who asks about its overlay."""
+        """Return whether a correction is used; one that is not is kept for questions about its overlay."""
         is_used = self.is_used(correction, correction.overlay, project)
         if not is_used:
             self.spare.append(correction)

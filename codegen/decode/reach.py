@@ -1,4 +1,4 @@
-"""How far a project reaches: the folders that its files may lie in."""
+"""The folders that the files of a project may lie in."""
 
 import os
 from functools import lru_cache

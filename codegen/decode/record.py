@@ -97,12 +97,23 @@ class _RecordDecoder(Generic[Record]):
             elif key.is_required or key.name in one_of(self._cls):
                 usable = False
         missing = self._check_keys(node)
-        if missing or not usable:
+        incomplete = [group for group, given in grouped.items() if not self._is_complete(group, given)]
+        if missing or incomplete or not usable:
             return None
         for group, given in grouped.items():
             record = group.model(place=self._place, places=self._places, **given)
             values[group.attribute] = (*values.get(group.attribute, ()), record)
         return self._cls(place=self._place, places=self._places, **values)
+
+    def _is_complete(self, group: Group, given: dict[str, Any]) -> bool:
+        """Return whether a group has what it cannot do without; a key of it that is not written is reported."""
+        lacking = [key for key in keys_of(group.model) if key.is_required and key.attribute not in given]
+        first = next(key.name for key in self._keys.values() if key.group is group and key.attribute in given)
+        for key in lacking:
+            if key.name not in self._places:  # else its value was no good, which has been said
+                hint = f"{key.name}: {key.doc}"
+                self._report.add(MISSING_KEY, self._places[first], f"{first} wants {key.name}, which is missing", hint)
+        return not lacking
 
     def _keep(self, key: ScalarNode, node: YamlNode, values: dict[str, Any]) -> None:
         """Keep what stands at a key of the author's choice, where the record takes such."""

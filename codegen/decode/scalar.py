@@ -42,7 +42,7 @@ UNUSABLE_NUMBER = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Mismatch:
-    """Why a scalar does not fit; ``message`` follows the name of the key."""
+    """The reason for which a scalar does not fit; ``message`` follows the name of the key."""
 
     rule: Rule
     message: str
@@ -76,7 +76,7 @@ def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
 
 
 def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
-    """That ``shape`` wants another kind of value."""
+    """Return the mismatch of a node of another type than ``shape`` wants."""
     return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
 
 

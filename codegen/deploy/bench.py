@@ -21,9 +21,9 @@ NOT_DEPLOYED = Rule(
 )
 
 COUNT = 200
-"""How often each call is timed."""
+"""Number of times that each call is timed."""
 _SLICE_MS = 2000
-"""How long the board runs on before it answers: mpremote waits for ten seconds at most."""
+"""The time that the board runs on before it answers: mpremote waits for ten seconds at most."""
 _SUMMED = ("heap.steady_bytes", "loop.missed_slots")
 """Measures that add up from slice to slice; of all others the largest counts."""
 

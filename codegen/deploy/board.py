@@ -1,4 +1,4 @@
-"""What a board says of itself."""
+"""A board as it describes itself: its machine, its file system, its files."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -33,7 +33,7 @@ class Board:
 
     @property
     def words(self) -> str:
-        """It in one line, for people."""
+        """Return the board in one line, for people."""
         version = ".".join(map(str, self.version))
         kind = self.architecture or f"architecture {self.number}"
         return f"{self.machine}, MicroPython {version}, {kind}, {self.free // 1024} of {self.room // 1024} KB free"

@@ -24,9 +24,9 @@ from codegen.deploy.findings import (
 from codegen.tool.template_files import copied
 
 ANSWER_S = 10.0
-"""How long the board may say nothing before it counts as gone."""
+"""The time without output after which the board counts as gone."""
 _REBOOT = b"soft reboot"
-"""What MicroPython says before the program begins."""
+"""MicroPython's output before the program begins."""
 _NO_SPACE = re.compile(r"OSError: .*\b(28|ENOSPC)\b")
 
 

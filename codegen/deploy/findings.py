@@ -1,4 +1,4 @@
-"""What can be wrong between this computer and a board."""
+"""Rules for faults between this computer and a board."""
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.source import Place
@@ -90,7 +90,7 @@ PROGRAM_ENDED = Rule(
 
 
 class BoardFaultError(Exception):
-    """That something with the board went wrong: a rule, what happened, and a hint."""
+    """A fault of the board or of the connection to it: a rule, the event in words, and a hint."""
 
     def __init__(self, rule: Rule, message: str, hint: str | None = None) -> None:
         super().__init__(message)

@@ -1,4 +1,4 @@
-"""What has to happen so that a board has what it shall have: a pure function of what is there."""
+"""Plans the removals and copies that give a board its files: a pure function of the files on the board."""
 
 from collections.abc import Collection, Iterator, Mapping
 
@@ -6,14 +6,14 @@ from codegen.deploy.board import Found
 from codegen.frozen import dataclass
 
 MAIN = "main.py"
-"""What a board starts by itself: it goes first and comes last."""
+"""The file that a board starts by itself: it goes first and comes last."""
 PART = "deploy.part"
-"""What a file is called until it is whole."""
+"""The name of a file until it is whole."""
 MANIFEST = "deployed.json"
 """The files that deploys have put there, with their hashes."""
 
 Owned = Mapping[str, Collection[str]]
-"""What earlier deploys put there: paths, with the hashes that each may have."""
+"""Files of earlier deploys: paths, with the hashes that each may have."""
 
 
 @dataclass(frozen=True, slots=True)

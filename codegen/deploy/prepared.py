@@ -1,4 +1,4 @@
-"""What a deploy will do, found out without changing anything on the board."""
+"""Prepares a deploy without changing anything on the board."""
 
 from collections.abc import Mapping
 

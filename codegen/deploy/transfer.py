@@ -30,7 +30,7 @@ def owned_files(connection: Connection) -> dict[str, list[str]]:
 
 
 def _read_manifest(connection: Connection, path: str) -> dict[str, list[str]]:
-    """On FAT it may have been cut between losing its old file and giving the new one its name."""
+    """Return the manifest on the board; empty where it is cut, as on FAT between removing and renaming."""
     try:
         written = json.loads(connection.run(f"show({path!r})"))
         return {str(path): [str(digest) for digest in digests] for path, digests in written["files"].items()}

@@ -1,4 +1,4 @@
-"""Where the values of quantities come from, a module for each kind: all that is known of it stands there.
+"""The sources of the values of quantities. Each kind has a module here, which knows all about it.
 
 ``codegen/model/quantities/derivation.py`` says what the stages ask a derivation, ``codegen/model/spec/derivation.py``
 has the keys of ``state.yaml`` that it is written with.
@@ -58,7 +58,7 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     LastsSpec: resolve_lasts,
     SourcedSpec: resolve_sourced,
 }
-"""How each kind is resolved, by what it is written with."""
+"""The function that resolves each kind, by the keys that it is written with."""
 
 
 def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:

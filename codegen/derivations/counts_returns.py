@@ -1,4 +1,4 @@
-"""What counts that something came back after it was gone, such as a pack that was exchanged."""
+"""The derivation that counts returns of a thing that was gone, such as an exchanged pack."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from codegen.derivations.follows import steps_of
 from codegen.derivations.surroundings import Kept, Surroundings
-from codegen.diagnostics import Rule, did_you_mean
+from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.spec.derivation import (
@@ -32,7 +32,7 @@ BAD_RETURN = Rule(
 )
 
 _BEGINNING = (MeasuredSpec, EstimateSpec, IntegralSpec, LeftSpec, LastsSpec)
-"""What can begin anew beside what only code sets."""
+"""Derivations that can begin anew, beside quantities that only code sets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +98,7 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
 
 
 def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, ...]:
-    """From which value on a reading is a return, by instance; none where none is written, or after a finding."""
+    """Return the values from which on a reading is a return, by instance; none without them, or after a finding."""
     follows = around.others[written.counts_returns_of].written(FollowsSpec)
     followed = around.others.get((follows.follows if follows else None) or "")
     if written.back_from is None or follows is None or followed is None:
@@ -120,7 +120,7 @@ def _counting(around: Surroundings) -> Iterator[str]:
 
 
 def _follows_a_reading(name: str, around: Surroundings) -> bool:
-    """As written: what cannot be resolved has been reported, and is no fault of the count."""
+    """Return whether it follows a reading, as written: names that cannot be resolved are reported elsewhere."""
     follows = around.others[name].written(FollowsSpec)
     if follows is None or follows.follows is None:
         return False
@@ -136,8 +136,7 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         return
     counting = list(_counting(around))
     if count not in others:
-        hint = did_you_mean(count, counting or others)
-        around.bad("restarts_with", f"there is no quantity {count}", BAD_RETURN, hint)
+        around.no_quantity("restarts_with", count, BAD_RETURN, counting)
     elif count not in counting:
         hint = "counts_returns_of: names what returns"
         around.bad("restarts_with", f"{count} does not count returns", BAD_RETURN, hint)

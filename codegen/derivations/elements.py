@@ -1,4 +1,4 @@
-"""How many values a quantity has that is a list: as the table says, or one for each of what a fact counts."""
+"""The number of values of a quantity that is a list: written in the table, or one for each thing that a fact counts."""
 
 from codegen.derivations.surroundings import MOST_COUNTED, Surroundings
 from codegen.diagnostics import Rule

@@ -1,4 +1,4 @@
-"""What a measured quantity stands for, by a curve of points: a charge by a voltage, a content by a level."""
+"""The derivation that estimates a quantity by a curve of points: a charge by a voltage, a content by a level."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
@@ -27,7 +27,7 @@ BAD_ESTIMATE = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Estimate(Derivation):
-    """For each instance the points (stored steps of ``quantity``, stored steps of the estimate), by the first."""
+    """An estimate: for each instance the points (stored steps of ``quantity``, stored steps of the estimate)."""
 
     quantity: str
     curve: str

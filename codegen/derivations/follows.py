@@ -112,7 +112,7 @@ class Follows(Derivation):
         return "below" if self.is_below else "at least"
 
     def _limit(self, quantity: Quantity) -> str:
-        """As written: ``at least 4.25 times cells``."""
+        """Return the limit as written: ``at least 4.25 times cells``."""
         times = f" times {quantity.spec.per}" if quantity.spec.per else ""
         limit = self.spec.below if self.is_below else self.spec.at_least
         assert limit is not None

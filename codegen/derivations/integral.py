@@ -1,4 +1,4 @@
-"""What is summed over time of a measured quantity: the charge of a current, the energy of a current and a voltage."""
+"""The derivation that integrates measured quantities over time: the charge of a current, the energy of a power."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""What an ADC measures: the conversion from its counts, and the value above which a warning is logged."""
+"""The derivation that measures with an ADC: the conversion of its counts, and the threshold of a logged warning."""
 
 import dataclasses
 import math
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from codegen.model.system import System
 
 VOLT = unit_named("V")
-"""What an ADC measures."""
+"""The unit that an ADC measures in."""
 
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
 
@@ -42,7 +42,7 @@ ADC_FAULTS = {
     "slow": "ADC readings take longer",
     "stuck": "ADC readings stay as they were",
 }
-"""What can be wrong with an input in a simulation."""
+"""Faults of an input in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What a message that arrives sets, and nothing else."""
+"""The derivation of quantities that only a received message sets."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""What a sum leaves of a full store, and how long that lasts: the charge that is left, and its time."""
+"""The derivations of a remainder: the rest of a full store after a sum is drawn, and how long that rest lasts."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -27,7 +27,7 @@ BAD_REMAINDER = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Left(Derivation):
-    """What ``rest`` says, with each reading of ``of``; unknown while that is, or while the store has no size."""
+    """The remainder ``rest``, renewed with each reading of ``of``; unknown while that is, or the store has no size."""
 
     rest: Rest
     of: str
@@ -70,7 +70,7 @@ class Left(Derivation):
 
 @dataclass(frozen=True, slots=True)
 class Lasts(Derivation):
-    """What ``lasting`` says, with each reading of what is drawn; unknown while nothing is."""
+    """The remaining time ``lasting``, renewed with each reading of the drawn quantity; unknown while none is drawn."""
 
     lasting: Lasting
     is_sensed: bool

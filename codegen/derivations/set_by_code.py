@@ -1,4 +1,4 @@
-"""What code of the vehicle sets, and nothing else."""
+"""The derivation of quantities that only code of the vehicle sets."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING

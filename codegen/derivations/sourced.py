@@ -1,4 +1,4 @@
-"""What a sensor gives: its output in the steps of the quantity, by an exact factor."""
+"""The derivation from a sensor: its output in the steps of the quantity, by an exact factor."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
@@ -31,7 +31,7 @@ _LARGEST = 2**29
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What one sensor gives to one instance: ``factor`` stored steps are one step of the ``output``."""
+    """The output of one sensor for one instance: ``factor`` stored steps are one step of the ``output``."""
 
     source: str
     output: Output

@@ -1,4 +1,4 @@
-"""What a derivation may ask while it is resolved: the quantity that it belongs to, and all that stands around it."""
+"""The input of a derivation while it is resolved: the quantity that it belongs to, and the specification around it."""
 
 import dataclasses
 from collections.abc import Callable, Iterable, Mapping
@@ -35,7 +35,7 @@ MOST_COUNTED = 255
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """How a quantity is kept: the fields of ``Quantity`` that are known before its derivation."""
+    """The storage of a quantity: the fields of ``Quantity`` that are known before its derivation."""
 
     kind: QuantityKind
     unit: Unit
@@ -94,9 +94,14 @@ class Surroundings:
         self.report.add(rule, self.spec.at(key), message, hint, related)
         self.failed = True
 
-    def no_quantity(self, key: str, name: str, rule: Rule) -> None:
-        """Report that the component has no quantity called so."""
-        self.bad(key, f"there is no quantity {name}", rule, did_you_mean(name, self.others))
+    def no_quantity(self, key: str, name: str, rule: Rule, among: Iterable[str] = ()) -> None:
+        """Report that the component has no quantity called so; one that could not be read has been reported already.
+
+        What may have been meant is one of ``among``, or of all.
+        """
+        self.failed = True
+        if not self.whole.state.is_written(self.component, name):
+            self.bad(key, f"there is no quantity {name}", rule, did_you_mean(name, list(among) or self.others))
 
     def time_ms(self, key: str, written: str | None) -> int | None:
         """A time in ms; None where none is written, or after a finding."""
@@ -124,7 +129,7 @@ class Surroundings:
         return self.spec.written(SourcedSpec) is not None
 
     def outputs(self) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives it, and what of it; nothing where none does, or after a finding."""
+        """Return by instance the sensor that gives it, and the output; nothing without one, or after a finding."""
         if self.found is None:
             self.found = self._outputs()
         return self.found
@@ -167,7 +172,7 @@ class Surroundings:
         return None
 
     def given_to(self, name: str) -> tuple[tuple[Source, Output], ...]:
-        """By instance the sensor that gives another quantity of the component, and what of it, as far as it is known.
+        """Return by instance the sensor and the output that give another quantity of the component, as far as known.
 
         What is wrong with it is reported there.
         """

@@ -1,1 +1,1 @@
-"""What changed between two resolved models, and what that means: see ``change``."""
+"""Changes between two resolved models, and their consequences: see ``change``."""

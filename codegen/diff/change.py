@@ -9,7 +9,7 @@ from codegen.source import Place
 
 
 class Area(StrEnum):
-    """What a change is about, the gravest first."""
+    """The area of a change, the gravest first."""
 
     WIRE = "wire"
     BEHAVIOUR = "behaviour"
@@ -18,7 +18,7 @@ class Area(StrEnum):
 
 
 class Notice(StrEnum):
-    """Whether a receiver that was built from the other version notices."""
+    """The way in which a receiver that was built from the other version notices a change, if it does."""
 
     NOTICED = "noticed: CRC_EXTRA differs, the frame is dropped"
     UNKNOWN_ID = "noticed: the id is unknown, the frame is passed over"
@@ -27,7 +27,7 @@ class Notice(StrEnum):
 
 
 class Weight(StrEnum):
-    """How bad a change is, the worst first."""
+    """The weight of a change, the worst first."""
 
     SILENT = "silent"
     BREAKING = "breaking"
@@ -49,7 +49,7 @@ _WEIGHTS = tuple(Weight)
 
 
 class Victim(StrEnum):
-    """Who breaks."""
+    """The side that a change breaks."""
 
     OLD_STATION = "old ground station with new vehicle"
     NEW_STATION = "new ground station with old vehicle"
@@ -79,7 +79,7 @@ class ChangeRule(Rule):
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """What a change touches: ids of requirements and criteria, symbols of the firmware, tests."""
+    """The reach of a change: ids of requirements and criteria, symbols of the firmware, and tests that it touches."""
 
     requirements: tuple[str, ...] = ()
     symbols: tuple[str, ...] = ()

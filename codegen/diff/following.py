@@ -11,7 +11,7 @@ from codegen.diff.report.grouping import Group
 from codegen.diff.system import behaviour_rules
 
 Carried = Mapping[str, tuple[str, ...]]
-"""What takes numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
+"""The things that take numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
 
 _TABLE = frozenset(
     rule.id
@@ -47,7 +47,7 @@ _ELEMENTS = re.compile(r"\[[^\]]*\]$")
 
 
 class _Relation(NamedTuple):
-    """Which groups may lead others, which may follow, and whether one follows another."""
+    """A relation between groups of changes: possible leaders, possible followers, and the test of a pair of them."""
 
     may_lead: Callable[[Change], bool]
     may_follow: Callable[[Change], bool]

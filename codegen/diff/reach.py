@@ -1,4 +1,4 @@
-"""What a change touches beyond itself: requirements, symbols of the firmware, tests, in either version."""
+"""The reach of a change: the requirements, symbols of the firmware and tests that it touches, in either version."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a target is made from, in the form that make includes and ninja reads."""
+"""The prerequisites of a target as a depfile, which make includes and ninja reads."""
 
 import re
 from collections.abc import Iterable

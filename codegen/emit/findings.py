@@ -1,4 +1,4 @@
-"""What a plan has to say: files that must not be overwritten, that nobody generates, or that are out of date."""
+"""Findings of a plan: files that must not be overwritten, that nobody generates, or that are out of date."""
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.emit.plan import Change, Plan

@@ -1,4 +1,4 @@
-"""What else is in an output folder, and whether a path stays in it."""
+"""Lists the other files of an output folder, and finds paths that lead out of it."""
 
 import os
 from collections.abc import Collection
@@ -11,7 +11,7 @@ OWN_FOLDER = ".codegen"
 
 
 UNFINISHED = (".codegen-", ".tmp")
-"""How the name of a file begins and ends while it is being written."""
+"""Beginning and end of the name of a file while it is being written."""
 
 _IGNORED = frozenset({OWN_FOLDER, "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
 

@@ -25,7 +25,7 @@ MPY_REFUSED = Rule(
 
 
 STARTED = "main.py"
-"""What a board starts by itself."""
+"""The file that a board starts by itself."""
 
 
 def compiled(

@@ -21,7 +21,7 @@ OUTPUT_BLOCKED = Rule(
 
 
 class Change(Enum):
-    """What a file of the output folder is, compared with the manifest and with what was rendered."""
+    """The status of a file in the output folder, compared with the manifest and with the rendered text."""
 
     UNCHANGED = "unchanged"
     NEW = "new"
@@ -44,7 +44,7 @@ class PlannedFile:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What a build will do in ``folder`` (absolute), with or without ``force`` and ``clean``.
+    """The plan of a build in ``folder`` (absolute), with or without ``force`` and ``clean``.
 
     ``files`` are in the order of their paths and end with the manifest, unless it is unchanged. ``strays`` are paths
     that neither the manifest nor the rendering knows; ``leftovers`` are unfinished files of an interrupted build.

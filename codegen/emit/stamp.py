@@ -23,7 +23,7 @@ LISTED = ("", "messages", "receives", "dialects", "requirements")
 """The folders of a specification in which codegen looks for files."""
 
 MARGIN_S = 1.0
-"""How much older than a build its input has to be: some disks keep times in large steps."""
+"""The least age of a build's input at the build: some disks keep times in large steps."""
 
 
 def unchanged(project: str, folder: str) -> int | None:

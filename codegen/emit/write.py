@@ -21,7 +21,7 @@ OUTPUT_UNWRITABLE = Rule(
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How many files (the manifest aside) a build wrote, left as they were, and removed."""
+    """The numbers of files (the manifest aside) that a build wrote, left unchanged, and removed."""
 
     written: int = 0
     unchanged: int = 0

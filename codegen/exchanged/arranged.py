@@ -1,4 +1,4 @@
-"""What a file states as documents with numbered criteria: headings are documents, requirements below them criteria.
+"""Arranges the objects of a file as documents: headings become documents, the requirements below them criteria.
 
 A requirement below no heading is a document of its own. Nothing is named that the file does not name: where an id is
 none that a document can have, that is a finding.

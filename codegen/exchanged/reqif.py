@@ -42,7 +42,7 @@ FACTS = ("status", "aliases", "refers_to", "bench")
 
 @dataclass(frozen=True, slots=True)
 class Attributes:
-    """What a file calls the attributes with texts, headings, names and ids."""
+    """The names in a file of the attributes with texts, headings, names and ids."""
 
     text: str = "ReqIF.Text"
     heading: str = "ReqIF.ChapterName"

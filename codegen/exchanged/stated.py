@@ -1,4 +1,4 @@
-"""What a file of another tool states: objects with texts and headings, and what they have to do with one another."""
+"""A file of another tool as it was read: objects with texts and headings, and the links between them."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""What there is to say about a command or a mode, for codegen explain."""
+"""Explains a command or a mode."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from codegen.model.units.unit import decimal, map_words
 from codegen.model.vehicle import Citation
 
 Story = tuple[str, str, list[tuple[str, str]]]
-"""What it is called, what it is for, and facts with their names."""
+"""Its name, its purpose, and facts with their names."""
 
 
 def command_story(topic: str, system: System) -> Story | None:

@@ -1,4 +1,4 @@
-"""What explain says about the corrections of a field: the attribute, the grounds, and where both are stated."""
+"""Explains the corrections of a field: the attribute, the grounds, and where both are stated."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What ``codegen explain`` says about messages that set quantities."""
+"""Explains messages that set quantities."""
 
 from textwrap import fill
 
@@ -37,7 +37,7 @@ def _received_cells(row: ReceivedRow) -> tuple[str, ...]:
 
 
 def explained_received_field(table: Reception, name: str, system: System) -> str | None:
-    """That of a field of it; None where the table does not take it."""
+    """Return the story of a field of a received message; None where the table does not take it."""
     parts: list[str] = []
     for taken, row in zip(table.fields, received_rows(table), strict=True):
         if name not in (taken.field.name, taken.label):

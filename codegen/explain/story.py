@@ -354,7 +354,7 @@ def _requirement(topic: str, system: System) -> str | None:
 
 
 def _needed_by(system: System) -> dict[str, list[str]]:
-    """By criterion those that depend on it."""
+    """Return by criterion those that depend on it."""
     found: dict[str, list[str]] = {}
     for requirement in {each.id: each for each in system.requirements.values()}.values():
         for criterion in requirement.criteria:

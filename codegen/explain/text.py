@@ -1,4 +1,4 @@
-"""How ``codegen explain`` prints citations, facts and tables."""
+"""Prints the citations, facts and tables of ``codegen explain``."""
 
 from collections.abc import Iterable, Sequence
 

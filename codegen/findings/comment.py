@@ -1,4 +1,4 @@
-"""How much Markdown a comment on a pull request takes."""
+"""Cuts Markdown to the length of a comment on a pull request."""
 
 MOST_CHARACTERS = 60_000
 """A comment on GitHub has at most 65,536."""

@@ -1,4 +1,4 @@
-"""What makes a finding the same in another run, wherever its lines have moved to: what a waiver names."""
+"""Fingerprints of findings, which stay the same wherever their lines move to: waivers name them."""
 
 import hashlib
 import os

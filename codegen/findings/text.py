@@ -6,7 +6,7 @@ from codegen.diagnostics import Diagnostic, Severity
 from codegen.source import shown_path
 
 WAIVED = "waived"
-"""What stands in place of the severity of a finding that is waived."""
+"""The word in place of the severity of a finding that is waived."""
 
 _COLOURS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severity.INFO: "\x1b[2m", WAIVED: "\x1b[2m"}
 _PLAIN = "\x1b[0m"

@@ -46,7 +46,7 @@ _DAY = re.compile(r"\d{4}-\d\d-\d\d", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class LookedAt:
-    """What a run looked at: the ids of the rules, and the files (absolute paths)."""
+    """The scope of a run: the ids of its rules, and its files (absolute paths)."""
 
     rules: Collection[str]
     files: Collection[str]

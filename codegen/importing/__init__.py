@@ -1,1 +1,1 @@
-"""From what a document says about the fields of a message to a population table, and how both compare."""
+"""Reads statements of documents about the fields of a message into a population table, and compares both."""

@@ -1,4 +1,4 @@
-"""What a cell is read for, and what comes of it: an answer of a population table, or a proposal for people."""
+"""Types for reading a cell: where it stands, and the answer of a population table or the proposal that it yields."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import field
@@ -15,7 +15,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class Sources:
-    """Where values can come from. ``quantities`` has the unit of each path, None without a project."""
+    """The possible sources of values. ``quantities`` has the unit of each path, None without a project."""
 
     dialect: Dialect
     quantities: Mapping[str, Unit] | None = None
@@ -60,7 +60,7 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What a cell says, as flow YAML: ``unknown`` or ``{state: battery.voltage}``.
+    """The content of a cell as flow YAML: ``unknown`` or ``{state: battery.voltage}``.
 
     Either an ``answer``, or, where it cannot be read without guessing, a ``proposal`` for people to take or to leave.
     ``is_whole`` marks an answer that the document writes as the tables do, so that what it leaves out is left out.

@@ -1,4 +1,4 @@
-"""What the columns of a document's table are for, by their headings in any order and case."""
+"""Recognises the columns of a document's table by their headings, in any order and case."""
 
 import re
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ COLUMN_TWICE = Rule(
 
 
 class Role(Enum):
-    """What a column tells about a field."""
+    """The role of a column: the property of a field that it states."""
 
     FIELD = "field"
     VALUE = "value"

@@ -1,4 +1,4 @@
-"""What a document says about a message beside what its population table says, element by element."""
+"""Compares a document's statements about a message with its population table, element by element."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -18,11 +18,11 @@ from codegen.source import Place
 
 Number = int | float
 _SHOWN = 60
-"""How many characters of an answer a line of a comparison shows."""
+"""The number of characters of an answer that a line of a comparison shows."""
 
 
 class Verdict(Enum):
-    """How a document and a table stand to each other; the text is what people read."""
+    """The result of comparing a document with a table; the text is what people read."""
 
     SAME = "same"
     EQUAL = "same value"

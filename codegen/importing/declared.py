@@ -1,4 +1,4 @@
-"""What a document says of the declaration of a field, its type, unit and value for unknown, beside the dialect."""
+"""Compares type, unit and value for unknown of a field in a document with the dialect."""
 
 import re
 

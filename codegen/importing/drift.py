@@ -1,4 +1,4 @@
-"""Where the tables of the project's own documents and its population tables, or the dialect, drift apart."""
+"""Finds drift between tables in the project's own documents and its population tables, or the dialect."""
 
 from collections.abc import Iterable, Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""What importing needs to know of a project: its sources of values, and the answers of its tables."""
+"""Takes from a project all that importing needs: its sources of values, and the answers of its tables."""
 
 import os
 import re

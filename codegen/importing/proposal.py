@@ -56,7 +56,7 @@ class Unmentioned:
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """What a document says about a message; both lists are in the order of the dialect's XML."""
+    """The answers that a document proposes for a message; both lists are in the order of the dialect's XML."""
 
     message: WireMessage
     place: Place

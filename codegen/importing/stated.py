@@ -1,4 +1,4 @@
-"""What a document states about fields: the rows of its tables and the items of its lists that name one."""
+"""Reads a document's statements about fields: the rows of its tables and the items of its lists that name a field."""
 
 import re
 from collections import deque
@@ -25,7 +25,7 @@ _ITEM = re.compile(
 
 
 _PARAGRAPHS = 12
-"""How many paragraphs of a section are looked at: what is further up is about something else."""
+"""The number of paragraphs of a section that are looked at: earlier ones are about something else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +183,7 @@ def _behind(blocks: Sequence[Block], line: int) -> Iterator[str]:
 
 
 def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[str, ...]]:
-    """For each of the lines, in rising order, the text above it, the nearest first.
+    """Yield for each of the lines, in rising order, the text above it, the nearest first.
 
     That is the text of its own section, the headings around it from the innermost, what stands further up, and the
     paragraph right below.

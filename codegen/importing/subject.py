@@ -1,4 +1,4 @@
-"""Which message a list of fields is about: the nearest text that names one whose fields these are."""
+"""Finds the message that a list of fields is about: the nearest text that names one with these fields."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -10,7 +10,7 @@ _NAME = re.compile(r"\b[A-Z][A-Z0-9_]{2,}\b")
 _NUMBER = re.compile(r"#(\d{1,8})\b")
 _EXAMPLE = re.compile(r"(?:\w+\s+){0,2}examples?\b", re.IGNORECASE)
 _ENOUGH = 3
-"""How many names of fields it takes to recognise a message that no text names."""
+"""The number of names of fields that are needed to recognise a message that no text names."""
 
 
 def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
@@ -28,7 +28,7 @@ def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
 
 
 def _nearest(fields: FieldList, mentioned: Sequence[Sequence[WireMessage]], needed: int) -> tuple[WireMessage, ...]:
-    """Of the nearest text with messages that have so many of the rows those that have most."""
+    """Return the messages with the most rows in the nearest text that has any with so many."""
     for messages in mentioned:
         fitting = [message for message in messages if coverage(fields, message) >= needed]
         if fitting:

@@ -8,7 +8,7 @@ from codegen.importing.proposal import Proposal, ReadAnswer
 
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """What stands above the fields. ``document`` is the name of the document in comments: its id, or its file name.
+    """The head of a table, above its fields. ``document`` is its name in comments: the document's id, or its file name.
 
     ``schema`` is the path of the JSON Schema for editors; what is None is left out, or stands in a comment.
     """

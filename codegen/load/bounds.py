@@ -1,4 +1,4 @@
-"""Where the files of a specification may lie: a finding quotes what it is about, and must not quote anything else."""
+"""The folders that a specification may be read from: findings quote their subject, and must not quote other files."""
 
 import os
 from dataclasses import field

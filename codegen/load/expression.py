@@ -67,7 +67,7 @@ class _Token:
 
 @dataclass(frozen=True, slots=True)
 class _Term:
-    """What a part of an expression comes to: a number, times at most one quantity."""
+    """The value of a part of an expression: a number, times at most one quantity."""
 
     factor: Fraction
     path: str | None = None

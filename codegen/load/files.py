@@ -31,7 +31,7 @@ _Found = TypeVar("_Found")
 
 @dataclass(frozen=True, slots=True)
 class Files:
-    """What a command reads from: the disk within ``bounds`` (None: all of it), and ``trees`` by where they hang.
+    """The files that a command can read: the disk within ``bounds`` (None: all of it), and ``trees`` by their roots.
 
     ``notes`` get by path a hash of each file that is read. ``dialects`` are the XML files by the names of dialects that
     take the place of those of the installed pymavlink.

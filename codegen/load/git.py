@@ -1,4 +1,4 @@
-"""What git is asked, so that every kind of repository and of revision is understood."""
+"""Asks git itself, so that every kind of repository and of revision is understood."""
 
 import os
 import re
@@ -15,7 +15,7 @@ _HASH = re.compile(r"[0-9a-fA-F]{7,64}")
 
 @dataclass(frozen=True, slots=True)
 class GitFault:
-    """Why a revision cannot be read, and what to do about it."""
+    """The reason for which a revision cannot be read, with a hint."""
 
     message: str
     hint: str | None = None

@@ -23,7 +23,7 @@ _CODE_TOKENS = ("fence", "code_block")
 
 
 class BlockKind(Enum):
-    """What the lines of a block are."""
+    """The kind of a block of lines."""
 
     HEADING = "heading"
     PARAGRAPH = "paragraph"

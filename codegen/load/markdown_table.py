@@ -121,7 +121,7 @@ def parse_tables(text: str, path: str) -> FoundTables:
     for block in parse_blocks(text, path):
         if block.kind is BlockKind.CODE:
             continue
-        # What a line of hyphens below a table has made a heading is still a table.
+        # A row that a line of hyphens below the table has made a heading is still a row.
         if block.kind is BlockKind.HEADING and len(block.lines) == 1:
             headings[block.level - 1 :] = [""] * (block.level - 1 - len(headings)) + [read_inline(block.written).text]
             lead = ""

@@ -27,11 +27,11 @@ _DISCUSSION = re.compile(r"/(?:pull|issues|commit|discussions|merge_requests)/")
 _SENTENCE_END = re.compile(r"[.!?;](?=\s)|\|")
 _DELIMITER_ROW = re.compile(r"(?=[^|]{0,99}\|)[ \t]*+\|?(?:[ \t]*+:?-++:?[ \t]*+(?:\||$))+[ \t]*")
 _WINDOW = 400
-"""How far a sentence is looked for around a place, in characters."""
+"""The distance from a place within which a sentence is looked for, in characters."""
 
 
 class PassageKind(Enum):
-    """What a passage is in its document."""
+    """The kind of a passage in its document."""
 
     HEADING = "heading"
     TEXT = "text"

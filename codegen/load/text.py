@@ -1,4 +1,4 @@
-"""What can be wrong with a source file, and its bytes as text: whatever is wrong becomes a diagnostic with a place."""
+"""Reads source files as text: whatever is wrong with one becomes a diagnostic with a place."""
 
 import os
 import re

@@ -12,7 +12,7 @@ class Tree(Protocol):
 
     @property
     def version(self) -> str:
-        """What tells its files from those of any other tree, such as the hash of a commit; empty where nothing does."""
+        """Return what tells its files from those of any other tree, such as a commit's hash; empty without that."""
 
     def holds(self, path: str) -> bool:
         """Return whether there is such a file."""

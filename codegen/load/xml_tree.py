@@ -110,7 +110,7 @@ def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
 
 
 def read_mixed_xml(path: str, files: Files, report: Report, most: int | None = None) -> MixedElement | None:
-    """Like :func:`read_xml`, for files in which texts and elements stand among one another, as in XHTML."""
+    """Read XML like :func:`read_xml`, for files that mix texts and elements, as XHTML does."""
     data = files.read_bytes(path, report, None, most)
     text = None if data is None else _decoded(data, path, report)
     if text is None:

@@ -1,4 +1,4 @@
-"""What an unquoted YAML scalar means under the core schema of YAML 1.2 (section 10.3.2 of its specification)."""
+"""Values of unquoted YAML scalars under the core schema of YAML 1.2 (section 10.3.2 of its specification)."""
 
 import math
 import re

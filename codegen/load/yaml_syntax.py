@@ -1,4 +1,4 @@
-"""What is said about text that is no YAML: the parser's terse problems in the words of someone who wrote a table."""
+"""Findings about text that is no YAML: the parser's terse problems in the words of someone who wrote a table."""
 
 import re
 
@@ -23,7 +23,7 @@ _LINE_END = re.compile(r"\r\n?|\n")
 
 @dataclass(frozen=True, slots=True)
 class _Wording:
-    """How one of the parser's problems is said; ``at_start``: the place is where the unfinished thing begins."""
+    """The wording of one of the parser's problems; ``at_start``: the place is where the unfinished thing begins."""
 
     problem: str
     message: str

@@ -1,5 +1,5 @@
-"""How long a pass of the main loop takes on a board, and what that leaves to the user's code: a prediction.
+"""Predicts how long a pass of the main loop takes on a board, and how much time that leaves to the user's code.
 
-What is due when follows from the specification (``jobs``, ``frames``), what each part of it costs was measured
-(``costs``), and ``budget`` puts both together.
+The due times follow from the specification (``jobs``, ``frames``), the cost of each part was measured (``costs``),
+and ``budget`` puts both together.
 """

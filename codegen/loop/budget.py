@@ -1,4 +1,4 @@
-"""What the main loop leaves to the user's code in each slot of control, and its load of a board."""
+"""The time that the main loop leaves to the user's code in each slot of control, and its load of a board."""
 
 from fractions import Fraction
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from codegen.once import once
 
 @dataclass(frozen=True, slots=True)
 class Took:
-    """How long some work takes: instructions counted on x86-64, and on the board us, likely and at most.
+    """The duration of some work: instructions counted on x86-64, and microseconds on the board, likely and at most.
 
     These are None where nobody knows how fast the board is.
     """
@@ -129,7 +129,7 @@ def loop_budget(system: System) -> LoopBudget | None:
 
 
 class _Around(NamedTuple):
-    """What slots have in common: all jobs, what a link takes with all messages due and at most, costs, the board."""
+    """The common data of slots: all jobs, the work of a link with all messages due and at most, costs, the board."""
 
     jobs: tuple[Job, ...]
     due: Work

@@ -1,4 +1,4 @@
-"""What each part of a pass costs, as it was measured: ``costs.json``, which benchmarks/loop.py writes."""
+"""The measured cost of each part of a pass: ``costs.json``, which benchmarks/loop.py writes."""
 
 import json
 import os
@@ -13,7 +13,7 @@ FILE = os.path.join(os.path.dirname(__file__), "costs.json")
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """How well costs that were fitted tell what was measured: of so many ``rows`` the largest ``error``, as a share."""
+    """The quality of fitted costs: the largest ``error``, as a share, among the ``rows`` of measurements."""
 
     of: str
     rows: int

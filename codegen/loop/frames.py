@@ -1,4 +1,4 @@
-"""What it takes to send messages, and which of them are due together."""
+"""The work of sending messages, and the messages that are due together."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""Which jobs are done in the same slot of control: the grid of each begins with the first pass."""
+"""Groups jobs that are done in the same slot of control: the grid of each begins with the first pass."""
 
 from collections import Counter
 from collections.abc import Iterator

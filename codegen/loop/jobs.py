@@ -19,7 +19,7 @@ _REPORT, _REMINDER = Work({Part.REPORT: 1}), Work({Part.REMINDER: 1})
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """What is due every ``period_us``: ``name`` is what texts of the firmware call it, ``words`` what it does.
+    """A job, due every ``period_us``: ``name`` is its name in texts of the firmware, ``words`` its description.
 
     ``work`` is what it takes with what is switched on by default, ``most`` with everything switched on; None where that
     is the user's code.

@@ -16,7 +16,7 @@ HEARTBEAT_SIZE = 21
 
 @dataclass(frozen=True, slots=True)
 class TrafficLoad:
-    """What takes how long on the board, likely, in us: ``base`` a second without a frame, a ``byte`` that goes out.
+    """The likely time on the board in us: ``base`` for a second without a frame, ``byte`` for each byte that goes out.
 
     ``frames`` are the frames by the name of their message, without their bytes, ``frame`` is one of another message;
     ``heard`` is a byte that arrives.

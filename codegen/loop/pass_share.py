@@ -1,4 +1,4 @@
-"""How much a pass of the main loop may do, so that its slot has room for the user's code: by design, not by a clock."""
+"""The share of a pass of the main loop, small enough to leave room for the user's code: by design, not by a clock."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -8,7 +8,7 @@ from codegen.model.sensor_turns import WATCH_US, turns_of
 from codegen.model.system import System
 
 REMINDER_US = 1000000
-"""How often it is looked whether something is to be said again."""
+"""The time from one look for texts that are to be said again to the next."""
 _SHORT_US = 2500
 """In a slot so short a pass takes in or sends one message, and two more for each further one of these that it lasts."""
 _MOST_MESSAGES = 8

@@ -1,4 +1,4 @@
-"""How much there is to do in a second, of each part."""
+"""The amount of work in a second, of each part."""
 
 from fractions import Fraction
 
@@ -11,10 +11,10 @@ from codegen.model.program import Program
 from codegen.model.system import System
 
 LOOK_HZ = 10
-"""How often streams look at least whether something is due."""
+"""The least rate at which streams look whether something is due."""
 
 Rates = dict[Part, Fraction]
-"""How many of each part there are in a second."""
+"""The number of each part in a second."""
 
 
 def added(one: Rates, other: Rates) -> Rates:

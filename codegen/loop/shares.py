@@ -1,4 +1,4 @@
-"""What takes the time of a slot: its parts, put together to a few that mean something to people."""
+"""The shares of a slot's time: its parts, grouped under a few names that mean something to people."""
 
 from codegen.loop.budget import LoopBudget, Slot, Took
 from codegen.loop.parts import Part, Work

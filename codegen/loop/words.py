@@ -16,7 +16,7 @@ NOT_COUNTED = (
 
 COLUMNS = ("slot", "a second", "likely us", "at most us", "left to control()")
 COLUMNS_WITHOUT_TIMES = ("slot", "a second", "instructions", "", "")
-"""What stands in each row of the table of slots."""
+"""The columns in each row of the table of slots."""
 
 
 def rows(budget: LoopBudget) -> Iterator[tuple[str, ...]]:

@@ -1,4 +1,4 @@
-"""What ground stations ask about that a vehicle may not have, and what answers that: missions, logs, modes."""
+"""Questions of ground stations about things a vehicle may not have, with their answers: missions, logs, modes."""
 
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage

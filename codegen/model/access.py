@@ -1,4 +1,4 @@
-"""Who may command the vehicle over which link, resolved."""
+"""The access to commands, resolved: who may command the vehicle over which link."""
 
 from collections.abc import Mapping
 

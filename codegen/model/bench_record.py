@@ -1,4 +1,4 @@
-"""What `codegen bench` has measured on a board, as its file says."""
+"""The measurements of ``codegen bench`` on a board, as its file states them."""
 
 from collections.abc import Mapping
 

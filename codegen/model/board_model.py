@@ -1,4 +1,4 @@
-"""What a kind of board has: its pins, converters and ports. ``codegen/boards/*.yaml``, and the project's own."""
+"""A kind of board: its pins, converters and ports, from ``codegen/boards/*.yaml`` or the project's own folder."""
 
 from collections.abc import Mapping
 from enum import StrEnum
@@ -41,7 +41,7 @@ class I2cSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimingSpec(Written):
-    """How fast a board is, for the prediction of how long a pass of the main loop takes."""
+    """The speed of a board, for the prediction of how long a pass of the main loop takes."""
 
     clock: Amount = described("How fast the processor runs under MicroPython, such as 150 MHz.")
     cycles: Fraction = described(
@@ -53,7 +53,7 @@ class TimingSpec(Written):
 
 
 class UartPins(StrEnum):
-    """Whether the pins of a UART, or of an I2C bus, are said when it is opened."""
+    """The pins of a UART, or of an I2C bus: chosen when it is opened, or fixed by the board."""
 
     CHOSEN = "chosen"
     FIXED = "fixed"
@@ -122,7 +122,7 @@ class I2c:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """How fast a board is: MHz, cycles for an instruction counted on x86-64, us for one conversion of its converter."""
+    """The speed of a board: MHz, cycles for an instruction counted on x86-64, us for a conversion of its converter."""
 
     megahertz: Fraction
     cycles: Fraction

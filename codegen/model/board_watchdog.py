@@ -29,7 +29,7 @@ class BoardWatchdogSpec(Written):
 
 @dataclass(frozen=True, slots=True)
 class BoardWatchdog:
-    """What it can do: timeouts in ms, ``longest_ms`` None for any; what resets come from, in words by their numbers."""
+    """The watchdog of a board: timeouts in ms, ``longest_ms`` None for any; the causes of resets, by their numbers."""
 
     shortest_ms: int
     longest_ms: int | None

@@ -13,7 +13,7 @@ from codegen.model.vehicle import Citation, Cited, Quantity
 
 
 class Axis(Enum):
-    """Which coordinate of a position a parameter is."""
+    """The coordinate of a position that a parameter is."""
 
     LATITUDE = 90
     LONGITUDE = 180
@@ -71,7 +71,7 @@ class Mode:
 
 
 class Needs(Enum):
-    """What a project has to have, so that a command of every program is answered."""
+    """The feature that a project must have, so that a command of every program is answered."""
 
     NOTHING = "nothing"
     ARMING = "arming"

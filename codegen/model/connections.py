@@ -1,4 +1,4 @@
-"""What is connected to the pins of the board: inputs of the converter, UARTs of links, buses and sensors."""
+"""The connections to the pins of the board: inputs of the converter, UARTs of links, buses and sensors."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class Connection:
-    """What is connected to a pin: ``owner`` in words, where that is written, the pins that could be taken instead.
+    """A connection to a pin: ``owner`` in words, its place, and the ``others``, pins that could be taken instead.
 
     ``parameter`` is the key or the parameter that says the pin, ``named`` where a quantity names its ADC channel. What
     ``rests`` is switched off by the default of the parameter ``switch``: its pin may be shared, and is no good one to

@@ -11,7 +11,7 @@ from codegen.model.vehicle import Citation, Component, Parameter, Quantity
 
 
 class Sense(Enum):
-    """When a condition holds."""
+    """The sense of a condition: the side of the limit, or the absence, at which it holds."""
 
     BELOW = "below"
     ABOVE = "above"
@@ -53,7 +53,7 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """What holds or does not: of a ``quantity``, or of the ground station where that is None.
+    """A condition on a ``quantity``, or on the ground station where that is None.
 
     ``limit`` is what it is compared with, in stored units of the quantity; ``after`` how long it has to hold, in ms, at
     once where that is None; ``hysteresis`` how much better the quantity has to be, in its stored units. All conditions
@@ -69,7 +69,7 @@ class Condition:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Those that it reads."""
+        """Return the parameters that it reads."""
         return tuple(each.parameter for each in (self.limit, self.after) if each and each.parameter)
 
     @property
@@ -126,7 +126,7 @@ class FailsafeLevel:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Those that it reads, once each: thresholds, times, the action."""
+        """Return the parameters that it reads, once each: thresholds, times, the action."""
         read = [parameter for condition in self.conditions for parameter in condition.parameters]
         chosen = [self.action] if isinstance(self.action, Parameter) else []
         return tuple({parameter.name: parameter for parameter in (*read, *chosen)}.values())
@@ -167,7 +167,7 @@ class Failsafe:
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """Those of all levels, the mildest first."""
+        """Return the conditions of all levels, the mildest first."""
         return tuple(condition for level in self.levels for condition in level.conditions)
 
     @property

@@ -1,4 +1,4 @@
-"""What messages cost on a link: bytes of their frames, and bytes per second at the default rates of their streams.
+"""The price of messages on a link: bytes of frames, and bytes per second at the default rates of their streams.
 
 Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end of a payload; a MAVLink 1 frame is
 never cut, and has no extensions. What depends on the state makes a range, from 0 where the message may be withheld.
@@ -56,7 +56,7 @@ def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range
 
 
 def sent_sizes(systems: Iterable[System]) -> dict[str, Range]:
-    """By name the bytes of the frames of each message that any program sends."""
+    """Return by name the bytes of the frames of each message that any program sends."""
     sent: dict[str, Range] = {}
     for system in systems:
         protocol = system.spec.project.protocol
@@ -101,7 +101,7 @@ def on_by_default(component: Component | None, system: System) -> tuple[bool, ..
 
 @dataclass(frozen=True, slots=True)
 class Price:
-    """What one message costs in bytes per second, about each instance; ``is_on`` tells which are on by default."""
+    """The cost of one message in bytes per second, about each instance; ``is_on`` tells which are on by default."""
 
     by_instance: tuple[Range, ...]
     is_on: tuple[bool, ...]

@@ -19,7 +19,7 @@ from codegen.model.watchdog import Watchdog
 
 
 class LinkKind(Enum):
-    """What a link to ground stations runs over."""
+    """The kind of a link to ground stations."""
 
     UART = "uart"
     USB = "usb"
@@ -29,19 +29,19 @@ class LinkKind(Enum):
 
     @property
     def words(self) -> str:
-        """What people call it."""
+        """Return its name for people."""
         return self.value.upper() if self.value in ("uart", "usb", "udp") else self.value.replace("tcp_", "TCP ")
 
     @property
     def is_wireless(self) -> bool:
-        """Whether it needs Wi-Fi."""
+        """Return whether it needs Wi-Fi."""
         return self in (LinkKind.UDP, LinkKind.TCP_SERVER, LinkKind.TCP_CLIENT)
 
 
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
-"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be.
+"""Quantities that the program writes into the component ``vehicle`` of the state, with the kind that each must have.
 
-What cannot be armed has only the load to tell, and tells it where the state asks for it.
+A program that cannot be armed writes only the load, where the state asks for it.
 """
 
 RECEIVED = (
@@ -84,7 +84,7 @@ class BoardLink:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """What the board runs: the main loop, the storage, arming, failsafes, services. Periods are in us and ms.
+    """The program of a board: main loop, storage, arming, failsafes, services. Periods are in us and ms.
 
     ``services`` are the messages of the dialect that the services receive and send, ``sent`` the names of those that
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest

@@ -8,7 +8,7 @@ from codegen.frozen import dataclass
 from codegen.model.quantities.simulated import SimulatedInput
 
 Truth = float | bool | str | None
-"""What is true of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
+"""The true value of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """What is true of one quantity over time, ascending in time.
+    """The true values of one quantity over time, ascending in time.
 
     ``label`` is the path of the quantity with the number of the instance, ``battery[1].voltage``, where there are
     several. Single values deviate by up to ``noise``. Code that sets it does so every ``every_ms``. Between two points
@@ -123,7 +123,7 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """What must hold ``at_ms``, or at the end for None.
+    """A condition that must hold ``at_ms``, or at the end for None.
 
     ``told``: a quantity as it went out last; else as the state has it. ``low`` and ``high`` bound a number in its
     unit, ``value`` is what it has to be otherwise. With ``text`` a text that contains it has to be said by then, or,

@@ -1,4 +1,4 @@
-"""When sensors have their turns: each look for what is due is a job of the main loop."""
+"""The turns of sensors: each look for due ones is a job of the main loop."""
 
 from fractions import Fraction
 from typing import NamedTuple
@@ -6,11 +6,11 @@ from typing import NamedTuple
 from codegen.model.system import System
 
 WATCH_US = 1000000
-"""How often it is looked whether sensors that speak by themselves are silent."""
+"""The time from one look for silent sensors, of those that speak by themselves, to the next."""
 
 
 class Turns(NamedTuple):
-    """It is looked for sensors that are due ``every_us``, and ``most`` of them have their turn then."""
+    """The turns of sensors: ``every_us`` it looks for due ones, and ``most`` of them have their turn then."""
 
     every_us: int
     most: int

@@ -1,4 +1,4 @@
-"""What documents may say of a parameter of a project."""
+"""A parameter of a project as documents may state it."""
 
 from fractions import Fraction
 

@@ -22,7 +22,7 @@ from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Qu
 
 
 class Policy(Enum):
-    """How one of several instances is chosen for a message that there is once."""
+    """The policy that chooses one of several instances for a message that is sent only once."""
 
     FIRST = "first"
     PARAMETER = "parameter"
@@ -31,7 +31,7 @@ class Policy(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Representation:
-    """Which instance of ``component`` a single message reports.
+    """The choice of the instance of ``component`` that a single message reports.
 
     ``FIRST``: the first one. ``PARAMETER``: the one whose number, from 1, the ``parameter`` has, if it is enabled.
     ``LOWEST``: of the enabled ones the one whose ``quantity`` is lowest, if it is known of one. Otherwise the first

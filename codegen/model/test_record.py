@@ -1,4 +1,4 @@
-"""What tests say about themselves: which criteria they show, and how their last run went."""
+"""Tests and their results: the criteria that a test shows, and the outcome of its last run."""
 
 import hashlib
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ class MarkedTest(NamedTuple):
 
 
 class Outcome(StrEnum):
-    """How a test went; only what passed shows anything."""
+    """The outcome of a test; only a passed one shows anything."""
 
     PASSED = "passed"
     FAILED = "failed"

@@ -108,7 +108,7 @@ def by_instance(parameter: Parameter, parameters: Mapping[str, Parameter], insta
 
 
 class QuantityKind(Enum):
-    """What a quantity of the vehicle state holds."""
+    """The kind of values that a quantity of the vehicle state holds."""
 
     NUMBER = "number"
     ENUM = "enum"
@@ -118,7 +118,7 @@ class QuantityKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Represented:
-    """What code sets in place of the ADC where a ``parameter`` is so many ``steps`` when the board starts.
+    """A quantity that code sets in place of the ADC where a ``parameter`` has so many ``steps`` when the board starts.
 
     A value is believed for ``stale_after_ms`` after it was set.
     """
@@ -223,7 +223,7 @@ class Quantity(Cited):
 
     @property
     def lost(self) -> str:
-        """When its value is no longer believed, for people; nothing where that does not happen by itself."""
+        """Return when its value is no longer believed, for people; nothing where that does not happen by itself."""
         return self.trust.words("it was set") if self.ages else self.trust.words()
 
     @property
@@ -334,7 +334,7 @@ class Reading(Basis):
 
     @property
     def trend(self) -> Quantity | None:
-        """Its change per second, where the component keeps that."""
+        """Return its change per second, where the component keeps that."""
         return next((each for each in self.given if each.derivation.kept_readings), None)
 
     @property

@@ -1,4 +1,4 @@
-"""Where the project file lies, seen from the folder of a project, and which project is the nearest."""
+"""Finds project files: in the folder of a project, and the nearest one above a folder."""
 
 import os
 

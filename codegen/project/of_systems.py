@@ -1,4 +1,4 @@
-"""What pure functions make of systems, kept from one run to the next under the hash of all that makes the systems."""
+"""Results of pure functions of systems, kept between runs under the hash of everything that makes the systems."""
 
 from collections.abc import Callable
 from typing import TypeVar, cast

@@ -1,4 +1,4 @@
-"""Where a project file says that its output lies, found out without reading a specification.
+"""Reads the output folder that a project file names, without reading the specification.
 
 A build that has nothing to do asks this first, and reading YAML would take longer than all else that it does. So what
 a project file states is kept under its content.

@@ -1,4 +1,4 @@
-"""Where the long names of a page may break: between their words, never inside of one."""
+"""Adds line breaks to the long names of a page: between their words, never inside of one."""
 
 import re
 

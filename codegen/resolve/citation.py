@@ -51,7 +51,7 @@ def cite(text: str, place: Place, index: Mapping[str, Requirement], report: Repo
 
 
 def cite_optional(text: str | None, place: Place, index: Mapping[str, Requirement], report: Report) -> Citation | None:
-    """Like :func:`cite`; None, without a finding, where nothing is cited."""
+    """Return a citation, like :func:`cite`; None, without a finding, where nothing is cited."""
     return None if text is None else cite(text, place, index, report)
 
 

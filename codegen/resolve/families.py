@@ -72,8 +72,9 @@ class ParameterFamilies:
             return
         parts = self._instances.get(spec.for_each)
         if parts is None:
-            hint = did_you_mean(spec.for_each, self._instances)
-            self._report.add(BAD_FAMILY, spec.at("for_each"), f"the state has no component {spec.for_each}", hint)
+            if not self._spec.state.has_written(spec.for_each):
+                hint = did_you_mean(spec.for_each, self._instances)
+                self._report.add(BAD_FAMILY, spec.at("for_each"), f"the state has no component {spec.for_each}", hint)
             return
         prefix = parts[0].prefix
         if not name.startswith(prefix) or name == prefix:

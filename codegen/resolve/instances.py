@@ -1,4 +1,4 @@
-"""Which instances of a component there are, and what is known of each."""
+"""Resolves the instances of a component, and the facts about each."""
 
 import re
 from collections.abc import Mapping
@@ -25,8 +25,9 @@ def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, .
     for name, written in board.instances.items():
         place = board.at(f"instances.{name}")
         if name not in spec.state.components:
-            hint = did_you_mean(name, spec.state.components)
-            report.add(BAD_INSTANCES, place, f"the state has no component {name}", hint)
+            if not spec.state.has_written(name):
+                hint = did_you_mean(name, spec.state.components)
+                report.add(BAD_INSTANCES, place, f"the state has no component {name}", hint)
             continue
         if not 1 <= len(written) <= MOST_INSTANCES:
             report.add(BAD_INSTANCES, place, f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}")

@@ -36,7 +36,7 @@ BAD_PROJECT = Rule(
 
 
 def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
-    """Everything linked; what could not be resolved is left out and reported."""
+    """Return the system with everything linked; parts that could not be resolved are left out and reported."""
     index = index_requirements(spec.requirements)
     instances = resolve_instances(spec, report)
     parameters = resolve_parameters(spec.parameters, ParameterFamilies(spec, instances, report), index, report)

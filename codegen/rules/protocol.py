@@ -1,4 +1,4 @@
-"""What MAVLink 1 cannot carry."""
+"""Rule for messages that MAVLink 1 cannot carry."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What comes of readings goes out as it is: nobody sets it, so that nobody would be told of a limit."""
+"""Rule for readings beyond the limits of messages: they go out as they are, and no setter would report a limit."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -32,7 +32,7 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _ends(component: Component, conversion: Conversion, system: System) -> Reach:
-    """In stored units, over all counts and all that the factors of all instances can be."""
+    """Return the ends in stored units, over all counts and all values of the factors of all instances."""
     multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
     offset = conversion.offset
     offsets = factors_by_instance(offset, system.parameters, component.instances) if offset else (None,)
@@ -41,7 +41,7 @@ def _ends(component: Component, conversion: Conversion, system: System) -> Reach
 
 
 def _derived(quantity: Quantity, component: Component, most: int | Fraction) -> Reach | None:
-    """Between what a trend or an estimate can be; None for what readings do not give."""
+    """Return the ends of a trend or an estimate; None for quantities that readings do not give."""
     readings = quantity.derivation.kept_readings
     if readings and component.period_ms:
         rate = Fraction(most) * 1000 / (readings // 2 * component.period_ms)

@@ -1,4 +1,4 @@
-"""What a sensor gives goes out as it is: nobody sets it, so that nobody would be told of a limit."""
+"""Rule for sensors beyond the limits of messages: values go out as they are, and no setter would report a limit."""
 
 from collections.abc import Iterator
 

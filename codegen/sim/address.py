@@ -1,4 +1,4 @@
-"""Where the simulated vehicle sends to: ``udp:HOST:PORT``, and where its links over TCP are."""
+"""Addresses of a simulation: the receiver of its frames, ``udp:HOST:PORT``, and the ends of its links over TCP."""
 
 import socket
 
@@ -15,7 +15,7 @@ class Address:
 
 
 class AddressError(ValueError):
-    """That an address cannot be used, and why, in words for the user."""
+    """An error in an address; the text says for the user why it cannot be used."""
 
 
 def parse_address(text: str) -> Address:
@@ -37,7 +37,7 @@ def parse_address(text: str) -> Address:
 
 @dataclass(frozen=True, slots=True)
 class LinkEnd:
-    """Where a link over TCP listens or connects to in a simulation; ``host`` None is where it would anyway."""
+    """The end of a link over TCP in a simulation, to listen on or to connect to; ``host`` None: the usual host."""
 
     host: str | None
     port: int

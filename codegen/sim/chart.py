@@ -264,7 +264,7 @@ class _Drawing:
             yield Marker(self._x(happening.at_ms), y, index, style, happening.text or happening.kind.value)
 
     def _rows(self, happenings: Sequence[Happening]) -> list[int]:
-        """For each marker the row that its number stands in: numbers that would cover each other stand in several."""
+        """Return for each marker the row of its number: numbers that would cover each other stand in several."""
         taken = [-100.0] * _MARKER_ROWS
         rows = []
         for _, happening in self._marked(happenings)[:MOST_MARKERS]:

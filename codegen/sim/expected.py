@@ -1,4 +1,4 @@
-"""What a scenario expects, held against what was recorded."""
+"""Compares the expectations of a scenario with the recording of a run."""
 
 from typing import Any
 

@@ -23,7 +23,7 @@ _KEPT_LINES = 60
 
 
 class Runtime(StrEnum):
-    """What runs the firmware."""
+    """The interpreter that runs the firmware."""
 
     MICROPYTHON = "micropython"
     CPYTHON = "cpython"
@@ -147,7 +147,7 @@ class FirmwareProcess:
         return items
 
     def wait(self) -> int:
-        """Its exit code; negative for the signal that ended it."""
+        """Return its exit code; negative for the signal that ended it."""
         with suppress(subprocess.TimeoutExpired):
             return self._process.wait(_GRACE_S)
         self._process.kill()
@@ -175,7 +175,7 @@ class FirmwareProcess:
                 stream.close()
 
     def _end_turns(self) -> None:
-        """Whoever waits for a turn learns that there will be none."""
+        """Close the pipe of turns, so that a process that waits for one learns that there will be none."""
         if self._turns is not None:
             os.close(self._turns)
             self._turns = None

@@ -16,7 +16,7 @@ from codegen.sim.line import Line, Watched, lines_of, watched
 from codegen.sim.told import Telling
 
 MODULE = "app"
-"""What the user's code is imported as where nothing else is named."""
+"""The module of the user's code where no other is named."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,7 +138,7 @@ class Recording:
 
     @property
     def drawn(self) -> tuple[Line, ...]:
-        """Those of them that did not stay the same."""
+        """Return the lines that did not stay the same."""
         return tuple(line for line in self.lines if self._varied(line.label))
 
     @property

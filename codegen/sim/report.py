@@ -23,7 +23,7 @@ _PREFIXES = {
     Kind.MODE: "Mode",
     Kind.SENT: "Sent",
 }
-"""What stands in front of the texts of some happenings."""
+"""The words in front of the texts of some happenings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,7 @@ class FigureView:
 
 @dataclass(frozen=True, slots=True)
 class ProgramView:
-    """What a program counted and its parameters at the end: names with their values; no name where it is alone."""
+    """A program at the end of a run: its counters and parameters by name; ``name`` is empty where it is alone."""
 
     name: str
     links: tuple[tuple[str, str], ...]
@@ -262,7 +262,7 @@ def _load(recording: Recording) -> str:
     whole = load.share(traffic.frames, size, traffic.received, recording.at_ms)
     if not frames:
         return f"{float(100 * whole):.1f} %"
-    # Which frames those of the busiest second were is not told: they are taken to be as all others are.
+    # The frames of the busiest second are not told by name: they are taken to be as all others are.
     alike = {name: Fraction(count * busiest.frames, frames) for name, count in traffic.frames.items()}
     peak = load.share(alike, busiest.size, 0, busiest.length_ms)
     return f"{float(100 * whole):.1f} %, {float(100 * max(whole, peak)):.1f} % in the busiest second"

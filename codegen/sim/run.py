@@ -21,13 +21,13 @@ from codegen.sim.record import Recording
 SILENCE_S = 30.0
 """Seconds without a sign of the firmware after which it is given up."""
 TURN_MS = 50
-"""How long a turn is in the time of the scenario."""
+"""The length of a turn in the time of the scenario."""
 _WAIT_S = 0.2
 
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """What is run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
+    """A simulation to run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
 
     ``programs`` are the vehicle's own and those beside it; all send to ``to``, and ``ends`` are those of links over TCP
     that are somewhere else than usual, by their names.

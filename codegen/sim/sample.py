@@ -1,4 +1,4 @@
-"""What is recorded of a program at a time: what happened, what was reported, its state, what went out."""
+"""Records of a program at a time: happenings, readings that were reported, its state, its traffic."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ STATES = ("uninit", "boot", "calibrating", "standby", "active", "critical", "eme
 
 
 class Kind(StrEnum):
-    """What a happening is."""
+    """The kind of a happening."""
 
     TEXT = "text"
     FAILSAFE = "failsafe"
@@ -50,7 +50,7 @@ class Happening:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What was told of a quantity at a time in ms, in its unit: None for unknown, and where the line breaks."""
+    """The reported value of a quantity at a time in ms, in its unit: None for unknown, and where the line breaks."""
 
     at_ms: int
     value: float | None
@@ -77,7 +77,7 @@ class Sample:
 
 @dataclass(frozen=True, slots=True)
 class Burst:
-    """How many frames and bytes went out within ``length_ms``."""
+    """The frames and bytes that went out within ``length_ms``."""
 
     frames: int = 0
     size: int = 0
@@ -96,7 +96,7 @@ class Traffic:
     gaps: int = 0
 
     def plus(self, other: "Traffic") -> "Traffic":
-        """Both together."""
+        """Return the sum of both."""
         return Traffic(
             frames=Counter(self.frames) + Counter(other.frames),
             sizes=Counter(self.sizes) + Counter(other.sizes),

@@ -1,4 +1,4 @@
-"""What the messages of a program tell of its quantities: frames as they went out, read back by the specification."""
+"""Reads quantities back from the messages of a program: frames as they went out, decoded by the specification."""
 
 import struct
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,7 +25,7 @@ class Telling:
     """Reads what frames tell; ``tables`` are all that a program sends."""
 
     def __init__(self, tables: Sequence[PopulatedMessage] = ()) -> None:
-        """Those of the tables count that tell of any quantity."""
+        """Take the tables that tell of any quantity."""
         self._tables: dict[int, list[PopulatedMessage]] = {}
         for table in tables:
             self._tables.setdefault(table.wire.id, []).append(table)

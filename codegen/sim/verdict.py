@@ -1,4 +1,4 @@
-"""What came of a simulation, in sentences."""
+"""The result of a simulation, in sentences."""
 
 from codegen.sim.amount import amount, digits_of, seconds
 from codegen.sim.expected import unmet

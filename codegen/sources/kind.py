@@ -1,4 +1,4 @@
-"""What a kind of sensor registers, and what it may ask while one is resolved."""
+"""The registration of a kind of sensor, and the surroundings that it may ask while one is resolved."""
 
 import dataclasses
 from collections.abc import Callable, Iterable

@@ -1,4 +1,4 @@
-"""What sensors are connected to: UARTs and I2C buses of the board."""
+"""The connections of sensors: UARTs and I2C buses of the board."""
 
 from collections.abc import Iterator
 from typing import Protocol
@@ -49,7 +49,7 @@ class Serial:
         return f"UART {self.number}"
 
     def pins(self) -> Iterator[PinUse]:
-        """Both of its pins."""
+        """Yield both of its pins."""
         yield PinUse(self.tx, "tx", self.outputs)
         yield PinUse(self.rx, "rx", self.inputs)
 
@@ -66,7 +66,7 @@ class Bus:
     opened: str
 
     def pins(self) -> Iterator[PinUse]:
-        """Both of its lines, to which several may be connected."""
+        """Yield both of its lines, to which several may be connected."""
         yield PinUse(self.sda, "sda", self.data, f"SDA of I2C {self.number}")
         yield PinUse(self.scl, "scl", self.clocks, f"SCL of I2C {self.number}")
 

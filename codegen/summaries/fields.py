@@ -8,7 +8,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class FieldRow:
-    """What there is to say about the covered elements of one answer, as text; ``place`` is the answer's."""
+    """The row of a table for the elements that one answer covers, as text; ``place`` is the answer's."""
 
     offset: int
     size: int

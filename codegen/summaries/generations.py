@@ -1,4 +1,4 @@
-"""What generations of messages cost, in words: for explain and for the review documents."""
+"""The cost of generations of messages, in words: for explain and for the review documents."""
 
 from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, message_price, price, total

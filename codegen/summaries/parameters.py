@@ -1,4 +1,4 @@
-"""What a parameter sets, in words: for explain and for the review documents."""
+"""The uses of a parameter, in words: for explain and for the review documents."""
 
 from collections.abc import Iterator
 
@@ -8,7 +8,7 @@ from codegen.model.vehicle import Parameter
 
 
 def uses(parameter: Parameter, system: System) -> list[str]:
-    """Everything that reads a parameter, in the order of the specification's files.
+    """Return everything that reads a parameter, in the order of the specification's files.
 
     The specification names the first one of a family: what reads that one reads each other for its own instance.
     """

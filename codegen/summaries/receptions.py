@@ -16,7 +16,7 @@ SENDERS = {
 
 @dataclass(frozen=True, slots=True)
 class ReceivedRow:
-    """What there is to say about a field, as text; ``place`` is that of its entry."""
+    """The row of a table for a received field, as text; ``place`` is that of its entry."""
 
     offset: int
     size: int

@@ -15,7 +15,7 @@ from codegen.targets.naming import prose
 from codegen.tool.template_files import copied, plain_files
 
 _OPEN = "\0"
-"""What stands for a digest: no name of a file has that character."""
+"""The mark in place of a digest: no name of a file has that character."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What pure functions returned, kept from one run to the next under the hash of everything that goes into them.
+"""A cache of results of pure functions, kept between runs under the hash of all their inputs.
 
 It lies in the user's cache folder: ``$CODEGEN_CACHE``, or else ``codegen`` below ``$XDG_CACHE_HOME`` (``~/.cache``);
 ``CODEGEN_CACHE=off`` does without. Nothing depends on it: what is not there, or is damaged, is computed again, and a
@@ -17,7 +17,7 @@ VARIABLE = "CODEGEN_CACHE"
 """The variable of the environment that names the folder, or says ``off``."""
 
 MOST_BYTES = 64_000_000
-"""What the folder may hold: beyond it the oldest entries go until half of that is left."""
+"""The largest size of the folder: beyond it the oldest entries go until half of that is left."""
 
 _SEAL_BYTES = 32
 _LOOKS = "00"

@@ -11,8 +11,9 @@ from codegen.tool.cache import entry, has_new, keep, kept, write_new
 from codegen.tool.template_files import templates_folder
 
 SETTLED_NS = 3_000_000_000
-"""How long ago a file must have changed for its times to tell it from what it is after another change: some disks keep
-times in steps of two seconds."""
+"""The age of a file's last change from which its times tell it from its state after another one: some disks keep times
+in steps of two seconds.
+"""
 
 
 def tool_files() -> list[str]:

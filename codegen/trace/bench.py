@@ -1,4 +1,4 @@
-"""What was measured on a board meets what documents ask of it.
+"""Compares measurements on a board with the limits that documents state.
 
 Under "What a host cannot show" a document says with which measure of ``codegen bench`` a criterion is met:
 ``- Criterion 11: ... On the bench: `frame.mean_us < 100`.``
@@ -98,7 +98,7 @@ def with_bench(
 
 
 def _asked(trace: Trace) -> dict[str, list[Condition]]:
-    """By criterion what a board has to show."""
+    """Return by criterion the conditions that a board has to show."""
     asked: dict[str, list[Condition]] = {}
     for requirement in trace.requirements:
         for limit in requirement.host_limits:

@@ -1,4 +1,4 @@
-"""What became of each criterion: what answers to it, how its tests went, whether its text is the reviewed one."""
+"""The coverage of each criterion: rows that cite it, outcomes of its tests, whether its text is the reviewed one."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -13,7 +13,7 @@ from codegen.trace.results import Counts, Results, counts_of
 
 
 class Verdict(StrEnum):
-    """How the tests of a criterion went; ``NO_RESULT`` also where no results were given."""
+    """The outcome of all tests of a criterion; ``NO_RESULT`` also where no results were given."""
 
     PASSED = "passed"
     PARTLY = "partly passed"

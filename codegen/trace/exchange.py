@@ -12,7 +12,7 @@ from codegen.trace.view import CriterionView, DocumentView, TraceView
 
 
 class ObjectKind(StrEnum):
-    """What an object is."""
+    """The kind of an object."""
 
     DOCUMENT = "Document"
     CRITERION = "Criterion"
@@ -22,7 +22,7 @@ class ObjectKind(StrEnum):
 
 
 class RelationKind(StrEnum):
-    """What the source of a relation has to do with its target."""
+    """The kind of a relation, from its source to its target."""
 
     PART = "is part of"
     DEPENDS = "depends on"

@@ -1,4 +1,4 @@
-"""What needs attention in a trace, as findings with a place: rules that a command counts or only tells."""
+"""Findings about a trace, with places: rules for what needs attention, which a command counts or only lists."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
@@ -79,13 +79,13 @@ KINDS: Mapping[str, Rule] = {
     "partly": PARTLY,
     "dependency": DEPENDENCY,
 }
-"""What can be asked to fail, by the name that the command line has for it."""
+"""The kinds of findings that can be asked to fail, by their names on the command line."""
 
 COUNTED = ("uncovered", "orphaned", "suspect")
-"""What fails unless something else is asked for."""
+"""The kinds that fail unless others are asked for."""
 
 TOLD = (*COUNTED, "dependency")
-"""What is told even where it does not count."""
+"""The kinds that are told even where they do not count."""
 
 _UNMET: Mapping[Verdict, str] = {
     Verdict.PARTLY: "which has passed only partly",

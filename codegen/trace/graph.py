@@ -19,7 +19,7 @@ DECISION = "ADR"
 
 
 class Kind(StrEnum):
-    """What a row of the specification is about."""
+    """The kind of thing that a row of the specification is about."""
 
     MESSAGE = "message"
     FIELD = "field"
@@ -53,7 +53,7 @@ class Symbol(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What one record of the specification states, or one aspect of it, and the criterion that it cites.
+    """A record of the specification, or one aspect of it, and the criterion that it cites.
 
     ``name`` is ``BATTERY_STATUS``, ``BATTERY_STATUS.voltages``, ``battery.voltage``, ``BATT_LOW_VOLT``...; ``part`` is
     what of it: ``[1..9]`` of a field's elements, the aspect ``stale_after``, or nothing.
@@ -99,7 +99,7 @@ class Test:
 
     @property
     def name(self) -> str:
-        """As pytest calls it, without its parameters: ``generated/tests/test_frames.py::test_frames``."""
+        """Return pytest's name for it, without its parameters: ``generated/tests/test_frames.py::test_frames``."""
         return f"{self.file}::{self.function}"
 
 
@@ -204,7 +204,7 @@ def is_decision(requirement: Requirement) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Reached:
-    """What hangs on a part of the specification: names of criteria, symbols, and tests."""
+    """The criteria, symbols and tests that depend on a part of the specification."""
 
     criteria: tuple[str, ...]
     symbols: tuple[Symbol, ...]

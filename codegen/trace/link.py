@@ -48,7 +48,7 @@ def _path(row: Row) -> list[str]:
 
 
 def _told_apart(own: Sequence[str], paths: Sequence[Sequence[str]]) -> str:
-    """As many last parts of a path as no other one ends with."""
+    """Return as many last parts of a path as no other one ends with."""
     for depth in range(1, len(own)):
         if sum(path[-depth:] == own[-depth:] for path in paths) == 1:
             return "/".join(own[-depth:])
@@ -66,7 +66,7 @@ def criterion_link(name: str) -> str:
 
 
 def suspects(trace: Trace, lock: TraceLockSpec | None) -> dict[str, tuple[Link, ...]]:
-    """By criterion with another text than the reviewed one the links that nobody has looked at since.
+    """Return by criterion, if its text is not the reviewed one, the links that nobody has looked at since.
 
     A criterion that was never reviewed has all of its links in it.
     """

@@ -25,14 +25,14 @@ HEAD = (
     "# Texts of criteria whose rows and tests were reviewed; codegen trace accept writes it.\n"
     "criteria:\n"
 )
-"""How a lock file begins that did not exist."""
+"""The beginning of a new lock file."""
 
 _ENTRY = re.compile(r"^  ([A-Z]+-[0-9a-z]+\.\d+):")
 _CONTINUED = re.compile(r"^   +[^\s#]")
 
 
 class Review(StrEnum):
-    """What the lock says of a criterion."""
+    """The state of a criterion's review, according to the lock file."""
 
     REVIEWED = "reviewed"
     CHANGED = "changed since it was reviewed"
@@ -156,12 +156,12 @@ def _blocks(text: str) -> list[tuple[str | None, str]]:
 
 
 def _begin(blocks: Iterable[tuple[str | None, str]]) -> int:
-    """Behind the line that begins the entries."""
+    """Return the place behind the line that begins the entries."""
     return next(place + 1 for place, (name, text) in enumerate(blocks) if not name and text.startswith("criteria:"))
 
 
 def _end(blocks: Iterable[tuple[str | None, str]]) -> int:
-    """Behind the last entry, or behind the line that begins them."""
+    """Return the place behind the last entry, or behind the line that begins them."""
     places = [place for place, (name, text) in enumerate(blocks) if name or text.startswith("criteria:")]
     return places[-1] + 1
 

@@ -21,7 +21,7 @@ _TYPES = {
     ObjectKind.TEST: ("test", "Test Case"),
 }
 _OWN_FACTS = ("name", "result", "review", "bench", "aliases", "refers_to", "place", "cases")
-"""What a need has beyond the fields of sphinx-needs: the project that imports it lists these names, or drops them."""
+"""Fields of a need beyond those of sphinx-needs: the project that imports it lists these names, or drops them."""
 
 
 def needs_json(exchange: Exchange) -> str:
@@ -60,7 +60,7 @@ def need_id(name: str) -> str:
 
 
 def _ids(exchange: Exchange) -> dict[str, str]:
-    """By name the id: where two names would have one, the later one has the hash of its name behind it."""
+    """Return the ids by name: where two names would have one, the later one has the hash of its name behind it."""
     taken: dict[str, str] = {}
     ids: dict[str, str] = {}
     for each in exchange.objects:

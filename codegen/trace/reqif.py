@@ -15,7 +15,7 @@ from xml.sax.saxutils import escape, quoteattr
 from codegen.trace.exchange import Exchange, ExchangeObject, ObjectKind, Relation, RelationKind
 
 NEVER = "1970-01-01T00:00:00Z"
-"""When everything was last changed, unless another time is given."""
+"""The time of the last change of everything, unless another one is given."""
 
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 XHTML = "http://www.w3.org/1999/xhtml"
@@ -29,7 +29,7 @@ _ATTRIBUTES = {
     ObjectKind.TEST: ("ReqIF.ForeignID", "ReqIF.Name", "status", "result", "cases", "place"),
 }
 _KINDS_OF_RELATION = tuple(kind for kind in RelationKind if kind is not RelationKind.PART)
-"""That a criterion is part of a document, the hierarchy says."""
+"""Kinds of relations beside PART, which the hierarchy expresses."""
 
 
 def reqif_xml(exchange: Exchange, changed: str = NEVER) -> str:

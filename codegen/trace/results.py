@@ -15,7 +15,7 @@ from codegen.trace.graph import Test, Trace, linked
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """How the cases of a test went; ``missing`` are those without a result."""
+    """The outcomes of a test's cases; ``missing`` are those without a result."""
 
     passed: int = 0
     failed: int = 0
@@ -113,7 +113,7 @@ def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
 
 
 def hand_written_results(found: Iterable[TestResult], trace: Trace) -> list[TestResult]:
-    """Those of tests written by hand that say which criteria of the project they show."""
+    """Return the results of tests written by hand that say which criteria of the project they show."""
     return [each for each in found if each.inputs is None and any(trace.called(name) for name in each.shows)]
 
 

@@ -1,4 +1,4 @@
-"""What is generated from each part of the specification, by the names that the targets give it.
+"""The generated symbols of each part of the specification, by the names that the targets give them.
 
 A constant of a message is written where its payload is prefilled, a live value where it is built; a quantity is an
 attribute of the state and, with a unit, a property for people.
@@ -73,7 +73,7 @@ class Symbols:
     receiver: ReceiverView | None
 
     def message(self, message: PopulatedMessage) -> tuple[Symbol, ...]:
-        """Its class, its builder, and the function of the receiver that reads it."""
+        """Return its class, its builder, and the function of the receiver that reads it."""
         found = [(MESSAGES, self.classes[message.wire.name]), (TELEMETRY, builder_name(message))]
         return self._all([*found, *self._read_by_receiver(message)])
 
@@ -87,7 +87,7 @@ class Symbols:
         return self._all([*found, *self._read_by_receiver(message)])
 
     def reception(self, table: Reception) -> tuple[Symbol, ...]:
-        """Its class, what takes it, and what is called then."""
+        """Return its class, the function that takes it, and the method that is called then."""
         found = [(MESSAGES, self.classes[table.wire.name]), (RECEIVING, f"take_{table.name.lower()}")]
         return self._all([*found, *([(VEHICLE, f"Vehicle.{call_name(table)}")] if table.spec.call else [])])
 
@@ -96,7 +96,7 @@ class Symbols:
         return self._all([(RECEIVING, f"take_{table.name.lower()}"), *self._quantity(taken.quantity)])
 
     def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:
-        """Its attribute, and those of its family."""
+        """Return its attribute, and those of its family."""
         return self._all(self._parameter(parameter))
 
     def stream(self, stream: Stream) -> tuple[Symbol, ...]:
@@ -124,14 +124,14 @@ class Symbols:
         return self._all([(SOURCES, f"_keep_{name}"), (SOURCES, f"_lose_{name}"), (SOURCES, "Sources")])
 
     def component(self, component: Component) -> tuple[Symbol, ...]:
-        """Its class, and its update where it is measured."""
+        """Return its class, and its update where it is measured."""
         found = [(STATE, state_class(component.name))]
         if any(quantity.derivation.conversion for quantity in component.quantities.values()):
             found.append((STATE, f"SystemState.update_{component.name}"))
         return self._all(found)
 
     def quantity(self, quantity: Quantity) -> tuple[Symbol, ...]:
-        """Its attribute and its property; of a measured one also what converts counts."""
+        """Return its attribute and its property; of a measured one also the function that converts counts."""
         return self._all(self._quantity(quantity))
 
     def failsafe(self, failsafe: Failsafe) -> tuple[Symbol, ...]:

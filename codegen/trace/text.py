@@ -8,7 +8,7 @@ from codegen.trace.view import CriterionView, DocumentView, RowView, TraceView
 WIDTH = 100
 """Columns of a line of prose."""
 SUSPECT = "  suspect"
-"""What stands behind a link that was made for another text."""
+"""The mark behind a link that was made for another text."""
 
 
 def summary_text(view: TraceView) -> str:

@@ -33,7 +33,7 @@ _ONLY_GENERATED: _Words = {
     Verdict.BENCH: ("no generated test", "warn"),
     Verdict.NO_TEST: ("no generated test", "warn"),
 }
-"""What a verdict is called, and its mood, where less is known."""
+"""The name of a verdict, and its mood, where less is known."""
 _TAGS = {
     "uncovered": "uncovered",
     "suspect": "suspect",
@@ -44,7 +44,7 @@ _TAGS = {
     "by-hand": "tests by hand",
     "decision": "decisions",
 }
-"""What criteria can be filtered by, and how people call it."""
+"""The filters for criteria, with their names for people."""
 
 
 @dataclass(frozen=True, slots=True)

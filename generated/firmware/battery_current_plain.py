@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
 # Inputs: 5eb5889d63dd2266
-"""What is done with each reading, in plain Python, for ports without machine code."""
+"""Stores each reading in the state, in plain Python, for ports without machine code."""
 
 import time
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 1c533661b84ca9b8
+# Inputs: d7ee6ffe5351295c
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -98,9 +98,9 @@ class Connection:
         next(turn)
         self.run = turn.send
 
-    # What a generator keeps between passes are variables, which are found at once and need no heap; and it catches an
-    # exception without the heap, where a function would put all of its variables there. An interrupt or a restart ends
-    # it: who goes on after it begins anew.
+    # A generator keeps variables between passes, which are found at once and need no heap; and it catches an exception
+    # without the heap, where a function would put all of its variables there. An interrupt or a restart ends it: a
+    # program that goes on afterwards makes a new one.
 
     def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: e33650b5c2e2a4e7
-"""Who listens at the other end of a link: the ground stations, and other components, whose HEARTBEAT arrives."""
+# Inputs: 22b4c90c0e8a7608
+"""The listeners at the other end of a link: ground stations and other components, known by their HEARTBEAT."""
 
 from array import array
 from time import ticks_diff

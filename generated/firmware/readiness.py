@@ -1,12 +1,12 @@
 # Generated from templates/firmware/program/readiness.py: do not edit.
-# Inputs: c2373da5c4f80f16
+# Inputs: db3784cc149f70d3
 """Looking whether streams have something to read, or room to write, without waiting for it."""
 
 import select
 
 
 class Readiness:
-    """Whether a stream or a socket is ready, without waiting and without the heap.
+    """Asks whether a stream or a socket is ready, without waiting and without the heap.
 
     look(0) returns something for each one that is watched and ready: it is the poll() of select that takes no heap.
     """

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
 # Inputs: 0140bd55a8332858
-"""What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
+"""Takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time
 

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/scan_viper.py: do not edit.
-# Inputs: 4a5b2fd982e07c5b
-"""What the main loop looks at all the time, in machine code; scan_plain has the same in Python and says how."""
+# Inputs: a3c75e62808130fb
+"""The scans that the main loop makes all the time, in machine code; scan_plain has the same in Python, explained."""
 
 # ptr32 is viper's own name. Calls are dear: one function does it all.
 # ruff: noqa: F821

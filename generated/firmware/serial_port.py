@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/serial_port.py: do not edit.
-# Inputs: 09d3b692ebe7eee2
+# Inputs: c716e7cccd610898
 """Ports on a UART or on USB, where bytes may go and come in parts.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -44,7 +44,7 @@ class StreamPort:
 
     @property
     def is_up(self):
-        """Whether the stream is there, and its last reading or writing did not fail."""
+        """Return whether the stream is there, and its last reading or writing did not fail."""
         return self._stream is not None and self.problem is None
 
     def readinto(self, buffer):

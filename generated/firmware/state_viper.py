@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
 # Inputs: 5eb5889d63dd2266
-"""What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
+"""Stores each reading in the state, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
 # ruff: noqa: F821

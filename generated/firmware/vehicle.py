@@ -124,7 +124,7 @@ class Vehicle:
 
     @property
     def is_armed(self):
-        """Whether the motors may turn."""
+        """Return whether the motors may turn."""
         return self.state.vehicle.armed
 
     def arming_problem(self):

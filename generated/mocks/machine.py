@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 23f6d6e1bf3955ec
+# Inputs: 13e62e7c8c00d684
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -18,7 +18,7 @@ _chip = [b"\xe6\x61\x38\x52\x83\x1b\x2c\x21"]
 
 
 class AnalogInput:
-    """What happens at one ADC input.
+    """One ADC input, as a test sets it up.
 
     `source` is what is read, in counts from 0 to 4095: a number; a list, whose last item stays; or a function that
     gets the microseconds since the start of the clock. None in place of a count is a reading that fails.
@@ -149,7 +149,7 @@ class ADC:
 
 
 class SerialLine:
-    """What happens at one UART.
+    """One UART, as a test sets it up.
 
     `room` is how many bytes the UART still takes, None for no limit; `parts` is a list of how many bytes the next
     writes take at most, one each, where 0 is a full buffer. `failures` is how many of the next reads and writes fail,

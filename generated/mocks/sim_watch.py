@@ -1,6 +1,6 @@
 # Generated from templates/mocks/sim_watch.py: do not edit.
-# Inputs: 5b81c549dc2a1fa7
-"""What the vehicle does in a simulation, taken from its state whenever that changes: nothing is read out of texts."""
+# Inputs: 29319bfe995d4c8c
+"""Records the vehicle's actions in a simulation from its state whenever that changes: nothing is read out of texts."""
 
 from array import array
 

@@ -1,12 +1,12 @@
 # Generated from templates/mocks/sim_wire.py: do not edit.
-# Inputs: 0866149484edb9e7
-"""What goes over the wire in a simulation: the frames that a port took."""
+# Inputs: 17c0de003dca9ba8
+"""Records the frames that a port took in a simulation."""
 
 import binascii
 
 
 class Wire:
-    """What goes out, taken from the frames that a port accepted.
+    """Records the frames that a port accepted.
 
     `names` are those of the messages by their numbers as text; frames of the `told` numbers are recorded whole.
     `before` is called ahead of the first of these.

@@ -127,7 +127,7 @@ def _read_battery_cell_voltages(message):
 
 
 class BatteryInfo(Info):
-    """What does not change as long as it is the same one; None while unknown."""
+    """The values that do not change as long as it is the same one; None while unknown."""
 
     @property
     def battery_function(self):

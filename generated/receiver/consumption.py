@@ -1,6 +1,6 @@
 # Generated from templates/receiver/consumption.py: do not edit.
-# Inputs: 308858f75e08eebd
-"""How fast charge is drawn: the mean current over the last while."""
+# Inputs: 7ff3748d24b1cf3d
+"""The rate at which charge is drawn: the mean current over the last while."""
 
 from readings import elapsed
 
@@ -8,7 +8,7 @@ POINTS = 20  # how finely the time is divided that a mean is taken over
 
 
 class _Rise:
-    """How fast a total rises over the last `window_ms`: from its value about that long ago to the newest one."""
+    """The rate of a total over the last `window_ms`: from its value about that long ago to the newest one."""
 
     def __init__(self, window_ms):
         self._window_ms = window_ms

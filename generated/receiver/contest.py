@@ -1,6 +1,6 @@
 # Generated from templates/receiver/contest.py: do not edit.
-# Inputs: 8c65b0bd6adc0137
-"""Whether two senders with the same ids report one number: what they say takes turns, as it never does after a swap."""
+# Inputs: 2ca413bbfb3044bb
+"""Detects two senders with the same ids that report one number: their reports alternate, as never after a swap."""
 
 from readings import elapsed
 
@@ -35,7 +35,7 @@ class _Owner:
 
 
 class Owners:
-    """Who reports a number, told apart by serial numbers or, without these, counts of cycles.
+    """The senders that report a number, told apart by serial numbers or, without these, counts of cycles.
 
     The first one is the one that the view is about. Another one takes its place; if the one before is heard again
     within `within_ms`, both are there, and it was no swap.

@@ -1,5 +1,5 @@
 # Generated from templates/codec/live_fields.py: do not edit.
-# Inputs: f64c992ba8d831ea
+# Inputs: b287faf9b935f129
 """Live fields: values of a message that change often, in an array of their own beside the payload."""
 
 import struct
@@ -7,7 +7,7 @@ from struct import pack_into, unpack_from
 
 from fields import layout_of, missing
 
-# What image says of live values, as size of a place and code; a uint32 is read as an int32.
+# The parts of a code in image: size of a place and code of struct; a uint32 is read as an int32.
 _KINDS = ((4, "<i"), (2, "<H"), (2, "<h"), (1, None))
 _OTHERS = {1: "<B", 2: "<H", 4: "<i", 9: "<b", 10: "<h", 12: "<i"}
 

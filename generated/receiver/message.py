@@ -1,6 +1,6 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 37bd3ff06937bd07
-"""What all messages have in common; messages.py derives a class for each."""
+# Inputs: 75bc6c95852d4b78
+"""The base class of all messages; messages.py derives a class for each."""
 
 from array import array
 from struct import pack_into

@@ -1,6 +1,6 @@
 # Generated from templates/receiver/readings.py: do not edit.
-# Inputs: 92788cffbccdb9d6
-"""What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
+# Inputs: bd48581ed2c26755
+"""Converts fields back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
 MOST_ELEMENTS = 256  # messages count them in a byte

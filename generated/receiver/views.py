@@ -1,6 +1,6 @@
 # Generated from templates/receiver/views.py: do not edit.
-# Inputs: 5b77195c32726226
-"""From bytes to views: one for each number of each system, whichever messages report it."""
+# Inputs: f0355a639ddbb24b
+"""Turns bytes into views: one for each number of each system, whichever messages report it."""
 
 from readings import finite
 from receiver import Receiver

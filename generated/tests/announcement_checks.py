@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 25ddf95a2bd08b69
-"""What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
+# Inputs: 5e23c9af7dca9d60
+"""Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
 from program_bench import (
@@ -278,7 +278,7 @@ def told_of_the_generation_that_is_chosen():
 
 
 def told_besides():
-    """What is announced goes out at its stream's rate, too: so often in two minutes."""
+    """Announced messages go out at their stream's rate, too: so often in two minutes."""
     found = [number for number, facts in MESSAGES.items() if facts["on_connection"] and facts["rate"]]
     needs(found, "a message that is announced and has a rate")
     port = Port()

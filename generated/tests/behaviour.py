@@ -10,7 +10,7 @@
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
 # Inputs: 8e7a0acf9dba16a2
-"""How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
+"""Checks of the board and the state that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null. Its arguments are the names of the
 checks to run; without any, all are.
@@ -322,7 +322,7 @@ def battery_old_reading_is_unknown():
 
 
 def battery_what_code_sets_counts_for_a_while():
-    """Where another system measures it the board is not asked, and what code no longer sets is unknown."""
+    """The board is not asked where another system measures; a value that code no longer sets is unknown."""
     parameters = Parameters()
     parameters.batt_monitor = 29
     state = SystemState(parameters, Log())

@@ -1,6 +1,6 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 36aaa2d7528fade1
-"""What the firmware does in the cases and checks of this suite, once for each interpreter; and what each test shows.
+# Inputs: 036fab8ca1d71778
+"""Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
 called requirement, and in codegen-inputs the hash of the specification that the tests were made of.
@@ -36,7 +36,7 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
-    """What the firmware made of all cases, in one run of each interpreter."""
+    """Return what the firmware made of all cases, in one run of each interpreter."""
     return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
 
 
@@ -53,7 +53,7 @@ def modules():
 
 @pytest.fixture(scope="session")
 def once(request, tmp_path_factory):
-    """What a function returns, as JSON: it is called once for each name, however many processes pytest-xdist has."""
+    """Return a call that keeps results, JSON, by name: each is made once, however many processes pytest-xdist has."""
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
     known = {}
@@ -81,7 +81,7 @@ def once(request, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def printed(once):
-    """What a script prints, as JSON, in one run of it.
+    """Return a call for what a script prints, as JSON, in one run of it.
 
     A script that is given the names of checks runs these alone: those of all tests like `item` that are selected.
     """

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 339e9f78d6465a87
+# Inputs: 5f99619bc72666fa
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -42,7 +42,7 @@ class Line:
 
     @property
     def frames(self):
-        """What the UART has sent, as one piece."""
+        """Return the bytes that the UART has sent, as one piece."""
         return [bytes(self.line.sent)]
 
     @frames.setter

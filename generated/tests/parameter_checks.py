@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: bb0e393010503e2e
+# Inputs: 5ab562cbf5b508f3
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -35,7 +35,7 @@ def _accepted(facts):
 
 
 def set_answers_with_the_value():
-    """What is accepted comes back as it is in force, with its type and without an index."""
+    """An accepted value comes back as it is in force, with its type and without an index."""
     craft = new_craft()
     station = craft.ground_station()
     for facts in PARAMETERS:
@@ -125,7 +125,7 @@ def read_by_name_and_by_index():
 
 
 def change_is_announced_on_other_links():
-    """What is set over one link is told on the others, with the value."""
+    """A value set over one link is told on the others."""
     ports = [Port(), Port()]
     craft = new_craft(ports=ports)
     one, other = [GroundStation(port) for port in ports]

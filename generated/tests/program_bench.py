@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 1d73f0e2a860e4a0
+# Inputs: 0015a63e3cb48259
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -219,14 +219,14 @@ class Sink:
 
 
 class GroundStation:
-    """What is at the other end of a port: the firmware's own link, with the ids of a ground station."""
+    """The other end of a port: the firmware's own link, with the ids of a ground station."""
 
     def __init__(self, port, version=2, system_id=255, component_id=190):
         self.port = port
         self.link = Link(self, system_id, component_id, version, messages.ALL)
 
     def write(self, frame):
-        """What the ground station sends arrives at the vehicle."""
+        """Let a frame of the ground station arrive at the vehicle."""
         self.port.arrives(frame)
         return len(frame)
 

@@ -10,7 +10,7 @@
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
 # Inputs: 7110f7d44b183bec
-"""What the specification says about the program, for the checks of the program to compare with."""
+"""Facts of the specification about the program, which its checks compare with."""
 
 CONTROL_US = 2500
 LINKS_US = 10000

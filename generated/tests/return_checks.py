@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: dd47b1e48a6d2737
-"""What was gone and comes back, such as a pack that is exchanged: it counts once, is told, and counting begins anew."""
+# Inputs: d3a6ae7a32d0a79d
+"""Checks of returns, such as of a pack that is exchanged: each counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
 from instance_checks import craft_with
@@ -149,7 +149,7 @@ def a_failed_reading_says_nothing():
 
 
 def put_in_after_the_start():
-    """What was not there at the start, and is put in, counts and is told; nothing is told before that is untrue."""
+    """A thing put in after the start counts and is told; nothing is told before that is untrue."""
     for measured in _returning():
         start, inputs = _inputs(measured)
         craft = start()

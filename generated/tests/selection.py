@@ -1,6 +1,6 @@
 # Generated from templates/tests/selection.py: do not edit.
-# Inputs: 522115c99184904c
-"""Which tests of a function were selected: one run of a script is for all of them."""
+# Inputs: 23ba58081804655c
+"""Finds the selected tests of a function: one run of a script is for all of them."""
 
 
 def selected(item):

@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: de12e1e02551114c
-"""What ground stations send, and what the whole vehicle answers."""
+# Inputs: d9be9804e91f4847
+"""Checks of the services: messages of ground stations, and the answers of the whole vehicle."""
 
 from program_bench import (
     SECOND_US,
@@ -95,7 +95,7 @@ def every_command_is_answered():
 
 
 def others_are_left_alone():
-    """What is for another system or component is not answered; 0 is everybody."""
+    """A request to another system or component is not answered; 0 is everybody."""
     craft, station = _met()
     for system, component, answers in (
         (SYSTEM_ID + 1, COMPONENT_ID, 0),
@@ -263,7 +263,7 @@ def pings_are_answered():
 
 
 def what_arrives_together_is_answered_before_its_turns():
-    """What a link has left in its turn is gone on with in the next slot, where that comes before its next turn."""
+    """A link that has work left after its turn goes on in the next slot, where that comes before its next turn."""
     needs(LINKS_US > CONTROL_US, "slots between the turns of a link")
     craft, station = _met()
     count, taken = 16, min(craft.MESSAGES, 2)  # of those in a turn

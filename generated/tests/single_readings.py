@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: cd5c1bf0240460f3
+# Inputs: d993b4d79431275d
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -147,7 +147,7 @@ def allocates_nothing(facts, fresh):
 
 
 def lasts_at_the_mean(facts, fresh):
-    """What is left over a mean of the readings: the first one, and then each one by its share of the way to it."""
+    """The rest lasts at the mean of the readings: the first one, then each one by its share of the way to it."""
     lasting = facts["lasting"]
     board, state, _ = fresh(facts["on"])
     for one in facts["others"]:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: b1b26ed6c86ed984
+# Inputs: 344f815efdf94c79
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -134,7 +134,7 @@ def damaged_files_give_defaults_and_a_warning():
 
 
 def lost_parameters_refuse_arming():
-    """Where nothing that was stored is whole, arming is refused and why is said, until parameters are saved anew."""
+    """Without a whole stored copy, arming is refused and the reason is said, until parameters are saved anew."""
     needs_arming()
     flash = Flash()
     flash.files.update(dict.fromkeys(FILES, b"rubbish"))
@@ -229,7 +229,7 @@ def failed_write_keeps_the_old_values():
 
 
 def flash_that_keeps_something_else_is_told():
-    """What is read back after a save and is not what was written is an error text, once; the values stay in force."""
+    """A saved file that reads back differently is an error text, once; the values stay in force."""
     craft = new_craft()
     note = craft.flash.note
     craft.flash.note = lambda path, content: note(path, content[:-1] + b"\x00" if content else content)
@@ -298,7 +298,7 @@ def what_is_not_understood_is_skipped():
 
 
 def save_waits_while_armed():
-    """What is set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
+    """A value set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
     needs_arming()
     craft = new_craft()
     steps = []
@@ -439,7 +439,7 @@ def _set_for(craft, facts, seconds, every_ms, rest_s=61):
 
 
 def flash_is_not_worn_out():
-    """What is set again and again is saved ten times, then once a minute, which is told; the last value in any case."""
+    """A value set again and again is saved ten times, then once a minute, which is told; the last value in any case."""
     facts = _changing()
     for every_ms in (1000, 50):  # settings that are saved one by one, and such that come without a pause
         craft = new_craft()

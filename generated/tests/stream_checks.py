@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 5b2774ccad341e39
+# Inputs: 3f31e07510d160da
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -100,7 +100,7 @@ def rates_by_parameter():
 
 
 def fixed_rates():
-    """What has a fixed rate, such as HEARTBEAT, keeps it for half a minute."""
+    """A message with a fixed rate, such as HEARTBEAT, keeps it for half a minute."""
     port = Counter()
     craft = new_craft(ports=[port])
     found = _counted(craft, port, 30)
@@ -112,7 +112,7 @@ def fixed_rates():
 
 
 def nothing_waits_once_it_is_due():
-    """What is due when the link has its turn goes out in it, unless that is all that a turn takes."""
+    """A message that is due when the link has its turn goes out in it, unless the turn is full."""
     craft = new_craft()  # its port says whether something has arrived: without that a link is served in each turn
     connection = craft.connections[0]
     run_turn = connection.run

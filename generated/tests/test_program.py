@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 38288afb6967ba44
+# Inputs: 0c46192697465173
 """The checks of the program, in one run of each interpreter; a test is named by its check and criteria.
 
 Those that a script lists as LONG simulate minutes or days: `-m "not days"` leaves them out, and they have another run.
@@ -38,7 +38,7 @@ def _cases():
 
 @pytest.fixture(scope="session")
 def checked(once):
-    """What a check finds, in the run of all those like `item` that are selected."""
+    """Return a call for the finding of a check, in the run of all those like `item` that are selected."""
 
     def by(interpreter, script, name, item):
         is_long = item.get_closest_marker("days") is not None

@@ -1,5 +1,5 @@
 # Generated from templates/tests/receiver/test_receiver.py: do not edit.
-# Inputs: da0c786505c4f909
+# Inputs: d8ed85a9ab26c6f5
 """The receiver gives back what the firmware's cases were made of, within one unit of the wire, on both interpreters."""
 
 import json
@@ -43,7 +43,7 @@ def frames():
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request, frames, tmp_path_factory):
-    """What the receiver says, in one run of each interpreter."""
+    """Return the answers of the receiver, in one run of each interpreter."""
     path = tmp_path_factory.mktemp("receiver") / "frames.txt"
     path.write_text("".join(f"{case['message']} {frame}\n" for case, _, frame in frames))
     folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
@@ -57,7 +57,7 @@ def results(request, frames, tmp_path_factory):
 
 
 def agrees(value, stored, about):
-    """Whether an attribute is what the state kept, as far as the wire carries it."""
+    """Return whether an attribute is what the state kept, as far as the wire carries it."""
     if about.get("boolean"):
         return value == bool(stored)
     if stored is None:

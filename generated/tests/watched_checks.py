@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 606b179e0ccd4a6b
+# Inputs: afb4b0d449f6c94f
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -186,7 +186,7 @@ def disarmed_only_what_always_watches_acts():
 
 
 def a_level_stays_or_is_over():
-    """What is latched stays; what is not is over once the value is better by the hysteresis, and that is told once."""
+    """A latched level stays; another one is over once the value is better by the hysteresis, and that is told once."""
     for facts, condition in _each():
         bench, at, beyond = _on(facts, condition)
         due = bench.delay(condition)

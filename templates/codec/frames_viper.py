@@ -169,7 +169,7 @@ def taker(receiver):
             else:
                 own[0]._put_more(data)
                 return
-        # What is left goes to the front.
+        # Move the rest to the front.
         target = ptr8(int(state[19]) | int(state[20]) << 32)
         source = ptr8(int(target) + int(state[0]))
         kept = int(state[1]) - int(state[0])

@@ -1,4 +1,4 @@
-"""What all messages have in common; messages.py derives a class for each."""
+"""The base class of all messages; messages.py derives a class for each."""
 
 from array import array
 from struct import pack_into

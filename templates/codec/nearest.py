@@ -1,4 +1,4 @@
-"""What somebody may have meant by a name that is wrong."""
+"""Finds the name that somebody may have meant by a wrong one."""
 
 
 def hint(name, known):

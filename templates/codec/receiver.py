@@ -45,22 +45,22 @@ class Receiver:
 
     @property
     def received(self):
-        """How many messages were received."""
+        """Return the number of messages received."""
         return self._state[10]
 
     @property
     def signed(self):
-        """How many of them had a signature."""
+        """Return the number of received messages with a signature."""
         return self._state[11]
 
     @property
     def dropped(self):
-        """How many places looked like a frame with incompatible flags that this code does not know."""
+        """Return the number of places that looked like a frame with incompatible flags unknown to this code."""
         return self._state[8]
 
     @property
     def unknown(self):
-        """How many places looked like a frame of another message."""
+        """Return the number of places that looked like a frame of another message."""
         return self._state[18]
 
     def expect(self, ids, make):

@@ -49,8 +49,8 @@ class Sender:
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
         views = [None] * (longest + 1)  # a list that is as long from the start keeps no more room than it needs
-        # Who makes it finds here where the payload goes, and the frame by its length. The buffer of a link that sends
-        # MAVLink 1, or signs, is not for that: there is one that holds nothing.
+        # The place of the payload, and the frame by its length, for messages that write there themselves. The buffer of
+        # a link that sends MAVLink 1, or signs, is not for that: there is one that holds nothing.
         self._none = None if version == 2 and not signing else bytes(1)
         self.room = (address(self._none or frame) + 12, views)
         lengths = lengths or ((0, longest),)
@@ -70,7 +70,7 @@ class Sender:
 
     @property
     def signing(self):
-        """What signs the frames, or None; a link has it from the start."""
+        """Return the Signing of the frames, or None; a link has it from the start."""
         return self._signing
 
     @property

@@ -1,4 +1,4 @@
-"""What `codegen bench` runs on the board, with the program that is there; nothing of it is stored.
+"""The measurements of `codegen bench` on the board, with the program that is there; nothing of it is stored.
 
 `FACTS` is filled first: what the program has. Each call prints lines of JSON: [name, value] is a measure, [name, about,
 value] one of several that such a measure sums up, ["", text] something to be told.
@@ -193,7 +193,7 @@ def passes(ms):
 
 
 def turns(count):
-    """Without a program: read, and make all messages, so often; print what that took of the heap."""
+    """Read and make all messages, so often, without a program; print the heap that it took."""
     import telemetry
     from mavlink import Link
 

@@ -1,4 +1,4 @@
-"""What runs on the board as soon as its program is interrupted: a soft reset does not stop a watchdog."""
+"""Feeds the watchdog of an interrupted program, which a soft reset does not stop."""
 
 import gc
 import sys

@@ -1,4 +1,4 @@
-"""What `codegen deploy` runs on the board, over the raw REPL; nothing of it is stored there.
+"""The part of `codegen deploy` that runs on the board, over the raw REPL; nothing of it is stored there.
 
 A file is written as PART, and has its name only once it is whole. Answers are lines of JSON.
 """

@@ -1,4 +1,4 @@
-"""What is told of inputs of the converter that fail, and how they come back; loaded with the first fault."""
+"""Texts about inputs of the converter that fail, and how they come back; loaded with the first fault."""
 
 import time
 

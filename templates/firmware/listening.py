@@ -10,7 +10,7 @@ from polling import Fault, Poller
 
 
 class Listener(Poller):
-    """Such a sensor; watch(now_ms) is called once a second."""
+    """A sensor that speaks by itself; watch(now_ms) is called once a second."""
 
     def __init__(self, silence_ms, *arguments):
         Poller.__init__(self, *arguments)
@@ -20,7 +20,7 @@ class Listener(Poller):
         self._place = 0
 
     def listen(self, turns, place):
-        """While it is set up, have `waiting` in the place of its turn, which then comes after it (see asking())."""
+        """Have `waiting` in the place of its turn while it is set up; its turn comes after that (see asking())."""
         self._calls = turns
         self._place = place
 

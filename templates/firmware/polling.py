@@ -18,7 +18,7 @@ _LONG = const(0xFFFFFFF)
 
 
 class Fault(Exception):  # noqa: N818  it is a fault of the sensor
-    """What is wrong with a sensor, in words that a text can show."""
+    """A fault of a sensor, in words that a text can show."""
 
 
 class Seldom:

@@ -1,4 +1,4 @@
-"""What the main loop looks at all the time, in plain Python; scan_viper is the same in machine code.
+"""The scans that the main loop makes all the time, in plain Python; scan_viper is the same in machine code.
 
 Functions of few variables: MicroPython puts those of larger ones on the heap at every call.
 """

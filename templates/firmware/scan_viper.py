@@ -1,4 +1,4 @@
-"""What the main loop looks at all the time, in machine code; scan_plain has the same in Python and says how."""
+"""The scans that the main loop makes all the time, in machine code; scan_plain has the same in Python, explained."""
 
 # ptr32 is viper's own name. Calls are dear: one function does it all.
 # ruff: noqa: F821

@@ -1,4 +1,4 @@
-"""Which sensor has its turn, in plain Python; turns_viper is the same in machine code."""
+"""Finds the sensor that has its turn, in plain Python; turns_viper is the same in machine code."""
 
 import time
 

@@ -1,4 +1,4 @@
-"""Which sensor has its turn, in machine code; turns_plain has the same in Python."""
+"""Finds the sensor that has its turn, in machine code; turns_plain has the same in Python."""
 
 # ptr32 is viper's own name.
 # ruff: noqa: F821

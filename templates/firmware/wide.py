@@ -46,8 +46,8 @@ def _attribute(place, about, at, put_at):
     return property(get, put)
 
 
-# What a number is about: its halves, its limits, those that are told, what texts call it, the code of a float, and how
-# many steps make how many units. A call with these as variables of its own would allocate.
+# The description of a number: its halves, its limits, those that are told, its name in texts, the code of a float, and
+# how many steps make how many units. A call with these as variables of its own would allocate.
 
 
 def about_whole(halves, low, high, name, told, numerator=1, denominator=1):

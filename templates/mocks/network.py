@@ -16,7 +16,7 @@ STAT_GOT_IP = 3
 
 
 class Radio:
-    """What happens in the air.
+    """The Wi-Fi around the board, as a test sets it up.
 
     `connect_after_ms` is the virtual time from connect() to an address, None for never. `absent` makes WLAN() fail and
     `failures` the next calls of connect(). `connects` counts those calls, `credentials` is what the last one was given.

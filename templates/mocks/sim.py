@@ -141,7 +141,7 @@ class Simulation:
         return self._start_ms + mock_time.elapsed_us() // 1000
 
     def _is_ahead(self, event):
-        # What happened at the very time of a restart, as the restart itself, is not done again.
+        # An event at the very time of a restart, as the restart itself, is not done again.
         return event["at_ms"] > self._start_ms or self._start_ms == 0
 
     def _connect(self, courses):

@@ -1,4 +1,4 @@
-"""What is true of one quantity in a simulation, over time, and what is wrong with the way that it takes."""
+"""The true values of one quantity in a simulation, over time, and the faults on their way to the firmware."""
 
 
 class Course:

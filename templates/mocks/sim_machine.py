@@ -1,4 +1,4 @@
-"""What code of the user may find on a board in a simulation, and the firmware hardly uses: SPI, PWM and timers."""
+"""Parts of `machine` that user code may use in a simulation, and the firmware hardly does: SPI, PWM and timers."""
 
 import machine
 import mock_time

@@ -1,4 +1,4 @@
-"""How fast the time of a simulation passes: with the host's clock, and not ahead of other programs."""
+"""The pace of a simulation: its time follows the host's clock, and runs not ahead of other programs."""
 
 import time as host_time  # the host's clock: this is imported before mock_time takes its place for the firmware
 

@@ -1,4 +1,4 @@
-"""What the vehicle does in a simulation, taken from its state whenever that changes: nothing is read out of texts."""
+"""Records the vehicle's actions in a simulation from its state whenever that changes: nothing is read out of texts."""
 
 from array import array
 

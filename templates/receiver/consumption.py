@@ -1,4 +1,4 @@
-"""How fast charge is drawn: the mean current over the last while."""
+"""The rate at which charge is drawn: the mean current over the last while."""
 
 from readings import elapsed
 
@@ -6,7 +6,7 @@ POINTS = 20  # how finely the time is divided that a mean is taken over
 
 
 class _Rise:
-    """How fast a total rises over the last `window_ms`: from its value about that long ago to the newest one."""
+    """The rate of a total over the last `window_ms`: from its value about that long ago to the newest one."""
 
     def __init__(self, window_ms):
         self._window_ms = window_ms

@@ -1,4 +1,4 @@
-"""What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
+"""Converts fields back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
 MOST_ELEMENTS = 256  # messages count them in a byte

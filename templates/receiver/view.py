@@ -1,4 +1,4 @@
-"""What is known about one instance, from all messages that report it."""
+"""The view of one instance, from all messages that report it."""
 
 from consumption import Consumption
 from contest import Owners, Series
@@ -56,17 +56,17 @@ class View:
 
     @property
     def swaps(self):
-        """How often it was another one than before."""
+        """Return how often it was another one than before."""
         return self._owners.swaps
 
     @property
     def is_contested(self):
-        """Whether two report the same number now, so that what they say gets mixed up: see contest."""
+        """Return whether two report the same number now, so that their reports get mixed up: see contest."""
         return self.contest is not None
 
     @property
     def contest(self):
-        """Who reports the same number now, as a text for people; None where it is not contested."""
+        """Return the senders that report the same number now, as a text for people; None where it is not contested."""
         now_ms = self._receiver.now_ms()
         sources = [source for source, heard in self._sources.items() if elapsed(now_ms, heard) <= self.SILENT_MS]
         if len(sources) > 1:
@@ -110,7 +110,7 @@ class View:
 
     @property
     def is_charging(self):
-        """Whether it is charging, by what it says or by its mean current; None while unknown."""
+        """Return whether it is charging, by its own report or by its mean current; None while unknown."""
         charging = self._known("charging")
         mean_a = self.mean_current_a
         return charging if charging or mean_a is None else mean_a < 0
@@ -272,7 +272,7 @@ class View:
 
 
 class Info:
-    """What does not change as long as it is the same one."""
+    """The values that do not change as long as it is the same one."""
 
     def __init__(self, view):
         self._fact = view._fact

@@ -1,4 +1,4 @@
-"""From bytes to views: one for each number of each system, whichever messages report it."""
+"""Turns bytes into views: one for each number of each system, whichever messages report it."""
 
 from readings import finite
 from receiver import Receiver

@@ -40,7 +40,7 @@ def values(fields, pattern):
 
 
 class Wire:
-    """What takes frames."""
+    """A port that keeps the last frame."""
 
     def write(self, frame):
         """Keep one."""

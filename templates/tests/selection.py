@@ -1,4 +1,4 @@
-"""Which tests of a function were selected: one run of a script is for all of them."""
+"""Finds the selected tests of a function: one run of a script is for all of them."""
 
 
 def selected(item):

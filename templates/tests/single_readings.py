@@ -145,7 +145,7 @@ def allocates_nothing(facts, fresh):
 
 
 def lasts_at_the_mean(facts, fresh):
-    """What is left over a mean of the readings: the first one, and then each one by its share of the way to it."""
+    """The rest lasts at the mean of the readings: the first one, then each one by its share of the way to it."""
     lasting = facts["lasting"]
     board, state, _ = fresh(facts["on"])
     for one in facts["others"]:

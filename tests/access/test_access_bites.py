@@ -52,7 +52,7 @@ FAULTS = [
 
 @pytest.fixture(scope="module")
 def output(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What is generated of the project."""
+    """Return the output of the project."""
     folder = Path(shutil.copytree(PROJECT, tmp_path_factory.mktemp("guarded") / "project"))
     assert main(["build", "--project", str(folder / "specs" / "codegen.yaml")]) == 0
     return folder / "generated"

@@ -1,4 +1,4 @@
-"""What is wrong with access of vehicle.yaml is said at its place, with what to write in its place."""
+"""Faults in access of vehicle.yaml are reported at their places, with the right text to write there."""
 
 import re
 import shutil

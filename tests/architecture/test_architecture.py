@@ -94,7 +94,7 @@ KNOW_KINDS = {
     "resolve.scope": {"answers.scope"},
     "resolve.receptions.taken_field": {"answers.fitting", "answers.halves", "answers.limits"},
 }
-"""What modules outside of ``answers`` import of it: the stages ask ``model.answer.Answer`` and know no kind."""
+"""The imports from ``answers`` outside of it: the stages ask ``model.answer.Answer`` and know no kind."""
 
 VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "common", "misc", "base"}
 

@@ -7,7 +7,7 @@ LARGEST_SHARE = 0.08
 
 
 def control_lines(text: str) -> int:
-    """How many lines of a template steer what is printed: those that begin with a statement of Jinja."""
+    """Return how many lines of a template begin with a statement of Jinja, which steers what is printed."""
     return sum(line.lstrip().startswith("{%") for line in text.splitlines())
 
 

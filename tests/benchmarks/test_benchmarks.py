@@ -85,7 +85,7 @@ KEYS = {
 
 
 def run(script: str, *options: object) -> str:
-    """What a benchmark prints; it fails if its contestants do not agree."""
+    """Return the output of a benchmark; it fails if its contestants do not agree."""
     command = [sys.executable, "-B", str(BENCHMARKS / f"{script}.py"), *map(str, options)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -159,7 +159,7 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
 
 
 def test_stored_figures_of_other_sources_are_told(tmp_path: Path) -> None:
-    """What was measured before a change is named; what was measured since is not."""
+    """Figures measured before a change are named; those measured since are not."""
     for name in report.TITLES:
         sources = "0" if name in ("frame", "size") else results.fingerprint()
         results.write(tmp_path / f"{name}.json", results.Result("Compares.", (), sources))

@@ -33,7 +33,7 @@ def test_every_workload_is_stored() -> None:
 
 
 OF_DRAFTS = pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
-"""What is stored of the firmware was counted with these."""
+"""The drafts with which the stored figures of the firmware were counted."""
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ def test_a_sensor_that_is_not_due_takes_300_cycles_at_most(counted: Mapping[str,
 
 
 def test_a_receiver_that_says_nothing_takes_300_cycles_at_most(counted: Mapping[str, float]) -> None:
-    """When it has its turn: a function in C is asked, and that is all."""
+    """A turn without data asks a function in C, and that is all."""
     likely, _ = cost.cycles(counted["idle"] - counted["native"])
     assert 0 < likely <= MOST_CYCLES
 
@@ -52,7 +52,7 @@ def test_reading_a_line_takes_300_us_at_most(counted: Mapping[str, float], line:
 
 
 def test_a_whole_turn_with_a_line_takes_500_us_at_most(counted: Mapping[str, float]) -> None:
-    """What is read goes into the state, and the turn is timed."""
+    """The values read go into the state, and the turn is timed."""
     likely, _ = cost.cycles(counted["turn"])
     assert counted["gga"] < counted["turn"]
     assert likely / cost.MEGAHERTZ <= 500

@@ -1,4 +1,4 @@
-"""Which tests `make generator-mutation` runs for a fault: those that reach its line, in an order that finds it soon."""
+"""`make generator-mutation` runs for a fault the tests that reach its line, in an order that finds it soon."""
 
 from pathlib import Path
 from queue import Queue
@@ -76,7 +76,7 @@ def test_those_of_the_stage_come_first_and_then_the_quickest_while_there_is_time
 
 @pytest.fixture
 def runs(monkeypatch: pytest.MonkeyPatch) -> list[tuple[bool, list[str]]]:
-    """What is run: whether the fault is in, and the tests. test_a fails with it, test_b with it and without."""
+    """Return the list of runs: whether the fault is in, and the tests. test_a fails with it, test_b always."""
     seen: list[tuple[bool, list[str]]] = []
 
     def failed(copy: Path, tests: list[str], _: float) -> str | None:

@@ -57,7 +57,7 @@ def test_stored_heap_is_not_more_than_132_kb() -> None:
 
 @pytest.mark.parametrize("form", heap.FORMS)
 def test_too_small_a_heap_is_noticed(folder: Path, form: str) -> None:
-    """What is in use once the program has started does not fit into less: the limit of the heap is one."""
+    """The memory in use after the program's start does not fit into a smaller heap: its limit holds."""
     assert heap.in_use(folder, form, int(STORED[f"started_{form}"]) // 1024) is None
 
 

@@ -44,7 +44,7 @@ def test_a_pass_takes_what_the_model_says(counted: Mapping[str, tuple[int, int]]
 
 
 def test_least_squares_find_costs_that_are_there() -> None:
-    """What was made of costs gives these back, and a part that would cost less than nothing costs nothing."""
+    """Rows made of known costs give these back, and a part that would cost less than nothing costs nothing."""
     works = [Work({Part.FRAME: 1, Part.BYTE: size}) for size in (10, 20, 50)]
     exact = [(work, 100 + 3 * work[Part.BYTE], 100 + 3 * work[Part.BYTE]) for work in works]
     found = loop.least_squares(exact, (Part.FRAME, Part.BYTE, Part.VALUE))
@@ -58,7 +58,7 @@ def test_least_squares_find_costs_that_are_there() -> None:
 
 
 def test_costs_of_each_stage_are_those_that_fit_its_rows() -> None:
-    """What is known of earlier ones is taken off; the error is the largest of a row."""
+    """The known costs of earlier stages are taken off; the error is the largest of a row."""
     rows = [loop.Row("p", "control", "control", Work({Part.PASS: 1}), 1000)]
     for jobs, calls in ((1, 1), (2, 1), (3, 2), (5, 2)):
         work = Work({Part.PASS: 1, Part.JOBS: 1, Part.JOB: jobs, Part.CALL: calls})

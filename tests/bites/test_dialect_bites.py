@@ -27,7 +27,7 @@ WRONG_NUMBERS = [
 
 @pytest.fixture(scope="module")
 def monkeypatch_module():
-    """What is patched while the tests of this module run."""
+    """Yield a monkeypatch that lasts while the tests of this module run."""
     with pytest.MonkeyPatch.context() as patched:
         yield patched
 
@@ -54,7 +54,7 @@ def suite(tmp_path_factory, monkeypatch_module):
 
 
 def laid_out(generated: Path) -> dict[str, list]:
-    """What the firmware says of its messages."""
+    """Return the firmware's description of its messages."""
     return json.loads(scripts_of(generated / "tests").run_under("cpython", "dialect_run.py"))
 
 

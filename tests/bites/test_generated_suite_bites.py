@@ -256,7 +256,7 @@ def mutated(tmp_path, monkeypatch):
 
 
 def answers(interpreter: str) -> str:
-    """What the firmware makes of all cases, as the suite asks for it."""
+    """Return what the firmware makes of all cases, as the suite asks for it."""
     return SCRIPTS.run_under(interpreter, "runner.py", str(SCRIPTS.CASES), heap="64m")
 
 
@@ -276,7 +276,7 @@ def test_another_answer_is_given(file, old, new, untouched, mutated):
 
 
 def outcome(interpreter: str, check: str, folder: Path) -> str | None:
-    """What a check of the suite finds wrong, or None."""
+    """Return the fault that a check of the suite finds, or None."""
     script = folder / "one_check.py"
     script.write_text("import behaviour, sys\nprint(repr(behaviour.outcome(getattr(behaviour, sys.argv[1]))))\n")
     return literal_eval(SCRIPTS.run_under(interpreter, script, check))

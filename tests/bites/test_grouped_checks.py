@@ -56,7 +56,7 @@ def tests(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def outcomes(tests: Path, interpreter: str, *asked: str, most_hanging: int = 3) -> dict[str, str | None]:
-    """What the suite says of checks, each with its script, which have four seconds together."""
+    """Return the suite's outcomes of checks, each with its script, which have four seconds together."""
     script = "import grouped, json, sys\ngrouped.MOST_HANGING = int(sys.argv[2])\n"
     script += "pairs = [tuple(each.split()) for each in sys.argv[3:]]\n"
     script += "print(json.dumps(grouped.outcomes(sys.argv[1], pairs, 4)))"

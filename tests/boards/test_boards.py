@@ -47,7 +47,7 @@ def test_how_fast_a_board_is_may_be_known():
 
 
 def model_of(name: str) -> BoardModel:
-    """What codegen knows of a board, without a finding."""
+    """Return codegen's model of a board, without a finding."""
     report = Report()
     written = decode_record_file(os.path.join(FOLDER, f"{name}.yaml"), BoardModelSpec, DISK, report)
     model = resolve_board_model(written, report)

@@ -30,7 +30,7 @@ def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
 
 
 def test_the_name_of_the_clocks_is_taken(tmp_path, monkeypatch, capsys):
-    """Where a table has a clock, no component of the project's own can be called so."""
+    """A component of the project's own cannot be called clock in a project whose tables have one."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     table = tmp_path / "specs" / "messages" / "battery_status.yaml"
     text = table.read_text()

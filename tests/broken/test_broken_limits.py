@@ -1,5 +1,5 @@
-"""What a quantity, a parameter or a constant reaches and a field cannot carry: each is reported at its line, with what
-would fit. A field's minValue and maxValue count as its type does.
+"""Values of a quantity, a parameter or a constant that a field cannot carry are each reported at their line, with the
+limit that would fit. A field's minValue and maxValue count as its type does.
 
 Each case is a project of one message with one field.
 """
@@ -23,7 +23,7 @@ PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
 
 @pytest.fixture
 def told(tmp_path, monkeypatch, capsys):
-    """What codegen check prints of a project: the field, the quantity m.q, the parameter PAR, and the answer."""
+    """Return a call for the output of codegen check: for a field, the quantity m.q, the parameter PAR and the answer."""
 
     def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10"):
         quantity = f"{{doc: d, {quantity}}}"

@@ -29,7 +29,7 @@ Check = Callable[..., Found]
 
 
 def place(file: str, text: str) -> str:
-    """Where the element opens that holds the text, as file:line:col."""
+    """Return the place, as file:line:col, at which the element opens that holds the text."""
     for number, line in enumerate((ROOT / "specs" / file).read_text(encoding="utf-8").split("\n"), 1):
         if text in line:
             return f"specs/{file}:{number}:{line.index('<') + 1}"

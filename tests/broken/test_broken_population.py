@@ -1,4 +1,4 @@
-"""What a user can get wrong about cells, pages, limits that booleans follow, and messages about one of several.
+"""Mistakes in cells, pages, limits that booleans follow, and messages about one of several are reported.
 
 The cases are written as those of ``test_broken_tables``.
 """

@@ -38,7 +38,7 @@ CASES = {
 
 
 def check(folder, monkeypatch, capsys, changes):
-    """What the command prints about a changed copy of the shipped specification, and its exit code.
+    """Return the exit code and the output of the command for a changed copy of the shipped specification.
 
     A check would read all documents, too, which is most of its time.
     """

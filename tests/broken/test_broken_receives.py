@@ -138,7 +138,7 @@ def test_all_are_reported_at_their_places(batch, project, capsys):
 
 
 def test_without_a_program_nothing_receives(project, capsys):
-    """Who reads the links is the program of vehicle.yaml."""
+    """The program of vehicle.yaml is the one that reads the links."""
     (project / "specs" / "vehicle.yaml").unlink()
     code, lines, out = errors(capsys)
     assert code == 1

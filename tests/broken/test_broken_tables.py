@@ -27,7 +27,7 @@ class Case:
     at: str = ""
     """The place, where it lies in another file than the change."""
     is_alone: bool = True
-    """Whether nothing else is found: what is wrong in the state or the facts is so for each table that reads it."""
+    """True: nothing else is found; a fault in the state or the facts is one for each table that reads it."""
 
 
 BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status", "sys_status", "heartbeat"))
@@ -746,7 +746,7 @@ def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
 
 
 WITH_PROGRAMS = ("codegen.yaml", "scenarios.yaml", "smart_battery/")
-"""What cases that are about the further programs change; others need the rover alone, which is read in half the time."""
+"""The files that cases about further programs change; others need the rover alone, which is read in half the time."""
 
 
 def check_place(case: Case, folder: Path, monkeypatch, capsys) -> None:
@@ -827,7 +827,7 @@ def test_a_message_without_stream_needs_a_program(tmp_path, monkeypatch, capsys)
 
 
 def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
-    """What the program needs and the dialect lacks: one finding for the messages, one for the entries of enums."""
+    """A dialect without the program's needs has one finding for the messages, one for the entries of enums."""
     shutil.copytree(ROOT / "tests" / "projects" / "minimal" / "specs", tmp_path / "specs")
     quantities = {
         "armed": "boolean: true, initial: false",
@@ -899,7 +899,7 @@ FOLLOW_UPS = [
 
 @pytest.mark.parametrize(("file", "old", "new", "rule"), FOLLOW_UPS, ids=[case[3] for case in FOLLOW_UPS])
 def test_one_fault_is_one_finding(file, old, new, rule, tmp_path, monkeypatch, capsys):
-    """What depends on something broken is not reported as well: the cause stands alone."""
+    """Consequences of a fault are not reported as well: the cause stands alone."""
     changed_copy(Case(rule, file, old, new), tmp_path)
     monkeypatch.chdir(tmp_path)
     assert main(["check"]) in (1, 2)

@@ -1,4 +1,4 @@
-"""What is kept between runs is believed only while it is what was kept, and never stands in the way of a run."""
+"""An entry of the cache is believed only while it is as it was written, and never stands in the way of a run."""
 
 import os
 from collections.abc import Iterator
@@ -100,7 +100,7 @@ def test_it_can_be_switched_off(monkeypatch: pytest.MonkeyPatch, tmp_path: Path,
 
 @pytest.mark.parametrize("mode", [0o777, 0o770])
 def test_a_folder_that_others_could_write_to_is_left_alone(folder: Path, mode: int) -> None:
-    """What is kept is code and objects: whoever puts them there decides what codegen does."""
+    """Entries are code and objects: whoever puts them there decides what codegen does."""
     name = written(entry("a"), b"value")
     folder.chmod(mode)
     later_run()

@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run(folder: Path, cache: Path | str, *command: str, package: Path = ROOT) -> str:
-    """What a command says, which has to succeed, with the codegen of a checkout."""
+    """Return the output of a command, which has to succeed, with the codegen of a checkout."""
     surroundings = {**os.environ, "CODEGEN_CACHE": str(cache), "PYTHONPATH": str(package)}
     if package != ROOT:  # its modules change, with their times and sizes as they were
         surroundings["PYTHONDONTWRITEBYTECODE"] = "1"
@@ -73,7 +73,7 @@ def test_after_an_edit_of_any_file_the_output_is_that_of_a_build_that_knows_noth
 
 
 def test_files_that_come_and_go_are_noticed(built: Path, tmp_path: Path) -> None:
-    """Where a program's own table is not there, that of its base is meant."""
+    """The table of a program's base is meant where the program's own is gone."""
     cache = tmp_path / "cache"
     run(built, cache, "build")
     own = built / "specs" / "smart_battery" / "messages"

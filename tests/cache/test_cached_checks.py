@@ -39,7 +39,7 @@ HEARTBEAT is sent at 3 Hz. The vehicle sends the message BATTERY_STATUSX, too.
 
 With `dialects/battery_rfc_0018.xml` the base payload of BATTERY_STATUS_V2 has 25 bytes.
 """
-"""What makes a document wrong in several ways."""
+"""Text that makes a document wrong in several ways."""
 
 _ID, _WIDE_ID = 'type="uint8_t" name="id"', 'type="uint16_t" name="id"'
 EDITS = {
@@ -58,7 +58,7 @@ EDITS = {
 """One change for each kind of file; each is seen in what is found."""
 
 MOST_MODULES = 440
-"""How many modules a check may import that finds nothing new."""
+"""The largest number of modules imported by a check that finds nothing new."""
 
 Check = Callable[..., list[dict[str, Any]]]
 
@@ -97,7 +97,7 @@ def looked_at(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 
 @pytest.fixture
 def known(looked_at: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """That project as the working directory; the checks of a test begin with what is kept, and it is as it was then."""
+    """Yield that project as the working directory, as it was; the checks of a test begin with what is kept."""
     folder, kept = looked_at
     shutil.copytree(kept, tmp_path / "cache")
     monkeypatch.chdir(folder)
@@ -108,7 +108,7 @@ def known(looked_at: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.Monk
 
 @pytest.fixture
 def check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Iterator[Check]:
-    """What ``codegen check`` finds, with a cache of the test's own or with none."""
+    """Yield a call for the findings of ``codegen check``, with a cache of the test's own or with none."""
 
     def found(*, knows: bool = True) -> list[dict[str, Any]]:
         monkeypatch.setenv(cache.VARIABLE, str(tmp_path / "cache") if knows else "off")

@@ -29,7 +29,7 @@ Compare = Callable[..., Any]
 
 @pytest.fixture
 def compare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Iterator[Compare]:
-    """What ``codegen diff`` says, with a cache of the test's own or with none."""
+    """Yield a call for the output of ``codegen diff``, with a cache of the test's own or with none."""
 
     def said(*sides: str, knows: bool = True) -> Any:
         monkeypatch.setenv(cache.VARIABLE, str(tmp_path / "cache") if knows else "off")
@@ -70,7 +70,7 @@ def commit(folder: Path) -> None:
 
 
 def told(comparison: Any) -> list[tuple[str, ...]]:
-    """What changed, without the names of the sides that places begin with."""
+    """Return the changes, without the names of the sides that places begin with."""
     return [tuple(change[key] for key in ("rule", "subject", "old", "new")) for change in comparison["changes"]]
 
 

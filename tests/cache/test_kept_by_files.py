@@ -1,4 +1,4 @@
-"""What depends on files that are read meanwhile is kept for as long as these are what they were."""
+"""Results that depend on files read meanwhile are kept for as long as these are as they were."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -152,7 +152,7 @@ def test_what_was_compared_before_counts_for_whoever_notes(tmp_path: Path) -> No
 
 
 def test_who_notes_inside_of_another_note_notes_for_both(tmp_path: Path) -> None:
-    """What is read of the outer files is none of the inner notes, also while nothing was read yet."""
+    """Reads of the outer files are none of the inner notes, also while nothing was read yet."""
     first, second = tmp_path / "first", tmp_path / "second"
     for file in (first, second):
         file.write_text("1")

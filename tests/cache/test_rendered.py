@@ -48,7 +48,7 @@ def later_run() -> None:
 
 @pytest.fixture
 def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
-    """What was rendered, in a cache of the test's own."""
+    """Yield the list of what was rendered, in a cache of the test's own."""
     found: list[str] = []
 
     def text(way: str, template: str, view: object) -> str:

@@ -17,7 +17,7 @@ from codegen.source import Place
 
 @dataclass
 class Pipeline:
-    """What the pipeline finds and renders; ``findings`` are (rule, line, message), ``fault`` is raised on reading."""
+    """A stand-in for the pipeline; ``findings`` are (rule, line, message), ``fault`` is raised on reading."""
 
     folder: Path
     files: dict[str, str] = field(default_factory=lambda: {"a.py": "1\n", "b/b.py": "1\n"})

@@ -10,7 +10,7 @@ from codegen.cli.usage import COMMANDS
 
 
 def offered(script: str, *words: str) -> set[str]:
-    """What bash completes the last word to."""
+    """Return the words that bash offers for the last one."""
     program = f'{script}\nCOMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _codegen; printf "%s\\n" "${{COMPREPLY[@]}}"'
     command = ["bash", "-c", program, "bash", "codegen", *words]
     return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split())

@@ -83,7 +83,7 @@ def test_github_reads_back_what_was_found(findings: Report, tmp_path: Path) -> N
 
 
 def test_no_annotation_points_into_a_package(tmp_path: Path) -> None:
-    """Where it is installed is nobody's business, and no service has its files."""
+    """The place of an installation is nobody's business, and no service has its files."""
     installed = tmp_path / ".venv/lib/python3.11/site-packages/pymavlink/dialects/v20/common.xml"
     archived = tmp_path / "pymavlink-2.4.37-py3-none-any.whl:" / "pymavlink/dialects/v20/common.xml"
     inside = "pymavlink/dialects/v20/common.xml"

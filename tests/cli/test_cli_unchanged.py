@@ -101,7 +101,7 @@ def test_codegen_and_the_dialect_matter(built: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_a_build_with_warnings_is_never_skipped(built: Path) -> None:
-    """What there is to say is said at every build."""
+    """The warnings are printed at every build."""
     path = built / "specs" / "streams.yaml"
     path.write_text(
         path.read_text().replace("streams:\n", "streams:\n  SPARE: {rate: 1 Hz, doc: Nothing uses it}\n", 1)

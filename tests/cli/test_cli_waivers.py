@@ -31,7 +31,7 @@ waivers:
 
 
 def judged(tmp_path: Path, text: str, findings: Any = (FOUND,), day: str = "2030-01-30", **looked: Any) -> Report:
-    """What is said about findings and the waivers of a text on a day."""
+    """Return the report on findings and the waivers of a text on a day."""
     (tmp_path / "waivers.yaml").write_text(text)
     report = Report()
     waivers = decode_waivers(str(tmp_path / "waivers.yaml"), DISK, report)

@@ -37,14 +37,14 @@ class Watching:
             self._lines.put(line)
 
     def until_it_waits(self) -> str:
-        """What it says until it watches again."""
+        """Return its output until it watches again."""
         said = ""
         while not said.endswith("watching specs; Ctrl-C ends it\n"):
             said += self._lines.get(timeout=WAIT_S)
         return said
 
     def until(self, text: str) -> str:
-        """What it says until it has said a text."""
+        """Return its output until it has printed a text."""
         said = ""
         while text not in said:
             said += self._lines.get(timeout=WAIT_S)

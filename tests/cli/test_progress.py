@@ -1,4 +1,4 @@
-"""What takes longer than a second is told on a terminal, and nowhere else."""
+"""Steps that take longer than a second are shown on a terminal, and nowhere else."""
 
 import os
 import pty

@@ -102,12 +102,12 @@ def _live(side: Side, message: Message, index: int, version: int, chance: random
 
 
 def _signed(number: int) -> int:
-    """What an array of int32 holds of it."""
+    """Return the number that an array of int32 holds of it."""
     return number - (1 << 32) if number >= 1 << 31 else number
 
 
 def _received(side: Side, message: Message, index: int, chance: random.Random, rounds: int) -> Iterator[Case]:
-    """What others send: any bits, zeros left in or out, fewer and more extensions, a signature."""
+    """Yield frames as others send them: any bits, zeros left in or out, fewer and more extensions, a signature."""
     length = message.length
 
     def case(kind: str, frame: bytes) -> Case:

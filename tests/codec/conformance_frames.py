@@ -21,7 +21,7 @@ class Side:
         self.other = dialect.v2.MAVLink(None)
 
     def frame(self, message: Message, version: int, values: Values, sequence: int) -> bytes:
-        """What pymavlink sends; MAVLink 1 by the module for it, since that for 2 would send extensions."""
+        """Return the frame that pymavlink sends; MAVLink 1 by its own module, as that for 2 would send extensions."""
         stated = stated_values(message, values)
         if version == 2:
             self.v2.seq = sequence
@@ -31,7 +31,7 @@ class Side:
         return bytes(message.in_v1(*base).pack(self.v1))
 
     def framed(self, message: Message, payload: bytes, chance: random.Random) -> bytes:
-        """What pymavlink makes of a payload, from any sender."""
+        """Return the frame that pymavlink makes of a payload, from any sender."""
         self.other.seq, self.other.srcSystem, self.other.srcComponent = chance.randbytes(3)
         blank = message.in_v2(*stated_values(message, all_zero(message)))
         return bytes(blank._pack(self.other, message.in_v2.crc_extra, payload))
@@ -91,7 +91,7 @@ def signed_frame(side: Side, message: Message, chance: random.Random) -> bytes:
 
 
 def arrived(message: Message, frame: bytes) -> list[Any]:
-    """What conform.py tells of a frame in a stream: name, payload with all its zeros, where it comes from."""
+    """Return conform.py's description of a frame in a stream: name, payload with all its zeros, its source."""
     start, source = (10, (5, 6, 4)) if frame[0] == 0xFD else (6, (3, 4, 2))
     payload = frame[start : start + frame[1]]
     return [message.name, payload.ljust(message.length, b"\0").hex(), [frame[place] for place in source]]

@@ -92,12 +92,12 @@ class Message:
 
     @property
     def has_extensions(self) -> bool:
-        """Whether MAVLink 1 sends less of it."""
+        """Return whether MAVLink 1 sends less of it."""
         return self.base_length != self.length
 
     @property
     def description(self) -> list[Any]:
-        """What conform.py has to know."""
+        """Return its description for conform.py."""
         fields = [[item.name, item.code, item.count, item.form, item.is_extension] for item in self.fields]
         order = list(self.in_v2.ordered_fieldnames)
         return [self.name, self.id, self.in_v2.crc_extra, self.length, self.base_length, order, fields]
@@ -137,7 +137,7 @@ def xml_messages(path: str, version: int) -> dict[int, Any]:
 
 
 def disagreement(module: ModuleType, expected: dict[int, Any]) -> str:
-    """Why a module is not what pymavlink would make of the XML; empty if it is."""
+    """Return why a module is not the one that pymavlink would make of the XML; empty if it is."""
     if module.mavlink_map.keys() != expected.keys():
         return "it has other messages than the XML"
     for number, message in expected.items():

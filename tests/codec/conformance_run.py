@@ -27,7 +27,7 @@ SINGLE_FLOATS = Path(__file__).with_name("single_floats")  # what stands in for 
 
 @dataclass
 class Outcome:
-    """What the comparison of a dialect brought, all forms of the frames together."""
+    """The outcome of comparing a dialect, all forms of the frames together."""
 
     counts: dict[str, int] = field(default_factory=dict)
     differences: list[str] = field(default_factory=list)

@@ -57,7 +57,7 @@ def codec(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module", params=["cpython", "micropython", "single floats"])
 def answers(request: pytest.FixtureRequest, codec: Path) -> Answers:
-    """What the codec does with FRACTIONS where floats have 64 bits, and on a board's 32 bits of integers and floats."""
+    """Return the codec's answers to FRACTIONS with floats of 64 bits, and with a board's integers and floats of 32."""
     commands = {
         "cpython": [sys.executable],
         "micropython": [str(MICROPYTHON), "-X", "heapsize=64m"],
@@ -113,7 +113,7 @@ def test_what_no_float_of_the_board_is_near_reads_as_a_whole_number(answers: Ans
 
 
 def test_errors_name_the_field(answers: Answers) -> None:
-    """What is not finite is no fraction; what is refused changes nothing."""
+    """A number that is not finite is no fraction; a refused one changes nothing."""
     read, written = answers[1]
     assert read == [
         *["WHEEL_DISTANCE.distance is not finite"] * 3,

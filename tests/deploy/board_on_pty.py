@@ -36,7 +36,7 @@ class Board:
         self._cable.start()
 
     def _carry(self) -> None:
-        """What the computer writes goes to the interpreter, and the cable ends with it."""
+        """Carry the computer's output to the interpreter, and end with the cable."""
         assert self._process.stdin is not None
         with suppress(OSError):
             while self._wake[0] not in (ready := select.select([self._master, self._wake[0]], [], [], 0.05)[0]):

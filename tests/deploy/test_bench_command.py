@@ -98,7 +98,7 @@ def test_what_fails_on_the_board_is_told(rover: tuple[Path, Path], bench: Any) -
 
 
 def test_project_without_a_program_is_measured(bench: Any, tmp_path: Path) -> None:
-    """Where the main loop is the user's, readings, messages and the heap that they take are measured all the same."""
+    """Readings, messages and their heap are measured all the same if the main loop is the user's."""
     project = tmp_path / "project"
     shutil.copytree(ROOT / "tests" / "projects" / "minimal", project)
     code, record, said = bench(project, deployed(project, tmp_path / "image"), counts=COUNTS)

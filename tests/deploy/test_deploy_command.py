@@ -83,7 +83,7 @@ def test_program_is_copied_with_what_it_imports_and_runs(deployed: tuple[Path, s
 
 @pytest.mark.parametrize(("roms", "is_told"), [(None, False), (0, False), (1, True)])
 def test_a_romfs_is_told(deployed: tuple[Path, str], tmp_path: Path, run: Any, roms: int | None, is_told: bool) -> None:
-    """Who has one can do with less heap; files are copied all the same."""
+    """A program needs less heap with a ROMFS; files are copied all the same."""
     flash = Path(shutil.copy(deployed[0], tmp_path / "flash"))
     settings = {} if roms is None else {"roms": roms}
     with powered(flash, told=PICO, **settings) as board:

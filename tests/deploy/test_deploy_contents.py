@@ -1,4 +1,4 @@
-"""Which modules of the user go to the board, and which of them are nowhere."""
+"""Modules of the user go to the board, and missing ones are found."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -33,7 +33,7 @@ def test_modules_are_followed_through_what_they_import(tmp_path: Path) -> None:
 
 
 def test_a_source_whose_module_is_nowhere() -> None:
-    """That is the finding no-module; what mip has installed is there."""
+    """A missing module is the finding no-module; one that mip has installed is there."""
     system = system_with("sonar", "lidar", "radar")
     missing = missing_modules(system, {"sonar.mpy": b""}, ["lib/lidar.mpy", "main.py"])
     assert missing == [(Place("/specs/board.yaml", 7, 3), "radar")]

@@ -24,7 +24,7 @@ OWN = {
     "notes.txt": b"mine",
     "boot.py": b"# mine\n",
 }
-"""What a deploy never touches."""
+"""Files that a deploy never touches."""
 MADE = b"# Generated from specs/state.yaml: do not edit.\n"
 ASKED = sorted({*OLD, *NEW, *OWN, "one.py", PART, MANIFEST})
 
@@ -112,7 +112,7 @@ def test_a_cable_pulled_at_every_write_to_the_port(before: Path, tmp_path: Path)
 
 
 def test_power_that_goes_between_two_writes_to_the_flash(before: Path, tmp_path: Path) -> None:
-    """What the computer has sent may have been written in part."""
+    """The file may have been written in part."""
     moments = 0
     for moment in range(2, 1000, 9):
         image = Path(shutil.copy(before, tmp_path / "flash"))

@@ -55,7 +55,7 @@ def board(tmp_path: Path) -> Path:
 
 
 def test_tracebacks_name_functions_of_generated_modules_and_lines_of_own_ones(board: Path) -> None:
-    """What fails within a generated module is found by the function; what the user called, by the line."""
+    """A failure within a generated module is found by the function; one in the user's call, by the line."""
     command = [str(Path(sys.executable).parent / "micropython"), "-c", SCRIPT]
     done = subprocess.run(command, cwd=board, capture_output=True, text=True, check=True)
     said = done.stdout + done.stderr

@@ -47,7 +47,7 @@ def test_the_board_stays_while_somebody_is_there(board: str, kind: str, tmp_path
 
 @pytest.mark.parametrize("kind", ["watchdog", "fed"])
 def test_without_that_it_would_be_reset(kind: str, tmp_path: Path) -> None:
-    """What stands in for the watchdog bites."""
+    """The stand-in for the watchdog bites."""
     with powered(tmp_path / "flash", **{kind: SECONDS}) as running:
         connection = Connection(running.port, answer_s=SECONDS)
         time.sleep(1.5 * SECONDS)

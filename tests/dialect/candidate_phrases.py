@@ -32,7 +32,7 @@ FACTOR = re.compile(_FACTOR, re.IGNORECASE)
 
 
 class Candidate(NamedTuple):
-    """What a description may state of a field, or, with ``*`` for the field, of fields of the message."""
+    """A possible statement of a description about a field, or, with ``*`` for the field, about several."""
 
     kind: str
     message: str

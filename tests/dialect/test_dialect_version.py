@@ -24,7 +24,7 @@ def project(tmp_path: Path) -> Path:
 
 
 def found(project: Path, stated: str, files: Files = DISK) -> list[tuple[str, str, str | None]]:
-    """What is found; the project is read where that is nothing."""
+    """Return the findings; the project is read where there are none."""
     project.write_text(f"project: boat\ndialect: ardupilotmega\ndialect_version: {stated}\n")
     report = Report()
     systems = read_systems(str(project), report, files)
@@ -37,7 +37,7 @@ def test_the_release_that_is_stated_is_none_to_tell(project: Path) -> None:
 
 
 def test_another_release_is_one_finding(project: Path) -> None:
-    """What follows from it is not told beside it."""
+    """The consequences are not told beside it."""
     ((rule, message, hint),) = found(project, "pymavlink 2.4.49")
     assert rule == "other-dialect-version"
     assert message == f"{INSTALLED} is installed, not pymavlink 2.4.49"

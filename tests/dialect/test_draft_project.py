@@ -101,7 +101,7 @@ CHOICES = {
     "draft": (DRAFT, CELLS),
     "faults": (UPSTREAM, FAULTS),
 }
-"""Which overlays the shipped specification can list; benchmarks/alternatives.py runs whole suites with each."""
+"""Choices of overlays for the shipped specification; benchmarks/alternatives.py runs whole suites with each."""
 
 
 @pytest.fixture(scope="module", params=CHOICES)

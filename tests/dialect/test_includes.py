@@ -1,4 +1,4 @@
-"""Which files make a dialect, in which order, and what is said about those that cannot be read."""
+"""The files of a dialect, their order, and the findings about those that cannot be read."""
 
 import os
 import subprocess

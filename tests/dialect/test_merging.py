@@ -174,7 +174,7 @@ HEARTBEAT = "<messages><message id='0' name='H'><field type='uint8_t_mavlink_ver
     ],
 )
 def test_version(first: str, second: str, version: int, read: Read) -> None:
-    """That of the file which declares the version field; else the last one stated; else mavgen's 2."""
+    """The version is that of the file which declares the version field; else the last one stated; else mavgen's 2."""
     assert read(f"<mavlink>{first}</mavlink>", f"<mavlink>{second}</mavlink>").dialect.version == version
 
 

@@ -27,7 +27,7 @@ def system(dialect: Dialect) -> System:
 
 
 def contradicted(text: str, read_overlay: Read, kind: str = "float", invalid: str = "NaN") -> str | None:
-    """What the rule quotes from the text, for a field of an overlay."""
+    """Return the rule's quotation from the text, for a field of an overlay."""
     field = f'<field type="{kind}" name="f" invalid="{invalid}">{text}</field>'
     overlay = f'<mavlink><messages><message id="9" name="M">{field}</message></messages></mavlink>'
     dialect = read_overlay(BASE, overlay).dialect
@@ -118,7 +118,7 @@ def test_ids_and_names_of_other_dialects(read_overlay: Read) -> None:
 
 
 def test_a_file_of_the_dialect_is_no_other_dialect() -> None:
-    """What is in use contradicts itself by other rules; without a message there is nothing to look for."""
+    """The dialect in use is compared with itself by other rules; without a message there is nothing to look for."""
     path = shipped_dialect_path("icarous", DISK)
     assert path is not None
     files = decode_dialect_files(path, DISK, Report())

@@ -217,7 +217,7 @@ def test_an_attribute_of_the_dialect_goes_first(resolved: Callable) -> None:
 
 
 def test_a_correction_of_the_project_goes_first(resolved: Callable) -> None:
-    """Whether it says the same or not, and without a word about it."""
+    """The project's own correction holds, the same or not, and without a finding."""
     found = resolved(own=(correction(field="chan2_raw", set={"invalid": "0"}),))
     assert found.written == {"chan1_raw": "UINT16_MAX", "chan2_raw": "0", "rssi": "UINT8_MAX"}
     same = resolved(own=(correction(fields="chan*_raw", set={"invalid": "UINT16_MAX"}),))

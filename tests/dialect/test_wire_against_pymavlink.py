@@ -89,7 +89,7 @@ def test_enums_have_the_entries_of_mavgen(name: str, shipped: Shipped) -> None:
 
 @pytest.mark.parametrize("name", shipped_dialect_names(DISK))
 def test_version_is_the_one_that_mavgen_writes_into_heartbeats(name: str, shipped: Shipped) -> None:
-    """Where the dialect has a HEARTBEAT: storm32 states version 1, yet sends the 3 of minimal.xml."""
+    """The HEARTBEAT of a dialect has it: storm32 states version 1, yet sends the 3 of minimal.xml."""
     dialect, _ = shipped(name)
     if "HEARTBEAT" in dialect.messages:
         parameters = inspect.signature(oracle(name).MAVLink.heartbeat_encode).parameters

@@ -21,7 +21,7 @@ DIALECTS = ("common", "ardupilotmega", "all", "storm32")
 
 @dataclass(frozen=True)
 class Theirs:
-    """What pymavlink's parser says of a dialect: messages by name, entries by enum and name."""
+    """A dialect as pymavlink's parser reads it: messages by name, entries by enum and name."""
 
     messages: dict[str, mavparse.MAVType] = field(default_factory=dict)
     enums: dict[str, dict[str, int]] = field(default_factory=dict)
@@ -136,7 +136,7 @@ def test_fields_that_come_go_or_change(compared: Compared) -> None:
 
 
 def test_enum_entries(compared: Compared) -> None:
-    """Which entries came and went, and which have another number."""
+    """Entries that came and went, and those with another number, are the same."""
     old, new = compared.old.enums, compared.new.enums
     both = old.keys() & new.keys()
     added = {f"{enum}.{name}" for enum in both for name in new[enum].keys() - old[enum].keys()}

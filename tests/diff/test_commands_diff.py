@@ -59,7 +59,7 @@ BREAKING = {"command-removed", "command-unit-changed", "mode-removed"}
 
 @pytest.mark.parametrize(("file", "old", "new", "rules"), EDITS)
 def test_an_edit_has_its_weight(boat: System, tmp_path: Path, file: str, old: str, new: str, rules: set[str]) -> None:
-    """What a ground station did before and cannot do any more breaks it; another limit does not."""
+    """A command that a ground station can no longer give breaks it; another limit does not."""
     shutil.copytree(SPECS, tmp_path / "specs")
     path = tmp_path / "specs" / file
     assert old in path.read_text()

@@ -1,4 +1,4 @@
-"""What a reviewer is told of edits: each at its line, with what it was, who breaks and what it reaches."""
+"""A reviewer is told of edits: each at its line, with what it was, who breaks and what it reaches."""
 
 import json
 import shutil
@@ -263,7 +263,7 @@ def test_an_extension_before_others_is_the_dangerous_kind(
 
 
 def test_a_review_says_everything_in_markdown(repository: Path, run: Run) -> None:
-    """Who sees only the comment on a pull request learns what happens to wire, sentinels, bandwidth, requirements."""
+    """A reader of only the comment on a pull request learns of wire, sentinels, bandwidth and requirements."""
     for name in ("sentinel", "rate", "criterion", "type"):
         edit(repository, *EDITS[name][:3])
     code, out, _ = run("HEAD", "--format", "markdown")
@@ -361,7 +361,7 @@ def test_a_criterion_that_lost_its_test_and_a_test_that_lost_its_criterion(repos
 
 
 def test_a_document_with_a_new_id_that_keeps_the_old_one_is_the_same(repository: Path, run: Run) -> None:
-    """What cites it, by either id, is as it was; its text is still compared, and so is what answers to it."""
+    """Rows that cite it, by either id, are as they were; its text is still compared, and so are its answers."""
     document = "specs/requirements/R-1-two-packs.md"
     edit(repository, document, "# FR-1 |", "# FR-9 |")
     edit(repository, document, "- Status: Approved", "- Status: Approved\n- Aliases: FR-1")

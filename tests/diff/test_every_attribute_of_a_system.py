@@ -38,7 +38,7 @@ HOME = {
     "streams": Stream,
     "messages": PopulatedMessage,
 }
-"""Where such records belong, by the attribute that holds them."""
+"""The owners of such records, by the attribute that holds them."""
 
 UNSEEN = {
     "System.spec": "what was written; what it resolves to is compared, and single texts of it",

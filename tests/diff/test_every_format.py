@@ -20,7 +20,7 @@ SIDES = {
     "breaking": FIELD.format("uint8_t", "cm", "height"),
     "errors": FIELD.format("uint88_t", "cm", "height") + FIELD.format("uint99_t", "m", "b").replace('"a"', '"b"'),
 }
-"""What becomes of a message with one field, uint8_t in m."""
+"""New versions of a message with one field, uint8_t in m."""
 
 CODES = {"none": 0, "harmless": 0, "person": 1, "breaking": 1, "errors": 1}
 """The exit codes without further options."""

@@ -1,4 +1,4 @@
-"""What changes in a table of a received message is told, with how bad it is; each edit is one of a real project."""
+"""Changes in a table of a received message are told, with how bad they are; each edit is one of a real project."""
 
 import shutil
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""How bad a change is can be set, and a dialect's maintainer waives changes as a project does."""
+"""The severity of a change can be set, and a dialect's maintainer waives changes as a project does."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""What the two words of `codegen diff BASE HEAD` may mean, and what is said where they mean nothing."""
+"""Both words of `codegen diff BASE HEAD` are resolved, and meaningless ones are reported."""
 
 import subprocess
 import sys
@@ -89,7 +89,7 @@ def test_a_revision_is_compared_with_the_work_tree_and_with_another_one(run: Run
 
 
 def test_three_dots_mean_where_both_parted(run: Run) -> None:
-    """What happened on main meanwhile is no change of the branch."""
+    """Changes on main meanwhile are no changes of the branch."""
     assert "stream-rate-changed" in rules(run("main")[1])
     assert "stream-rate-changed" not in rules(run("main...")[1])
     assert "program-changed" in rules(run("main...")[1])
@@ -139,7 +139,7 @@ def test_releases_of_pymavlink_are_wheels_folders_and_the_installed_one(run: Run
 
 
 def test_a_project_is_read_with_another_pymavlink(older_pymavlink: Path, run: Run) -> None:
-    """What an update of pymavlink does to a project: only what concerns it, the rest is counted."""
+    """An update of pymavlink is compared by what concerns the project; the rest is counted."""
     project = str(ROOT / "projects" / "two_batteries")
     code, out, err = run(project, project, "--base-pymavlink", str(older_pymavlink))
     assert code in (0, 1)

@@ -1,4 +1,4 @@
-"""What the description of a field says of its number: factors and ranges, as a comparison reads and shows them."""
+"""Factors and ranges in the description of a field, as a comparison reads and shows them."""
 
 from fractions import Fraction
 

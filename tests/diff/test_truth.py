@@ -1,4 +1,4 @@
-"""What is said of a change is so: who notices, who breaks, and what comes of it, in both directions."""
+"""Reports on a change are true: who notices, who breaks, and what comes of it, in both directions."""
 
 from pathlib import Path
 
@@ -128,7 +128,7 @@ def test_an_extension_of_another_type_moves_only_what_it_moves(old: str, new: st
 
 
 def test_a_sentinel_that_is_gone_misleads_new_receivers(told: Told) -> None:
-    """What an old sender means by it is unknown; new receivers believe it."""
+    """An old sender means unknown by it; new receivers believe it."""
     given, gone = message(field("float", "a", invalid="NaN")), message(field("float", "a"))
     found = told(given, gone)["field-sentinel-changed M.a"]
     assert Victim.NEW_STATION in found.breaks

@@ -95,7 +95,7 @@ CASES: Mapping[str, tuple[Callable[[System], System], str]] = {
 
 @pytest.mark.parametrize("goes", CASES)
 def test_is_told_in_either_direction(goes: str, system: System) -> None:
-    """Who reads the report of a change and of its reversal learns of both."""
+    """The reports on a change and on its reversal have both."""
     change, comes = CASES[goes]
     other = change(system)
     for old, new, wanted in ((system, other, goes), (other, system, comes)):

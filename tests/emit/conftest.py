@@ -14,7 +14,7 @@ from codegen.emit.write import Outcome, write_output
 
 @dataclass(frozen=True)
 class Build:
-    """What one build did: ``rules`` are (rule id, path below the folder) of every finding, in the order of paths."""
+    """The result of one build: ``rules`` are (rule id, path below the folder) of all findings, ordered by path."""
 
     report: Report
     plan: Plan | None

@@ -1,4 +1,4 @@
-"""What is stored under the name that a parameter had in earlier firmware is taken over, in the unit of today."""
+"""Values stored under a parameter's name in earlier firmware are taken over, in the unit of today."""
 
 import json
 import shutil
@@ -61,7 +61,7 @@ def test_stored_values_are_taken_over(firmware: Path, interpreter: str) -> None:
 
 
 def test_a_name_is_taken_over_by_one_only(tmp_path: Path) -> None:
-    """What is stored belongs to one parameter."""
+    """A stored value belongs to one parameter."""
     done = built(tmp_path, SR0_EXTRA1="{SR0_ALL: 1}", SR0_EXTRA3="{SR0_ALL: 1}")
     assert done.returncode == 1
     assert ": error bad-parameter: SR0_ALL is also what SR0_EXTRA1 was called\n" in done.stdout

@@ -1,4 +1,4 @@
-"""What a build never does: overwrite what people wrote, or touch anything outside its folder."""
+"""A build never overwrites files that people wrote, or touches anything outside its folder."""
 
 import json
 import os
@@ -196,7 +196,7 @@ def test_the_manifest_is_not_written_through_a_link(output: Path, build: Any) ->
 
 
 def test_the_output_folder_itself_may_be_a_link(output: Path, build: Any) -> None:
-    """Where the output goes is the user's decision; only links below it are suspect."""
+    """The output folder is the user's decision; only links below it are suspect."""
     real = output.parent / "real"
     real.mkdir()
     output.symlink_to(real, target_is_directory=True)

@@ -1,4 +1,4 @@
-"""What a build leaves on the disk, also when it is stopped half-way."""
+"""A build leaves whole files on the disk, also when it is stopped half-way."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What git checks out under Windows, with CRLF, is the same specification and the same output."""
+"""A checkout of git under Windows, with CRLF, is the same specification and the same output."""
 
 import subprocess
 import sys

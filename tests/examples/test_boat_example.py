@@ -66,7 +66,7 @@ def test_a_board_without_machine_code_gets_none(tmp_path: Path) -> None:
 
 
 def test_its_firmware_passes_the_linter(boat: Path) -> None:
-    """What is generated for another vehicle is as clean as what is committed for the rover."""
+    """The output for another vehicle is as clean as the committed one for the rover."""
     rules = ("--isolated", "--select", "E,F,W,B,PLE", "--ignore", "E402", "--line-length", "120")
     done = run(boat, "ruff", "check", *rules, "generated", "boat.py", "imu.py", "sounder.py", "vane.py")
     assert done.returncode == 0, done.stdout

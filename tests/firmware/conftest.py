@@ -37,7 +37,7 @@ def exercise(request: pytest.FixtureRequest) -> Exercise:
 
 @pytest.fixture(scope="session")
 def service_folders(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...]:
-    """Where the services and what they stand on are imported from."""
+    """Return the folders from which the services and their modules are imported."""
     return prepare(tmp_path_factory.mktemp("services"))
 
 

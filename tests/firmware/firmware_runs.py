@@ -72,13 +72,13 @@ class Exercise:
         return {"plain", "viper"} if self.interpreter == "micropython" else {"plain"}
 
     def __call__(self, operation: str, folders: tuple[Path, ...] = FOLDERS, **arguments: Any) -> Any:
-        """What an operation answers."""
+        """Return the answer of an operation."""
         asked = json.dumps({"operation": operation} | arguments)
         return json.loads(interpret(self.interpreter, str(EXERCISE), asked, folders))
 
 
 def failed_checks(interpreter: str, script: str, stdin: str = "") -> str:
-    """What went wrong in the checks of a script of this folder; there are some that did not fail."""
+    """Return the failures in the checks of a script of this folder; it is an error if there are no checks."""
     here = Path(__file__).parent
     outcomes = json.loads(interpret(interpreter, str(here / script), stdin, (*FOLDERS, here / "stand_in")))
     assert outcomes
@@ -97,5 +97,5 @@ def as_json(value: Any) -> Any:
 
 
 def as_read(value: Any) -> Any:
-    """What get() returns of it: bytes that are ASCII come as text."""
+    """Return a value as get() does: bytes that are ASCII come as text."""
     return value.decode() if isinstance(value, bytes) else as_json(value)

@@ -376,7 +376,7 @@ def udp_sends_a_frame_per_datagram():
 
 
 def udp_says_who_sent_what():
-    """What goes out goes to the same address as before: who is to get it is for others to say."""
+    """A frame goes out to the same address as before: others have to say who is to get it."""
     port, _ = udp()
     port.write(b"tell the other")  # what test_ports.py does is answer from the other socket
     assert wait_for(port) == b"from the other"

@@ -146,7 +146,7 @@ def parse(data: bytes) -> list[Any]:
 
 
 def is_valid(frame: bytes) -> bool:
-    """Whether a whole frame of a message of common.xml has the checksum that pymavlink computes."""
+    """Return whether a whole frame of a message of common.xml has the checksum that pymavlink computes."""
     header, signature = (10, 13 * (frame[2] & 1)) if frame[0] == 0xFD else (6, 0)
     number = int.from_bytes(frame[7:10], "little") if header == 10 else frame[5]
     end = header + frame[1]

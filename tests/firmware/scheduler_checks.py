@@ -245,7 +245,7 @@ def faults_of_control_are_told():
 
 
 def what_stands_still_is_found():
-    """What is late by more than asked for, or fails; not what may fail, nor what is asked too seldom to be sure."""
+    """A job that is too late, or fails, is found; not one that may fail, nor one that is too rare to be sure."""
     scheduler, _, job, _ = fresh()
     scheduler.every(1500000, job.count, "seldom")
     scheduler.run_pass()

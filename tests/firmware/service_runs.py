@@ -74,7 +74,7 @@ def start(interpreter: str, folders: tuple[Path, ...], script: str, *options: st
 
 @dataclass
 class Answer:
-    """What a scenario ended in; `replies` are the messages of the vehicle by step and connection."""
+    """The end of a scenario; `replies` are the messages of the vehicle by step and connection."""
 
     state: dict[str, Any]
     replies: list[list[list[Any]]]

@@ -1,4 +1,4 @@
-"""What was saved is loaded again; a cut, a flipped bit or a full flash leaves the old payload.
+"""A saved payload is loaded again; a cut, a flipped bit or a full flash leaves the old one.
 
 Standard input: a folder.
 """

@@ -78,7 +78,7 @@ print(json.dumps(found))
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
-    """What was told, by what happened."""
+    """Return the texts, by the event that they are about."""
     script = tmp_path_factory.mktemp("faults") / "faults.py"
     script.write_text(SCRIPT)
     command = [str(Path(sys.executable).with_name("micropython")), str(script)]
@@ -108,7 +108,7 @@ def test_the_first_late_reading_is_told_in_any_case(found):
 
 @pytest.mark.requirement("FR-00066.5")
 def test_an_absent_input_is_told_in_one_text_and_set_up_again(found):
-    """What an operator can look at is named; the text fits a STATUSTEXT, and the next try has the input back."""
+    """The input is named for an operator to look at; the text fits a STATUSTEXT, and the next try has it back."""
     absent = "warning: no ADC for battery 1 on GPIO 26"
     assert found["absent"] == [
         absent,

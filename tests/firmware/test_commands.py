@@ -106,7 +106,7 @@ def test_what_is_asked_for_follows_the_acknowledgement(
 
 
 def test_intervals(services: Services) -> None:
-    """What was set is what GET_MESSAGE_INTERVAL and the requested MESSAGE_INTERVAL tell; 0 for unknown messages."""
+    """The interval that was set is told by GET_MESSAGE_INTERVAL and by MESSAGE_INTERVAL; 0 for unknown messages."""
     asked = [command(GET, 147), command(SET, 147, 200000), command(GET, 147), command(SET, 147, -1)]
     asked += [command(REQUEST, 244, 147), command(SET, 147, 0), command(REQUEST, 244, 147), command(GET, 242)]
     answer = ask(services, *asked)

@@ -123,7 +123,7 @@ def test_heartbeats_go_on_during_a_flood(services: Services) -> None:
 
 @pytest.mark.parametrize("size", [1, 7, 31, 32, 33, 64, 511, 512, 513])
 def test_frames_arrive_in_any_pieces(services: Services, size: int) -> None:
-    """What was read is handed on whole, wherever it is cut."""
+    """The bytes read are handed on whole, wherever they are cut."""
     stream = (COMMAND + b"\xfd\x00garbage" + oracle.raw_frame(70000, bytes(range(200)), 3)) * 6 + bytes(300)
     steps: list[tuple[str, Any]] = []
     for at in range(0, len(stream), size):
@@ -175,7 +175,7 @@ def test_replies_that_wait_are_limited(services: Services) -> None:
 
 
 def test_replies_are_given_up_when_the_port_is_down(services: Services) -> None:
-    """When it is up again, hours later perhaps, nobody waits for them."""
+    """Nobody waits for them when it is up again, hours later perhaps."""
     down = ("port", {"is_up": False})
     answer = services.run(down, ("in", COMMAND), ("in", COMMAND), ("port", {"is_up": True}), ("passes", 9))
     assert answer.of("COMMAND_ACK") == []

@@ -20,7 +20,7 @@ def live_names(description: dict[str, Any]) -> list[str]:
 
 
 def pieces() -> list[str]:
-    """What may arrive: frames whole and cut, several at once, of unknown messages, damaged ones, garbage."""
+    """Return possible pieces: frames whole and cut, several at once, of unknown messages, damaged ones, garbage."""
     known = oracle.raw_frame(0, bytes(range(1, 10)), extra=50)
     known_1 = oracle.raw_frame_1(0, bytes(range(1, 10)), extra=50)
     unknown = oracle.raw_frame(70000, bytes(range(200)), extra=3)
@@ -34,7 +34,7 @@ def pieces() -> list[str]:
 
 @pytest.fixture(params=["viper", "plain"])
 def folders(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Path, ...]:
-    """Where to import from; for the plain form without the other one, as on a port without machine code."""
+    """Return the folders to import from; for the plain form without the other, as on a port without machine code."""
     if request.param == "viper":
         return CODEC, FIRMWARE, MOCKS
     shutil.copytree(CODEC, tmp_path / "codec", ignore=shutil.ignore_patterns("frames_viper.py", "__pycache__"))

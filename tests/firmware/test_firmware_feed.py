@@ -1,4 +1,4 @@
-"""What arrives is decoded however it is cut up, and no bytes whatever stop the receiver."""
+"""Frames are decoded however they are cut up, and no bytes whatever stop the receiver."""
 
 import random
 from types import SimpleNamespace
@@ -202,7 +202,7 @@ def test_frame_in_an_unknown_message_is_not_hidden(firmware: SimpleNamespace) ->
 
 
 def test_only_so_many_bytes_are_looked_at(firmware: SimpleNamespace) -> None:
-    """Who sets a limit is given nothing more until it is set anew, and loses nothing."""
+    """A receiver with a limit is given nothing more until it is set anew, and loses nothing."""
     frame = oracle.raw_frame(0, bytes(range(1, 10)), extra=50)
     for noise in (bytes(500), b"\xfe" * 500, b"\xfd\x01\xff" * 170, (b"\xfe\xff\x00\x00\x00\x00" * 80)):
         link = receiver(firmware, "HEARTBEAT")
@@ -282,7 +282,7 @@ def test_message_objects_are_used_again(firmware: SimpleNamespace) -> None:
 
 
 def test_damaged_frame_leaves_a_message_object_as_it_was(firmware: SimpleNamespace) -> None:
-    """What holds the last message must not come to hold half of one that never was."""
+    """The object with the last message must not come to hold half of one that never was."""
     once = type("Heartbeat", (firmware.message.Message,), oracle.describe("HEARTBEAT"))(live=("custom_mode",))
     link = firmware.mavlink.Link(None, messages=[once])
     assert list(link.feed(oracle.raw_frame(0, bytes(range(1, 10)), extra=50))) == [once]

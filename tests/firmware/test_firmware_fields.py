@@ -79,7 +79,7 @@ def test_fields_read_as_attributes(message: SimpleNamespace) -> None:
 
 
 def test_attributes_write_fields(message: SimpleNamespace) -> None:
-    """What is assigned goes out as set() has it, or is refused; a name that is no field is not kept silently."""
+    """An assigned value goes out as set() has it, or is refused; a name that is no field is not kept silently."""
     message.id = 3
     message.cells = [1, None, 65534]
     message.text = "low"
@@ -95,7 +95,7 @@ def test_attributes_write_fields(message: SimpleNamespace) -> None:
 
 
 def test_text_ends_at_the_first_nul(message: SimpleNamespace) -> None:
-    """What follows a NUL is not text, a full field has none, a shorter text leaves nothing of a longer one."""
+    """The bytes behind a NUL are not text, a full field has none, a shorter text leaves nothing of a longer one."""
     message.set("text", "sixsix")
     assert message.text == "sixsix"
     message.set("text", b"ab\0cd")

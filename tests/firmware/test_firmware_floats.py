@@ -39,7 +39,7 @@ FACTORS = sorted(
         if (step * factor).denominator <= FLOAT_DIVISOR_MAX and (step * factor).numerator <= SMALL_INT_MAX
     }
 )
-"""What stored steps are multiplied with on their way to the wire, for every pair of units that goes without a float."""
+"""The factors of stored steps on their way to the wire, for every pair of units that goes without a float."""
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +71,7 @@ def nearest(value: Fraction) -> bytes:
 
 
 def put(module: ModuleType, value: int, divisor: int) -> bytes:
-    """What is written, in the middle of other bytes."""
+    """Return the bytes written, in the middle of others."""
     if hasattr(module, "put_floats"):
         return machine_put(module, value, divisor)
     wire = bytearray(b"\xa5" * 9)
@@ -115,7 +115,7 @@ def test_every_factor_over_all_steps(plain: ModuleType, factor: Fraction, steps:
 @settings(max_examples=600, deadline=None)
 @given(st.integers(1, FLOAT_DIVISOR_MAX) | st.sampled_from([factor.denominator for factor in FACTORS]), ties)
 def test_ties_and_what_lies_beside_them(plain: ModuleType, divisor: int, tie: tuple[int, int, int]) -> None:
-    """Where rounding is decided by the last of all digits."""
+    """The last of all digits decides how these are rounded."""
     significand, exponent, beside = tie
     value = near_a_tie(significand, exponent, divisor, beside)
     if abs(value) <= SMALL_INT_MAX:
@@ -149,7 +149,7 @@ _kept_small("__neg__")
 
 
 def machine_put(module: ModuleType, value: int, divisor: int) -> bytes:
-    """What the form for machine code makes of the middle one of three words."""
+    """Return what the form for machine code makes of the middle one of three words."""
     memory = bytearray(b"\xa5" * 4) + struct.pack("<i", value) + b"\xa5" * 4
     module.__dict__["memory"] = memory
     module.put_floats(0, named((1, int(divisor))))
@@ -158,7 +158,7 @@ def machine_put(module: ModuleType, value: int, divisor: int) -> bytes:
 
 
 def named(*floats: tuple[int, int]) -> bytes:
-    """How put_floats() is told which words are floats: the place and the divisor of each."""
+    """Return the input of put_floats() that names the words that are floats: the place and the divisor of each."""
     return struct.pack(f"<{len(floats) + 1}I", *(place | divisor << 6 for place, divisor in floats), 0)
 
 

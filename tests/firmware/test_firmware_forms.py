@@ -18,7 +18,7 @@ LIVE = [["a", "b", "d", "x", "z"], ["a", "b[1]", "d", "e", "f"], [], ["a"], [], 
 
 
 def both(exercise: Exercise, operation: str, **arguments: Any) -> list[Any]:
-    """What each form answers; machine code, where there is any, has to answer like the plain form."""
+    """Return the answers of both forms; machine code, where there is any, has to answer like the plain form."""
     results = exercise(operation, classes=DESCRIPTIONS, **arguments)
     assert set(results) == exercise.forms
     for found in results.values():
@@ -55,7 +55,7 @@ def test_frames_are_written_alike(exercise: Exercise, seed: int) -> None:
 
 
 def elements(index: int, names: list[str]) -> int:
-    """How many live values the names stand for."""
+    """Return the number of live values that the names stand for."""
     layout = oracle.layout(DESCRIPTIONS[index])
     return sum(1 if "[" in name else layout[name][2] or 1 for name in names)
 

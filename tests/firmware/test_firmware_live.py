@@ -34,7 +34,7 @@ def elements(name: str, description: dict[str, Any] = MIXED) -> list[tuple[str, 
 
 
 def live_values(names: list[str], wire: bytes, description: dict[str, Any] = MIXED) -> list[int]:
-    """What `live` has to hold for a payload: each element by its type, a uint32 as the int32 of the same bits."""
+    """Return the numbers of `live` for a payload: each element by its type, a uint32 as the int32 of the same bits."""
     return [
         struct.unpack_from("<" + code.replace("I", "i"), wire, offset)[0]
         for name in names
@@ -199,7 +199,7 @@ def test_live_fields_on_each_interpreter(exercise: Exercise, seed: int) -> None:
 
 
 def expectation(description: dict[str, Any], names: list[str], sent: bytes) -> list[Any]:
-    """What exercise.py has to answer for a payload that is sent."""
+    """Return the expected answer of exercise.py for a payload that is sent."""
     base = description["BASE_LENGTH"]
     arrived = [sent, sent[:base] + bytes(len(sent) - base)]
     truncated = sent.rstrip(b"\0") or b"\0"

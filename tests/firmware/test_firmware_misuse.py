@@ -58,7 +58,7 @@ def test_version_and_signing_are_set_once(firmware: SimpleNamespace) -> None:
 
 
 def test_senders_are_kept_over_a_reset(firmware: SimpleNamespace, tmp_path) -> None:
-    """What was accepted before save() is not accepted again after load()."""
+    """A frame accepted before save() is not accepted again after load()."""
     key, path = bytes(range(32)), str(tmp_path / "signing.bin")
     now = 1_800_000_000
     sender = firmware.mavlink.Link(None, 7, signing=firmware.signing.Signing(key, 3, clock=lambda: now))

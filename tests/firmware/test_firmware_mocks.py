@@ -141,7 +141,7 @@ def test_faults_are_scripted(firmware: SimpleNamespace) -> None:
 
 
 def test_pin_keeps_its_level(firmware: SimpleNamespace) -> None:
-    """What the firmware does to an LED can be looked at."""
+    """The level that the firmware gives to an LED can be looked at."""
     pin = firmware.machine.Pin("LED", firmware.machine.Pin.OUT)
     levels = [pin.value()]
     for change in (pin.on, pin.toggle, pin.toggle, pin.off, lambda: pin.value(5)):

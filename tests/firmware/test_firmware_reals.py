@@ -32,7 +32,7 @@ EVERY = sorted(
 
 
 def is_made(factor: Fraction) -> bool:
-    """Whether the function makes floats with it."""
+    """Return whether the function makes floats with the factor."""
     return float_parts(factor).numerator <= NUMERATOR_MAX and float_parts(factor).divisor <= DIVISOR_MAX
 
 

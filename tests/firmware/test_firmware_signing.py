@@ -78,7 +78,7 @@ class Receiving:
         self.link = firmware.mavlink.Link(None, messages=classes, signing=self.signing)
 
     def hears(self, data: bytes) -> int:
-        """How many messages come of it."""
+        """Return the number of messages that come of it."""
         return len(list(self.link.feed(data + END)))
 
 
@@ -301,7 +301,7 @@ def test_link_without_a_key_takes_signed_frames(firmware: SimpleNamespace) -> No
     ),
 )
 def test_timestamps_never_repeat(firmware: SimpleNamespace, start: int, readings: list[float]) -> None:
-    """Whether the clock stands, jumps or runs: each is newer than all before, and none is older than `timestamp`."""
+    """The clock may stand, jump or run: each is newer than all before, and none is older than `timestamp`."""
     clock = Clock(readings[0])
     signing = firmware.signing.Signing(KEY, timestamp=start, clock=clock)
     stamps = [start] + [clock.stamp(signing, now) for now in readings for _ in range(2)]
@@ -403,7 +403,7 @@ def test_saved_state_is_never_behind_what_was_signed(firmware: SimpleNamespace, 
 
 
 def test_loaded_state_takes_options(firmware: SimpleNamespace, tmp_path: Path) -> None:
-    """What is not in the file is said again: ids without signature, senders, the clock."""
+    """The options that are not in the file are given again: ids without signature, senders, the clock."""
     path = str(tmp_path / "signing.bin")
     firmware.signing.Signing(KEY, 5, clock=lambda: NOW).save(path)
     loaded = firmware.signing.load(path, unsigned=(), streams=1, clock=lambda: NOW)

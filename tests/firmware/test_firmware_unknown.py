@@ -1,4 +1,4 @@
-"""What the dialect has for "unknown" is None for people, in all forms that FIELDS can state."""
+"""The dialect's value for "unknown" is None for people, in all forms that FIELDS can state."""
 
 import math
 from types import SimpleNamespace

@@ -34,13 +34,13 @@ def pairs(draw: st.DrawFn) -> tuple[Storage, Fraction, Fraction]:
 
 
 def holds(condition: str, value: Fraction, storage: Storage) -> bool:
-    """What the condition says of a number, as the firmware reads it."""
+    """Return the value of the condition for a number, as the firmware reads it."""
     split = storage.split(float(value) if storage.is_float else int(value))
     return said(condition, {f"half{at}": half for at, half in enumerate(split)})
 
 
 def said(condition: str, halves: dict[str, int]) -> bool:
-    """What the condition says where the halves are these."""
+    """Return the value of the condition for these halves."""
     return bool(eval(condition, dict(halves)))  # noqa: S307  the generator's own text
 
 

@@ -85,7 +85,7 @@ def test_ping(services: Services, time_us: int, number: int) -> None:
 
 
 def test_data_streams(services: Services) -> None:
-    """What is asked for goes to the streams of the link; stopping is a rate of 0."""
+    """The requested streams are those of the link; stopping is a rate of 0."""
     asked = [(0, 4, 1), (10, 65535, 1), (10, 4, 0), (255, 0, 1)]
     answer = services.ask(*[common.MAVLink_request_data_stream_message(1, 1, *values) for values in asked])
     assert answer.state["calls"] == [["request", 0, 4], ["request", 10, 65535], ["request", 10, 0], ["request", 255, 0]]

@@ -1,4 +1,4 @@
-"""What is said is kept with its severity, numbered, and echoed."""
+"""Texts are kept with their severity, numbered, and echoed."""
 
 from checks import run
 from texts import Texts

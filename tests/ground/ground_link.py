@@ -44,7 +44,7 @@ class GroundLink:
 
     @property
     def port(self) -> int:
-        """Where the rover has to send to."""
+        """Return the port that the rover has to send to."""
         number: int = self._connection.port.getsockname()[1]
         return number
 
@@ -128,7 +128,7 @@ class GroundLink:
         return self.wait_for("PARAM_VALUE", position, lambda answer: answer.param_id == name)
 
     def per_heartbeat(self, name: str, heartbeats: int = 10) -> float:
-        """How many messages of a name come with a HEARTBEAT, which marks a second of the rover's time."""
+        """Return the number of messages of a name for each HEARTBEAT, which marks a second of the rover's time."""
         first = last = self.find("HEARTBEAT", self.take_in())
         for _ in range(heartbeats):
             last = self.find("HEARTBEAT", last + 1)

@@ -17,7 +17,7 @@ import pytest
 
 BIN = Path(sys.executable).parent
 PATIENCE_S = 30.0
-"""How long anything is waited for. It takes a second at most; a busy computer may need more."""
+"""The longest wait for anything. It takes a second at most; a busy computer may need more."""
 _GRACE_S = 5.0
 
 
@@ -66,7 +66,7 @@ class Program:
 
     @property
     def position(self) -> int:
-        """Where what it writes from now on begins."""
+        """Return the position at which its further output begins."""
         with self._news:
             return len(self.written)
 

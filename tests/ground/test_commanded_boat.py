@@ -73,7 +73,7 @@ def test_the_pump_tells_its_progress_and_its_end(station: Program) -> None:
 
 
 def test_a_refusal_has_its_reason(station: Program) -> None:
-    """What the code refuses has failed, what is out of range is denied; the text says why."""
+    """A command that the code refuses has failed, one out of range is denied; the text says why."""
     position = station.say("long MAV_CMD_USER_1 31 50 0 0 0 0 0")
     station.wait_for("Got COMMAND_ACK: .*USER_1: FAILED", position)
     station.wait_for("Pump: the battery is too low for that", position)

@@ -58,7 +58,7 @@ def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) 
 
 @pytest.mark.requirement("FR-00070.13")
 def test_there_is_no_mission_and_no_log(station: Program) -> None:
-    """What the user lists is empty at once, in place of a request that is repeated for ever."""
+    """The user's list is empty at once, in place of a request that is repeated for ever."""
     position = station.say("wp list")
     station.wait_for(r"Requesting 0 waypoints", position)
     position = station.say("log list")
@@ -67,7 +67,7 @@ def test_there_is_no_mission_and_no_log(station: Program) -> None:
 
 @pytest.mark.requirement("FR-00068.3", "FR-00068.5")
 def test_voltage_is_shown_and_charge_is_unknown(station: Program) -> None:
-    """What the user watches says 12.000 V in cell 0; the battery module's charge is -1, unknown."""
+    """The user reads 12.000 V in cell 0; the battery module's charge is -1, unknown."""
     position = station.say("watch BATTERY_STATUS")
     battery = station.wait_for(r"< BATTERY_STATUS \{.*\}", position)[0]
     station.say("watch")

@@ -24,13 +24,13 @@ class Station:
         self._number = 0
 
     def do(self, method: str, *values: Any) -> Any:
-        """What a method of a plugin returns; the test fails if it reports an error."""
+        """Return the result of a plugin's method; the test fails if it reports an error."""
         result, error = self.outcome(method, *values)
         assert error is None, method
         return result
 
     def outcome(self, method: str, *values: Any) -> tuple[Any, str | None]:
-        """What a method of a plugin returns, and the name of the error that it reports."""
+        """Return the result of a plugin's method, and the name of the error that it reports."""
         self._number += 1
         since = self.program.say(json.dumps({"do": method, "with": values, "number": self._number}))
         found = self.program.wait_for(rf'\n=done= (\{{"number": {self._number},.*\}})\n', since)

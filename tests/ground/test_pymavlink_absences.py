@@ -20,7 +20,7 @@ def rover(start_shared: Any, link_shared: GroundLink) -> GroundLink:
 
 
 def answer_to(rover: GroundLink, name: str, message: str, *values: Any) -> Any:
-    """What answers a message, which goes to the vehicle."""
+    """Return the answer to a message, which goes to the vehicle."""
     position = rover.take_in()
     getattr(rover.send, f"{message}_send")(*VEHICLE, *values)
     return rover.wait_for(name, position)
@@ -65,7 +65,7 @@ def test_there_are_no_modes(rover: GroundLink) -> None:
 
 @pytest.mark.requirement("FR-00070.14")
 def test_checks_are_run_on_request(rover: GroundLink) -> None:
-    """What speaks against arming comes at once, though it was said before."""
+    """The reasons against arming come at once, though they were said before."""
     rover.set_parameter("BATT_ARM_VOLT", 12.5)
     rover.wait_for("STATUSTEXT", where=lambda text: text.text.startswith("PreArm: Battery 1 below minimum"))
     position = rover.take_in()

@@ -1,4 +1,4 @@
-"""What is set over the link survives restarts of the board, of the simulator, and power cuts."""
+"""Parameters set over the link survive restarts of the board, of the simulator, and power cuts."""
 
 import os
 import re

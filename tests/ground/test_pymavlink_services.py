@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import common
 pytestmark = pytest.mark.timeout(120)
 
 PROTOCOL_VERSION = "PROTOCOL_VERSION" if 300 in common.mavlink_map else "UNKNOWN_300"
-"""What pymavlink calls message 300, which its dialects may not have."""
+"""pymavlink's name for message 300, which its dialects may not have."""
 STANDARD_RATE = 2.0
 """SR0_EXTRA1, in Hz."""
 

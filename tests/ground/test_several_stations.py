@@ -31,7 +31,7 @@ class Stations:
         return other
 
     def listen(self, seconds: float, *links: GroundLink) -> list[list[Any]]:
-        """What each heard while it beat."""
+        """Return the messages that each heard while it beat."""
         since = [len(link.heard) for link in links]
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
@@ -56,7 +56,7 @@ def count(messages: list[Any], name: str) -> int:
 
 
 def lost(messages: list[Any]) -> int:
-    """How many sequence numbers are missing between messages of one sender."""
+    """Return how many sequence numbers are missing between messages of one sender."""
     numbers = [message.get_seq() for message in messages]
     return sum((after - before - 1) % 256 for before, after in itertools.pairwise(numbers))
 

@@ -48,7 +48,7 @@ class Mast(Program):
         super().__init__("codegen sim", [str(BIN / "codegen"), "sim", *target, *options], project)
 
     def is_listening(self) -> bool:
-        """Whether somebody could connect."""
+        """Return whether somebody could connect."""
         with socket.socket() as probe:
             return probe.connect_ex(("127.0.0.1", self.stations)) == 0
 

@@ -1,4 +1,4 @@
-"""Which rules can be reported at all, read from the source: those that code loads which a command runs.
+"""Finds the rules that can be reported at all, from the source: those that code loads which a command runs.
 
 Everything in ``codegen.cli`` runs, and each ``check`` of the packages that are searched for them; so does what these
 load. A method runs where anything loads an attribute of its name: too much counts as run rather than too little.
@@ -93,7 +93,7 @@ def _named(statement: ast.stmt) -> Iterator[tuple[str, Iterable[ast.AST]]]:
 def _loaded(
     nodes: Iterable[ast.AST], module: str, imports: Mapping[str, Mapping[str, Constant]]
 ) -> tuple[set[Constant], set[str]]:
-    """What the names stand for that are loaded, and the names of attributes."""
+    """Return the constants that loaded names stand for, and the names of attributes."""
     constants: set[Constant] = set()
     attributes: set[str] = set()
     for node in (found for top in nodes for found in ast.walk(top)):
@@ -109,7 +109,7 @@ def _loaded(
 
 
 def _declared(module: str, name: str, imports: Mapping[str, Mapping[str, Constant]]) -> Constant:
-    """Where a name of a module is declared: modules may import it from one another, a package its own modules."""
+    """Return where a name of a module is declared: modules may import it from others, a package its own modules."""
     while imports.get(module, {}).get(name, (module, name)) != (module, name):
         module, name = imports[module][name]
     return module, name

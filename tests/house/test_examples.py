@@ -1,4 +1,4 @@
-"""What other repositories copy: hooks and workflows name commands that exist, and ask for no more than they need."""
+"""Files for other repositories: hooks and workflows name commands that exist, and ask for no more than they need."""
 
 import re
 import shlex

@@ -1,4 +1,4 @@
-"""What docs/platforms.md says of Windows, as far as another system can pose as it; line ends are tests/emit/'s."""
+"""The claims of docs/platforms.md on Windows, as far as another system can pose as it; line ends are tests/emit/'s."""
 
 import os
 import subprocess

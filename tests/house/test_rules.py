@@ -75,6 +75,6 @@ def test_a_rule_that_nothing_reports_is_noticed(loaded: set[Constant]):
 
 
 def test_each_rule_is_named_by_a_test():
-    """What no test names, nobody has seen reported."""
+    """A rule that no test names has been reported to nobody."""
     tests = "\n".join(path.read_text() for path in TESTS.rglob("*.py"))
     assert not rule_catalogue().keys() - set(re.findall(r"[\w-]+", tests))

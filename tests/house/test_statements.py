@@ -26,7 +26,7 @@ CRITERION = re.compile(r"\bN?FR-\d{5}(?:\.\d+)?")
 
 
 def faults(text: str) -> Iterator[str]:
-    """What is wrong with the document, in words."""
+    """Yield the faults of the document, in words."""
     body, targets = TARGET.sub("", text), dict(TARGET.findall(text))
     tables = [line for line in body.split("## Statements")[1].splitlines() if re.match(r"\| \d", line)]
     rows = [found for line in tables if (found := ROW.fullmatch(line))]
@@ -66,7 +66,7 @@ def criteria_of_documents() -> frozenset[str]:
 
 
 def has(target: str, name: str) -> bool:
-    """Whether a file has a test, a check that some test runs, or a case of the generated suite of that name."""
+    """Return whether a file has a test, a check that some test runs, or a case of the generated suite of that name."""
     path = (FOLDER / target).resolve()
     if not path.is_file():
         return False

@@ -1,4 +1,4 @@
-"""What users install: it works away from the checkout, and generates the same bytes there."""
+"""The wheel that users install works away from the checkout, and generates the same bytes there."""
 
 import os
 import subprocess

@@ -42,7 +42,7 @@ def put(text: str, folder: Path) -> None:
 
 
 def run(commands: str, folder: Path) -> str:
-    """What commands print. A simulation sends to nobody; what takes a simulated day is left out."""
+    """Return the output of commands. A simulation sends to nobody; checks of a simulated day are left out."""
     for old, new in (
         ("pip install pytest\n", ""),
         ("--speed max", "--speed max --out udp:127.0.0.1:9"),

@@ -25,7 +25,7 @@ def system() -> System:
 
 @pytest.fixture(scope="session")
 def sources(system: System) -> Sources:
-    """What values of the shipped project can come from, for a message that each battery has."""
+    """Return the sources of values of the shipped project, for a message that each battery has."""
     return sources_of(system.dialect, system, "battery")
 
 

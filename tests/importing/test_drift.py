@@ -58,7 +58,7 @@ BOAT = Path(__file__).parents[1] / "projects" / "boat" / "specs"
     ],
 )  # fmt: skip
 def test_an_amount_in_another_unit_is_the_same(old: str, new: str, findings: list[str]) -> None:
-    """What goes out is compared, and not how it is written: the table of the boat has 0.5 m."""
+    """The sent values are compared, and not how they are written: the table of the boat has 0.5 m."""
     system = read_system(str(BOAT / "codegen.yaml"), Report())
     assert system is not None
     (path,) = (BOAT / "requirements").iterdir()

@@ -1,4 +1,4 @@
-"""What a cell of a document is taken for: an answer where it says one thing, a finding where it does not."""
+"""A cell of a document is an answer where it says one thing, and a finding where it does not."""
 
 from collections.abc import Callable
 from fractions import Fraction

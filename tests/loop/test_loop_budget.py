@@ -144,7 +144,7 @@ def test_times_follow_from_the_costs_and_the_board() -> None:
 
 
 def test_the_last_row_is_the_slot_that_takes_longest_with_everything_on() -> None:
-    """Which is not the one that takes longest by default: instances that are off are read in another one."""
+    """It is not the one that takes longest by default: instances that are off are read in another one."""
     budget = budget_of(ROVER)
     *_, (words, rate, likely_us, _, _) = rows(budget)
     assert (words, rate) == ("battery, everything on", "")
@@ -171,7 +171,7 @@ def test_what_is_due_at_once_are_the_messages_of_the_streams() -> None:
 
 
 def test_the_load_is_the_sum_over_a_second() -> None:
-    """That of the slots without messages, and of as many frames as there are."""
+    """The sum has the slots without messages, and as many frames as there are."""
     budget = budget_of(ROVER)
     slots = sum(slot.rate * slot.quiet.instructions for slot in budget.slots)
     assert budget.base.instructions == pytest.approx(float(slots), rel=1e-3)
@@ -248,6 +248,6 @@ def test_diff_tells_that_the_longest_slot_takes_longer(tmp_path: Path) -> None:
 
 
 def told_between(before: tuple[System, ...], after: tuple[System, ...]) -> str:
-    """What diff tells, a line for each change."""
+    """Return the changes that diff tells, a line for each."""
     changes = compare_systems(before, after).changes
     return "\n".join(f"{change.old} -> {change.new}" for change in changes)

@@ -41,7 +41,7 @@ print(gc.mem_free() > 0)
 
 
 def run(script: str, folder: Path, *options: str, **settings: str) -> str:
-    """What a script prints."""
+    """Return the output of a script."""
     (folder / "script.py").write_text(script)
     command = [str(MICROPYTHON32), *options, str(folder / "script.py"), "one", "two"]
     done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, **settings}, check=False)

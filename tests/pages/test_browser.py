@@ -18,7 +18,7 @@ from rendered import ROOT, Program
 from codegen.cli import main
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-"""What the browser is called, as in the Makefile."""
+"""Names of the browser, as in the Makefile."""
 OPTIONS = [
     *("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"),
     *("--disable-component-update", "--disable-sync"),
@@ -41,7 +41,7 @@ TOO_WIDE = """() => {
 CLIPPED = """() => [...document.querySelectorAll(".scroll:not(.drawing), th, td, dd, p, h1, h2, summary, label")]
   .filter((box) => box.getClientRects().length && box.scrollWidth > box.clientWidth + 1)
   .map((box) => `${box.scrollWidth - box.clientWidth} px hidden of ${box.outerHTML.slice(0, 80)}`)"""
-"""What does not fit into its box; a drawing of the wiring may be moved in its own."""
+"""Content that does not fit into its box; a drawing of the wiring may be moved in its own."""
 
 BROKEN = """() => {
   const found = [];

@@ -44,7 +44,7 @@ def ends(text: str) -> tuple[float, float]:
 
 
 def sent(system: System, choice: Generation | None = None) -> list[PopulatedMessage]:
-    """What is streamed, worked out from the names in streams.yaml."""
+    """Return the streamed messages, worked out from the names in streams.yaml."""
     others = {
         name
         for generations in system.generations

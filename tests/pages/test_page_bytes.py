@@ -131,7 +131,7 @@ def test_each_element_is_told_with_its_value(shipped: list[Program]) -> None:
 
 
 def test_fields_that_are_unknown_differ_with_the_state(shipped: list[Program]) -> None:
-    """What the vehicle has measured is not marked as unknown, and becomes so when nothing is measured."""
+    """A measured field is not marked as unknown, and becomes so when nothing is measured."""
     by_label = {state.label: drawn for message, state, drawn in shown(shipped[0]) if message.name == "SYS_STATUS"}
     known, start, _ = ("\n".join(drawn.xpath(".//g[rect[@class='hatch']]/title/text()")) for drawn in by_label.values())
     assert next(iter(by_label)) == "battery.voltage 12 V, battery.current 53 A, all else as at the start"

@@ -28,7 +28,7 @@ def built(name: str, folder: Path) -> str:
 
 
 def test_received_messages_are_shown_field_by_field(tmp_path: Path) -> None:
-    """What each sets, which numbers are taken, what makes it unknown, and when it is too old."""
+    """The page has what each sets, which numbers are taken, what makes it unknown, and when it is too old."""
     page = built("received", tmp_path)
     assert rows(page, "received-rc_channels_override") == [
         ["Field", "Unit", "Sets", "Taken", "Sets it unknown", "Too old", "Criterion"],

@@ -19,7 +19,7 @@ def texts(program: Program) -> list[str]:
 
 
 def rows(program: Program) -> list[list[str]]:
-    """What the table of pins says."""
+    """Return the table of pins."""
     found = program.page("wiring.html").xpath("//section[@id='pins']//tbody/tr")
     return [[cell.text_content() for cell in row] for row in found]
 
@@ -41,7 +41,7 @@ def test_the_rover(shipped: list[Program]) -> None:
 
 
 def test_buses_and_serial_lines() -> None:
-    """What is at the other end of a wire: RX for tx, all devices of a bus at once."""
+    """The table has the other end of each wire: RX for tx, all devices of a bus at once."""
     (program,) = programs_of(SENSORS)
     assert [row[:4] for row in rows(program)] == [
         ["4", "pin 6", "SDA of I2C 0", "power, solar, needle"],

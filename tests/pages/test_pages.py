@@ -40,7 +40,7 @@ class Balance(HTMLParser):
 
 
 def faults(page: str) -> list[str]:
-    """What is not well-formed in a page."""
+    """Return the places of a page that are not well-formed."""
     parser = Balance()
     parser.feed(page)
     parser.close()

@@ -1,4 +1,4 @@
-"""What tables populate is what was set: messages with fields of every kind on three interpreters, and faults that show.
+"""Populated fields carry the values set: messages with fields of every kind on three interpreters; faults show.
 
 `make conformance` proves all messages of the dialect; here are those in which every kind of field occurs.
 """

@@ -277,7 +277,7 @@ def nothing_can_be_armed():
 
 
 def parameters_are_saved_within_a_second():
-    """What a ground station sets is in the flash without anything else being done."""
+    """A parameter set by a ground station is in the flash without anything else being done."""
     battery = new_craft()
     station = battery.ground_station()
 
@@ -324,7 +324,7 @@ def measure_that_raises_stops_nothing():
 
 
 def what_the_gauge_says_goes_out():
-    """What measure() writes into the state is in the next status of either generation."""
+    """The values that measure() writes into the state are in the next status of either generation."""
 
     def measure(pack):
         pack.current_ma = 12340

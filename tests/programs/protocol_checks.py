@@ -27,7 +27,7 @@ def _rover(**values):
 
 
 def batteries_are_part_of_the_autopilot():
-    """What is said of either battery comes from the autopilot's ids, and HEARTBEAT says rover."""
+    """The messages about either battery come from the autopilot's ids, and HEARTBEAT says rover."""
     rover, station = _rover(BATT2_MONITOR=3, BATT_REPORT=2)
     run(rover, 30 * SECOND_US)
     sources = {(frame[5], frame[6]) for frame in rover.port.frames}
@@ -126,7 +126,7 @@ def new_status_is_shorter():
 
 
 def cells_come_in_an_interval():
-    """Who keeps a log has them once a minute, on its own link."""
+    """A station that keeps a log has them once a minute, on its own link."""
     rover, station = _rover()
     number = messages.BatteryCellVoltages.ID
     rover.state.battery[0].cells_mv[0] = 4000

@@ -1,4 +1,4 @@
-"""What MAVLink's documents say of battery messages, as far as the generated suite leaves it open."""
+"""MAVLink's documents on battery messages hold, as far as the generated suite leaves them open."""
 
 import json
 import shutil

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 QUIET = ("battery_status_v2", "battery_info")
 """Tables that a build has warnings about, after which it leaves no stamp."""
 NEW_STREAMS = r"^  EXTRA3:\n(    .*\n)+\n|^generations:\n(  .*\n)+"
-"""What streams.yaml says of them."""
+"""The part of streams.yaml about them."""
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ PATHS = [str(BATTERY / name) for name in ("firmware", "mocks", "tests")]
 
 
 def run(interpreter, folders, script, *arguments, given="", seconds=100):
-    """What a script beside this file prints, with the generated folders on its path."""
+    """Return the output of a script beside this file, with the generated folders on its path."""
     python = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
     path = os.pathsep.join([*folders, ".frozen"])
     done = subprocess.run(

@@ -15,7 +15,7 @@ TEXT = "COMPID_BATT 180 is in use by another: change one"
 
 @cache
 def sent(chip: str, choice: int, other: str | None = None) -> str:
-    """What a battery sends in 90 s, in which it hears what another one sends; `choice` is BATT_REPORT."""
+    """Return the frames of a battery in 90 s, in which it hears those of another one; `choice` is BATT_REPORT."""
     given = sent(other, choice) if other else ""
     return run("cpython", PATHS, "twin_frames.py", chip, str(CHIPS[chip]), str(choice), given=given)
 

@@ -1,4 +1,4 @@
-"""What a smart battery sends in 90 s: arguments are its chip, a count of its ADC and BATT_REPORT.
+"""Prints the frames of a smart battery in 90 s: arguments are its chip, a count of its ADC and BATT_REPORT.
 
 Lines, also those of stdin with what arrives meanwhile, are a time in ms and a frame in hex. A process is one board,
 because a board's chip never changes.

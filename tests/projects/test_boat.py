@@ -137,7 +137,7 @@ def test_its_documents_hold(boat: Path) -> None:
 
 
 def exact(interpreter: str, boat: Path, script: str) -> Any:
-    """What a script prints that has the state of the boat."""
+    """Return the output of a script that has the state of the boat."""
     head = (boat / "voyage.py").read_text().partition("frames = {}")[0]
     (boat / "exact.py").write_text(f"{head}state = SystemState(log=lambda *_: None)\n{script}")
     done = subprocess.run([str(BIN / interpreter), "exact.py"], cwd=boat, capture_output=True, text=True, check=False)

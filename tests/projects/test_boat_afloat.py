@@ -28,7 +28,7 @@ def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def sail(boat: Path, scenario: str, *options: str) -> tuple[Any, list[Any]]:
-    """What the command printed, and the messages that were heard."""
+    """Return the output of the command, and the messages that were heard."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as station:
         station.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
         station.bind(("127.0.0.1", 0))

@@ -1,4 +1,4 @@
-"""What commands.yaml and modes declare is done, and answered: worked out by hand from FR-301, on three interpreters.
+"""Commands of commands.yaml and modes are done, and answered: by hand from FR-301, on three interpreters.
 
 pymavlink makes the frames that go in and reads those that come out; the vehicle is the whole program of a project.
 """
@@ -385,7 +385,7 @@ def boat(tmp_path_factory):
 
 @pytest.fixture(scope="module", params=["micropython", "micropython32", "python"])
 def results(request, boat):
-    """What the boat did in each case."""
+    """Return the boat's results in each case."""
     done = subprocess.run(
         [str(BIN / request.param), "orders.py"], cwd=boat, capture_output=True, text=True, check=False
     )
@@ -411,7 +411,7 @@ def whole_texts(messages):
 
 
 def alike(given, expected):
-    """Whether arguments are the expected ones, floats to seven digits, and whole where they have to be."""
+    """Return whether arguments are the expected ones, floats to seven digits, and whole where they have to be."""
     name, *values = given
     if not all(isinstance(value, list) for value in values):
         return given == expected

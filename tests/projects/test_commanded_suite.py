@@ -48,7 +48,7 @@ def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def checked(boat: Path, interpreter: str, firmware: Path) -> dict[str, str | None]:
-    """What is wrong in each check, or None, with a firmware."""
+    """Return the fault that each check finds, or None, with a firmware."""
     generated = boat / "generated"
     path = os.pathsep.join(map(str, (firmware, generated / "mocks", generated / "tests")))
     command = [str(BIN / interpreter), *(["-B"] if interpreter == "python" else ["-X", "heapsize=2m"])]

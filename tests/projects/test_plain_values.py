@@ -1,4 +1,4 @@
-"""What the generated suite sends to a receiver as a plain value: a number well within what is taken, never unknown."""
+"""The plain value that the suite sends to a receiver is a number well within the accepted ones, never unknown."""
 
 from fractions import Fraction
 from types import SimpleNamespace

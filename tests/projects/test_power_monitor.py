@@ -80,7 +80,7 @@ HALF = Fraction(1, 2)
 
 
 def by_fractions(days: int) -> list[list[int]]:
-    """What has to be counted: exact sums of the rounded readings, each for the time since the one before.
+    """Return the expected counts: exact sums of the rounded readings, each for the time since the one before.
 
     More than 60 s are a gap, and so are failures from the fourth on.
     """

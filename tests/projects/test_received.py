@@ -1,4 +1,4 @@
-"""What arrives sets what the tables of a project say: pymavlink makes the frames, what has to come of them is by hand.
+"""Received messages set quantities as the tables of a project say: frames by pymavlink, expected values by hand.
 
 The whole program of tests/projects/received receives them, on three interpreters.
 """
@@ -367,7 +367,7 @@ def built(tmp_path_factory):
 
 @pytest.fixture(scope="module", params=["micropython", "micropython32", "python"])
 def found(request, built):
-    """What became of each case."""
+    """Return the result of each case."""
     command = [str(BIN / request.param), "receive.py"]
     done = subprocess.run(command, cwd=built, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -23,7 +23,7 @@ def receiving(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("runtime", ["micropython", "cpython"])
 def test_what_is_sent_arrives_in_the_state(receiving: Path, runtime: str) -> None:
-    """What the scenario expects holds, at the times that it says."""
+    """The expectations of the scenario hold, at the times that it says."""
     command = [str(BIN / "codegen"), "sim", "steering", "--speed", "max", "--runtime", runtime]
     out = ["--out", "udp:127.0.0.1:9"]
     done = subprocess.run([*command, *out], cwd=receiving, capture_output=True, text=True, check=False, timeout=60)

@@ -1,4 +1,4 @@
-"""What is summed up of what a polled sensor gives is the nearest to its exact sum, whatever happens in between."""
+"""The sum of a polled sensor's values is the nearest to the exact one, whatever happens in between."""
 
 import json
 import subprocess
@@ -71,7 +71,7 @@ def nearest(value: Fraction) -> int:
 
 
 def by_fractions(days: int) -> list[list[int]]:
-    """What has to be counted: exact sums of the rounded values, each for the time since the one before.
+    """Return the expected counts: exact sums of the rounded values, each for the time since the one before.
 
     More than 60 s are a gap, so is a value that cannot be, and so are failures from the fifth on; of the energy every
     turn without a voltage.

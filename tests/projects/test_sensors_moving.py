@@ -24,7 +24,7 @@ def sensors(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("runtime", ["micropython", "cpython"])
 def test_what_a_sensor_gives_follows_its_course(sensors: Path, runtime: str) -> None:
-    """What the scenarios expect holds: values, unknown while it fails, texts, recovery; and what messages told.
+    """The expectations of the scenarios hold: values, unknown while it fails, texts, recovery; and told values.
 
     The receiver of satellites and the monitors are read by their drivers, others have their values given.
     """

@@ -99,7 +99,7 @@ def last(told):
 
 @pytest.mark.parametrize("case", ["set", "another component of the station", "after a while"])
 def test_a_ground_station_sets_the_clock(results, case):
-    """What it says goes on from when it came: 4 passes of 20 ms at most until it is looked at."""
+    """The clock goes on from the message: 4 passes of 20 ms at most until it is looked at."""
     told, sent = results[case]
     assert told[-2] is None
     assert 0 <= last(told) - NOW_US <= 100000

@@ -72,7 +72,7 @@ def texts(tmp_path_factory):
 
 @pytest.fixture(scope="module", params=["micropython", "micropython32", "python"])
 def frames(request, texts):
-    """What each interpreter sends, and what it keeps: frames in MAVLink 2, without their heads and checksums."""
+    """Return each interpreter's frames in MAVLink 2, without their heads and checksums, and the texts that it keeps."""
     done = subprocess.run([str(BIN / request.param), "send.py"], cwd=texts, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -109,7 +109,7 @@ def test_a_text_is_cut_between_characters(frames):
 
 
 def test_a_nul_ends_a_text(frames):
-    """What follows it would not be read."""
+    """The bytes behind it would not be read."""
     assert fields(frames[4][0])["whole"] == "ab"
     assert frames[4][3] == "ab"
 
@@ -133,7 +133,7 @@ def test_a_text_that_is_too_old_is_not_sent(frames):
 
 
 def test_the_receiver_tells_the_texts(texts, frames):
-    """What was cut for the wire is what is left of it; not ASCII all the same."""
+    """A text cut for the wire is read as the rest of it; not ASCII all the same."""
     code = """
 import sys
 sys.path[:0] = ["generated/receiver"]

@@ -1,4 +1,4 @@
-"""What views say while several report one pack, and of a pack that was swapped, on whatever interpreter reads this."""
+"""Checks of views while several report one pack, and of a pack that was swapped, on whatever interpreter reads this."""
 
 from mavlink import Link
 from pack_tools import SECOND, TURN_MS, feed, info, main, status, status_v2
@@ -211,7 +211,7 @@ def counts_that_take_turns_do_not_begin_anew():
 
 
 def an_old_contest_stays_over():
-    """What took turns before the clock started again does not take turns now, and is no pack that comes back."""
+    """Senders that alternated before the clock started again do not now, and none is a pack that comes back."""
     for names in ("AB", "ABA"):
         packs = Packs()
         for second, serial in enumerate(names):

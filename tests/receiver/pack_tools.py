@@ -1,4 +1,4 @@
-"""What the checks of views stand on: messages, links that make frames of them, and numbers that are compared.
+"""Tools for the checks of views: messages, links that make frames of them, and comparisons of numbers.
 
 The receiver is that of two packs with both generations and information; frames are made by its own codec.
 """

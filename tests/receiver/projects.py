@@ -58,7 +58,7 @@ def built(folder: Path) -> Path:
 
 
 def run(interpreter: str, script: Path, folders: list[Path], *arguments: str) -> str:
-    """What a script prints, with folders to import from."""
+    """Return the output of a script, with folders to import from."""
     path = os.pathsep.join(map(str, folders))
     environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": f"{path}{os.pathsep}.frozen"}
     program = sys.executable if interpreter == "cpython" else str(BIN / "micropython")

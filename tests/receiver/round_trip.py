@@ -53,7 +53,7 @@ def component_of(state, name, instance):
 
 
 def agrees(value, stored, about):
-    """Whether the receiver says what the state kept, as far as the wire carries it."""
+    """Return whether the receiver says what the state kept, as far as the wire carries it."""
     if about.get("boolean"):
         return value is bool(stored)
     if stored is None:

@@ -35,7 +35,7 @@ def system() -> System:
 
 
 def split_into(system: System, field: str) -> SplitAnswer:
-    """What fills an array of BATTERY_STATUS with the voltage, or would."""
+    """Return the answer that fills an array of BATTERY_STATUS with the voltage, or would."""
     message = next(message for message in system.messages if message.name == "BATTERY_STATUS")
     voltages = next(answer for answer in message.answers if answer.covers.field.name == "voltages")
     if isinstance(voltages, EachAnswer):

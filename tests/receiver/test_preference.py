@@ -1,4 +1,4 @@
-"""Which message decides where several carry a quantity."""
+"""One message decides where several carry a quantity."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What views say over a while: generations, staleness, flags, time that is left, swaps; on both interpreters."""
+"""Views over a while: generations, staleness, flags, time that is left, swaps; on both interpreters."""
 
 import ast
 import json

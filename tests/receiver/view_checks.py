@@ -1,4 +1,4 @@
-"""What views say about packs that report over a while, on whatever interpreter reads this file."""
+"""Checks of views about packs that report over a while, on whatever interpreter reads this file."""
 
 import messages
 from consumption import Consumption

@@ -1,4 +1,4 @@
-"""What becomes of a project after a change of its files."""
+"""Reads a project after a change of its files."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Which questions about what a vehicle does not have are answered, and which are left alone."""
+"""Questions about features that a vehicle lacks are answered, and others are left alone."""
 
 from dataclasses import replace
 from pathlib import Path

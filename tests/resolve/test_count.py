@@ -1,4 +1,4 @@
-"""How many instances of a component there are: what every stage makes of that answer."""
+"""The number of instances of a component as an answer, in every stage."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Where the values of quantities come from: what is written is resolved, by one kind for each quantity."""
+"""Derivations as written are resolved, by one kind for each quantity."""
 
 from pathlib import Path
 from typing import get_args

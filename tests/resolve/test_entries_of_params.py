@@ -1,4 +1,4 @@
-"""Which numbers the parameter of a command takes for an enum: its entries, and of a bitmask any sum of them."""
+"""The parameter of a command takes the numbers of its enum: its entries, and of a bitmask any sum of them."""
 
 from fractions import Fraction
 from types import SimpleNamespace

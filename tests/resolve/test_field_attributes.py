@@ -1,4 +1,4 @@
-"""What attributes of fields mean beside units and invalid: multiplier, minValue, maxValue, increment, default, display,
+"""Attributes of fields beside units and invalid: multiplier, minValue, maxValue, increment, default, display,
 print_format and instance, each with the line of the dialect that states it.
 """
 

@@ -1,4 +1,4 @@
-"""What a live value may become: whatever the bounds and the sentinel are, a real value never reads as unknown."""
+"""Limits of a live value: whatever the bounds and the sentinel are, a real value never reads as unknown."""
 
 from fractions import Fraction
 

@@ -74,7 +74,7 @@ def test_without_a_name_two_tables_of_a_message_are_one_too_many(folder: Path) -
 
 
 def test_a_generation_has_no_message_of_several_tables(folder: Path) -> None:
-    """Who receives one could not tell which generation it is of."""
+    """A receiver of such a message could not tell which generation it is of."""
     streams = folder / "streams.yaml"
     streams.write_text(streams.read_text() + "generations:\n  gps: {doc: d, old: [bow], new: [stern], send: both}\n")
     found = findings(folder, "board.yaml", "pico_2", "pico")
@@ -116,7 +116,7 @@ def test_a_change_is_told_by_the_table(system: System, folder: Path) -> None:
 
 
 def test_a_renamed_table_is_no_message_that_comes_and_goes(system: System, folder: Path) -> None:
-    """What else has changed is told by its new name; a second table of a message has come."""
+    """Other changes are told by its new name; a second table of a message has come."""
     assert findings(folder, "messages/stern.yaml", "lon: {constant: 0}", "lon: {constant: 7}") == []
     assert findings(folder, "messages/stern.yaml", "as: stern", "as: aft") == []
     other = system_of(folder, Report())

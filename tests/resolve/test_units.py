@@ -93,7 +93,7 @@ def test_there_and_back_is_the_same(first, second, value):
 
 @given(st.sampled_from(ALL), st.sampled_from(ALL), st.sampled_from(ALL))
 def test_a_way_over_a_third_unit_is_the_same(first, second, third):
-    """What converts into the same converts into each other, by the product of the factors."""
+    """Units that convert into the same one convert into each other, by the product of the factors."""
     one, two, three = (unit_named(name) for name in (first, second, third))
     way, rest = conversion(one, two), conversion(two, three)
     if way is not None and rest is not None:
@@ -131,7 +131,7 @@ def test_what_is_no_unit(text):
 @example("m" + "/s" * 1000)
 @example("m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9")
 def test_no_text_is_an_exception(text):
-    """What somebody wrote for a unit is one or none."""
+    """Any text that somebody wrote for a unit is one or none."""
     unit = Unit.parse(text)
     assert unit is None or (unit.name == text and unit.scale > 0)
 
@@ -160,7 +160,7 @@ def test_no_text_is_an_exception(text):
     ],
 )
 def test_the_nearest_unit(written, nearest):
-    """What people write, and what the dialects have for it, first among what is named."""
+    """The dialects' unit for what people write comes first among those named."""
     assert Unit.parse(written) is None
     assert nearest_unit(written).removeprefix("did you mean ").rstrip("?").split(" or ")[0] == nearest
 

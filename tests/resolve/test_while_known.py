@@ -61,7 +61,7 @@ def test_where_it_says_nothing_it_is_reported(folder: Path) -> None:
 
 
 def test_always_is_the_default(folder: Path) -> None:
-    """Whether it is written or not; another word is an error."""
+    """The choice may be written or not; another word is an error."""
     system, findings = edited(folder, ("messages/heartbeat.yaml", "stream:", "send: always\nstream:"))
     assert not findings
     assert not system.messages[0].withheld_for

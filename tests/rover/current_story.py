@@ -1,4 +1,4 @@
-"""What the rover makes of counts of a current sensor, as one JSON object; MICROPYPATH has what was generated."""
+"""Prints what the rover makes of counts of a current sensor, as one JSON object; MICROPYPATH has the output."""
 
 import json
 
@@ -113,7 +113,7 @@ def interrupted():
 
 
 def endless():
-    """What code sets to infinity is no number."""
+    """An infinite value that code sets is no number."""
     _, state = started()
     battery = state.battery[0]
     for value in (float("inf"), float("-inf"), float("nan")):

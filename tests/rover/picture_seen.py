@@ -1,4 +1,4 @@
-"""What the generated receiver says of the rover's first battery: swaps, cells, voltage and charge, line by line."""
+"""Prints the generated receiver's view of the rover's first battery: swaps, cells, voltage and charge, line by line."""
 
 import json
 import sys

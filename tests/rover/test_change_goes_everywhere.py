@@ -152,7 +152,7 @@ def rover(tmp_path_factory):
 
 @pytest.fixture
 def told(capsys):
-    """What codegen prints, run in the working directory."""
+    """Return a call for the output of codegen, run in the working directory."""
 
     def tell(*arguments):
         code = main(list(arguments))

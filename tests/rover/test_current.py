@@ -28,7 +28,7 @@ HALF = Fraction(1, 2)
 
 @pytest.fixture(scope="module", params=["python", "micropython", "micropython32"])
 def told(request: pytest.FixtureRequest) -> Any:
-    """What the story tells on an interpreter."""
+    """Return the output of the story on an interpreter."""
     folders = [str(GENERATED / name) for name in ("firmware", "mocks", "tests")]
     paths = {"PYTHONPATH": os.pathsep.join(folders), "MICROPYPATH": os.pathsep.join([".frozen", *folders])}
     command = [str(BIN / request.param), str(HERE / "current_story.py")]
@@ -47,7 +47,7 @@ def counted(readings: int, milliamperes: int = MILLIAMPERES) -> list[int]:
 
 
 def decoded(frame: str) -> tuple[int, ...]:
-    """What pymavlink reads in a BATTERY_STATUS: current, charge, energy, the share that is left, and the time."""
+    """Return pymavlink's reading of a BATTERY_STATUS: current, charge, energy, the share that is left, and the time."""
     (message,) = common.MAVLink(None).parse_buffer(bytes.fromhex(frame))
     names = ("current_battery", "current_consumed", "energy_consumed", "battery_remaining", "time_remaining")
     return tuple(getattr(message, name) for name in names)

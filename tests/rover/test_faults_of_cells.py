@@ -22,7 +22,7 @@ LOOKED_AT = ("NOT_READY_TO_USE", "FAULT_OVER_VOLT", "FAULT_UNDER_VOLT", "FAULT_O
 
 
 def faults(wire: ModuleType, messages: list[Any]) -> tuple[str, set[str]]:
-    """What BATTERY_STATUS and BATTERY_STATUS_V2 say is wrong."""
+    """Return the faults that BATTERY_STATUS and BATTERY_STATUS_V2 report."""
     _, old, new = messages
     kinds = ("DEEP_DISCHARGE", "OVER_CURRENT")
     found = [each for each in kinds if old.fault_bitmask & getattr(common, f"MAV_BATTERY_FAULT_{each}")]

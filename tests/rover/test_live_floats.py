@@ -92,7 +92,7 @@ def test_new_messages_allocate_nothing(form: str, tmp_path: Path) -> None:
 
 
 def findings(specs: Path) -> list[tuple[str, str, str | None]]:
-    """What is found in a specification: rule, message and hint."""
+    """Return the findings in a specification: rule, message and hint."""
     report = Report()
     read_systems(str(specs / "codegen.yaml"), report)
     return [(one.rule.id, one.message, one.hint) for one in report]

@@ -88,7 +88,7 @@ for function in (build_and_send, sample, stream):
 
 @pytest.fixture(scope="module", params=["viper", "plain"])
 def counts(request, tmp_path_factory):
-    """What the script prints, with all modules in machine code that have it and in plain Python: lists of numbers."""
+    """Return the output of the script, lists of numbers: with all modules in machine code, and in plain Python."""
     folder = tmp_path_factory.mktemp(request.param)
     hidden = ("__pycache__", "*_viper.py") if request.param == "plain" else ("__pycache__",)
     shutil.copytree(GENERATED / "firmware", folder / "firmware", ignore=shutil.ignore_patterns(*hidden))

@@ -40,7 +40,7 @@ def wire() -> ModuleType:
 
 
 def printed(script: str, given: str, names: tuple[str, ...], interpreter: str = "python") -> str:
-    """What a script beside this file prints, with generated folders on its path."""
+    """Return the output of a script beside this file, with generated folders on its path."""
     folders = [str(GENERATED / name) for name in names]
     paths = {"PYTHONPATH": os.pathsep.join(folders), "MICROPYPATH": os.pathsep.join([".frozen", *folders])}
     command = [str(BIN / interpreter), str(HERE / script)]
@@ -52,7 +52,7 @@ def printed(script: str, given: str, names: tuple[str, ...], interpreter: str = 
 
 
 def frames_of(courses: list[list[Step]], monitor: int, interpreter: str = "python") -> list[list[list[str]]]:
-    """What the rover sends after each step of each course, in hex: three messages a step."""
+    """Return the rover's frames after each step of each course, in hex: three messages a step."""
     given = "".join(json.dumps({"course": course, "monitor": monitor}) + "\n" for course in courses)
     lines = printed("picture_story.py", given, ("firmware", "mocks", "tests"), interpreter).splitlines()
     return [json.loads(line) for line in lines]

@@ -51,5 +51,5 @@ def program(played: Scenario, folder: str = "", key: str | None = None, **rest: 
 
 
 def volts(value: float | None, instance: int = 0) -> Told:
-    """That a voltage was told."""
+    """Return the record that a voltage was told."""
     return Told(VOLTAGE, instance, value)

@@ -42,7 +42,7 @@ def readings(
     seed: int = 1,
     script: str = SCRIPT,
 ) -> list[Any]:
-    """What is true, what one look finds and the count of an ADC, at each time."""
+    """Return the truth, the result of one look and the count of an ADC, at each time."""
     interpreter = find_interpreter(Runtime(runtime))
     assert interpreter is not None
     file, data = tmp_path / "script.py", tmp_path / "data.json"

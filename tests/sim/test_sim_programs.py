@@ -314,7 +314,7 @@ def test_faults_of_one_input_leave_the_other_alone(project: Path, station: Any) 
 
 
 def test_a_failsafe_is_told_and_marked_with_its_battery() -> None:
-    """What its level says, and no text."""
+    """The level of the failsafe tells it, and no text."""
     played = Scenario("own", "d", 10_000, 1, (steady(12.0), steady(7.0, label=SECOND)))
     recording = Recording(played, program(played))
     recording.at_ms = 500

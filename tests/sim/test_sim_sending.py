@@ -1,4 +1,4 @@
-"""What a scenario sends: the bytes that pymavlink makes, at its times, and what the rover does then."""
+"""Messages that a scenario sends: the bytes that pymavlink makes, at their times, and the rover's reaction."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What frames tell of quantities, of frames that pymavlink makes: units, instances, sentinels, tables with one id."""
+"""Quantities read from frames that pymavlink makes: units, instances, sentinels, tables with one id."""
 
 import math
 from dataclasses import replace
@@ -27,7 +27,7 @@ def system_of(project: str) -> System:
 
 
 def told(system: System, frame: Any, **parameters: float) -> dict[str, float | None]:
-    """What a frame tells, by path and instance."""
+    """Return the numbers that a frame tells, by path and instance."""
     telling = Telling(system.messages)
     return {f"{each.path}/{each.instance}": each.value for each in telling.read(bytes(frame), parameters)}
 

@@ -28,7 +28,7 @@ RUNTIMES = pytest.mark.parametrize("runtime", ["micropython", "cpython"])
 
 
 def simulated(folder: Path, hang: str, runtime: str) -> str:
-    """What `codegen sim` says of a rover whose control() hangs after two seconds."""
+    """Return the output of `codegen sim` for a rover whose control() hangs after two seconds."""
     code = folder / "mine.py"
     code.write_text(CODE.format(hang=hang))
     done = subprocess.run(

@@ -16,7 +16,7 @@ CHANNELS = """adc:
   pack_current: {pin: BATT_CURR_PIN, samples: 2, read_limit: 2 ms, when: {BATT_MONITOR: 4}}
   level: {gpio: 28, samples: 3}
 """
-"""What the sensors of the project are without ``sources``; multipliers and rates stand in state.yaml then."""
+"""The sensors of the project without ``sources``; multipliers and rates stand in state.yaml then."""
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def change(project: Path, file: str, old: str, new: str) -> None:
 
 
 def plan(system: System) -> list[object]:
-    """What the firmware is made of: each reading with its channel and rate."""
+    """Return the plan of the firmware: each reading with its channel and rate."""
     return [
         (name, system.components[name].period_ms, quantity.path, conversion.formula, conversion.channel.samples,
          conversion.channel.gpio, conversion.channel.read_limit_us, conversion.numerator, conversion.denominator)

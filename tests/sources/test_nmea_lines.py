@@ -1,4 +1,4 @@
-"""What lines of NMEA 0183 say is exact, in machine code and in plain Python, however they arrive.
+"""Values of NMEA 0183 lines are exact, in machine code and in plain Python, however they arrive.
 
 What is expected is worked out here from the standard, with regular expressions and fractions.
 """
@@ -53,7 +53,7 @@ with open("cases.txt") as file:
 
 
 class Receiver:
-    """What a stream of bytes says: `values` as the driver has them, and how many lines were taken, wrong or cut."""
+    """A reading of a stream of bytes: `values` as the driver has them, and how many lines were taken, wrong or cut."""
 
     def __init__(self) -> None:
         self.values = [UNKNOWN] * 14 + [0]
@@ -182,7 +182,7 @@ class Receiver:
 
 
 def _cut_off(behind: str | None, digits: int) -> Fraction:
-    """What stands behind the point, without the digits that are too many."""
+    """Return the fraction behind the point, without the digits that are too many."""
     return Fraction("0" + (behind or ".")[: digits + 1] + "0")
 
 
@@ -318,7 +318,7 @@ def test_lines_say_what_the_standard_says(interpreter: str, form: str, step: int
 
 
 def test_lines_of_the_generated_suite_are_those_of_the_standard() -> None:
-    """What the suite of each project expects of its driver is written down; here it is worked out anew."""
+    """The suite's expectations of its driver are written down; here they are worked out anew."""
     listed = runpy.run_path(str(ROOT / "codegen" / "sources" / "nmea" / "tests" / "nmea_lines.py"))
     for text, said in listed["LINES"].values():
         assert _said(text) == said, text
@@ -332,7 +332,7 @@ def test_lines_of_the_generated_suite_are_those_of_the_standard() -> None:
 
 
 def _said(text: str) -> dict[str, int | None]:
-    """What is new after a line, by the names of the outputs."""
+    """Return the values that are new after a line, by the names of the outputs."""
     receiver = Receiver()
     receiver.read(text)
     values = receiver.values

@@ -1,4 +1,4 @@
-"""What changes of a sensor is told to reviewers."""
+"""Changes of a sensor are told to reviewers."""
 
 import shutil
 from pathlib import Path

@@ -145,7 +145,7 @@ def test_a_name_that_micropython_could_not_hold(file: str, project: Path, capsys
 def test_other_commands_follow_no_link_either(
     name: str, command: str, project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What check refuses, they refuse."""
+    """Other commands refuse the links that check refuses."""
     path = project / "specs" / name
     path.unlink(missing_ok=True)
     path.symlink_to(project.parents[1] / "secret")

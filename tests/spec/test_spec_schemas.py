@@ -56,7 +56,7 @@ def test_each_schema_is_valid_and_stable_text(name: str) -> None:
 
 
 def test_every_key_is_described() -> None:
-    """What an editor shows while one types."""
+    """An editor shows the descriptions while one types."""
 
     def undescribed(schema: Any, path: str) -> list[str]:
         found = []

@@ -26,7 +26,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def findings(project: Path) -> list[str]:
-    """What is wrong with a project, as its author is told."""
+    """Return the findings in a project, as its author is told."""
     report = Report()
     systems = read_systems(str(project), report)
     check_scenarios(str(project), systems, report)

@@ -67,7 +67,7 @@ OF_THEIR_OWN = {
     *("failsafe.below", "failsafe.above", "failsafe.silent"),
     *("streams.rate", "streams.fixed", "command.done", "mode.change"),
 }
-"""What the ``requirement`` of a level, a stream, a command or a mode asks for."""
+"""Aspects that the ``requirement`` of a level, a stream, a command or a mode asks for."""
 
 
 def _systems(folder: Path) -> tuple[System, ...]:
@@ -100,7 +100,7 @@ def test_what_tests_cite_is_there_and_was_named(folder: Path) -> None:
 
 
 def test_a_section_that_names_no_aspect_gets_no_evidence(tmp_path: Path) -> None:
-    """Where the loop and the services cite a document, its first criteria are not what tests of the loop show."""
+    """The first criteria of a document that the loop and the services cite are not what tests of the loop show."""
     shutil.copytree(PROJECTS[2] / "specs", tmp_path / "specs")
     table = tmp_path / "specs" / "vehicle.yaml"
     text = table.read_text().replace("links: 50 Hz}", "links: 50 Hz, requirement: FR-1.1}")

@@ -20,7 +20,7 @@ OTHER = "0123456789abcdef"
 
 
 def status(project: Project, capsys: pytest.CaptureFixture[str], criterion: str, *files: str) -> str:
-    """What the tree says of a criterion, in brackets behind its name."""
+    """Return the state of a criterion in the tree, in brackets behind its name."""
     capsys.readouterr()
     project.run(criterion, *(each for file in files for each in ("--results", file)))
     found = re.search(rf"  {re.escape(criterion)}  \[(.*)\]", capsys.readouterr().out)

@@ -36,7 +36,7 @@ def suspect(project: Project) -> dict[str, tuple[str, ...]]:
 
 
 def review(project: Project) -> dict[str, Review]:
-    """What the lock says of each criterion."""
+    """Return the lock's state of each criterion."""
     return dict(reviews(project.trace()[0], read_trace_lock(project.file, Report())))
 
 
@@ -54,7 +54,7 @@ def test_exactly_its_links_are_suspect(changed: Project, capsys: pytest.CaptureF
 
 
 def test_one_by_one(changed: Project, capsys: pytest.CaptureFixture[str]) -> None:
-    """What was looked at is suspect no longer; with the last one the criterion is reviewed, and the lock says so."""
+    """A link that was looked at is suspect no longer; with the last one the criterion is reviewed, by the lock, too."""
     before = changed.lock.read_text().splitlines()
     for number, link in enumerate(ALL):
         assert suspect(changed) == {"FR-1.1": ALL[number:]}
@@ -88,7 +88,7 @@ def test_some_together_and_the_rest_with_the_criterion(changed: Project) -> None
 
 
 def test_another_change_makes_all_suspect_again(changed: Project) -> None:
-    """What was looked at with the text in between counts no more than what never was."""
+    """A link that was looked at with the text in between counts no more than one that never was."""
     assert changed.run("accept", "FR-1.1", "--link", ALL[0], "--reason", "seen") == 0
     changed.change("twice a second", "ten times a second")
     assert suspect(changed) == {"FR-1.1": ALL}

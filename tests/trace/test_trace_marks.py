@@ -1,4 +1,4 @@
-"""How tests say what they show: every form of the mark that pytest knows, read without running anything."""
+"""Marks of tests with their criteria: every form that pytest knows, read without running anything."""
 
 from pathlib import Path
 

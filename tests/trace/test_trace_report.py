@@ -56,7 +56,7 @@ def test_the_summary_and_what_needs_attention(project: Project, capsys: pytest.C
 def test_what_fails(
     kinds: str, code: int, told: dict[str, str], project: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What is asked for counts; what always deserves attention is told as a warning otherwise."""
+    """The chosen kinds count; those that always deserve attention are told as warnings otherwise."""
     project.change("- Criteria 3 and 4: the radio", "- Criterion 3: the radio")
     assert project.run("--fail-on", kinds) == code
     said = capsys.readouterr().out

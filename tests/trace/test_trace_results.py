@@ -17,7 +17,7 @@ BEATS = "tests.test_beat"
 
 
 def verdicts(project: Project, *files: str) -> dict[str, tuple[Verdict, Counts | None]]:
-    """What becomes of each criterion with the results of some files."""
+    """Return the verdict on each criterion with the results of some files."""
     trace, _ = project.trace()
     found = [result for path in files for result in decode_junit(path, DISK, Report()) or ()]
     results = results_of(found, trace.tests, inputs_of(project.trace()[1]))
@@ -185,7 +185,7 @@ def test_other_tools_write_less(project: Project) -> None:
 
 
 def test_thousands_of_results(project: Project, junit: Junit) -> None:
-    """What a large project has is no matter of minutes: each result is looked up, not searched for."""
+    """A large project's results are no matter of minutes: each one is looked up, not searched for."""
     many = [(f"tests.test_{n % 50}", f"test_{n % 97}[{n}]", "passed", ("FR-1.4",), None) for n in range(10000)]
     found = verdicts(project, junit("r.xml", *many))["FR-1.4"]
     assert found == (Verdict.PASSED, Counts(passed=10000))

@@ -31,7 +31,7 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
 
 
 def names_of(text: str) -> set[str]:
-    """What a module defines: functions, classes, constants, and of classes methods and the attributes of self.
+    """Return the names that a module defines: functions, classes, constants, of classes methods and attributes of self.
 
     Also what it passes on from others, in the faster of two forms: what it imports of modules called so.
     """
@@ -78,7 +78,7 @@ def test_every_row_names_what_is_generated(folder: Path) -> None:
 
 @pytest.mark.parametrize("folder", PROJECTS, ids=lambda folder: folder.name)
 def test_every_generated_check_is_run(folder: Path) -> None:
-    """What a script of the suite defines is in its CHECKS, or asked by others; pytest collects what is called test."""
+    """A check that a script defines is in its CHECKS, or asked by others; pytest collects those called test."""
     scripts = {path: text for path, text in project(folder)[1].items() if "\nCHECKS = " in text}
     assert scripts
     for path, text in scripts.items():

@@ -30,7 +30,7 @@ class IOQueue:
 
 
 class _Pause:
-    """What sleep_ms() waits for, the same object each time: a task that sleeps leaves nothing on the heap."""
+    """The object that sleep_ms() waits for, the same each time: a task that sleeps leaves nothing on the heap."""
 
     def __iter__(self):
         return self

@@ -1,4 +1,4 @@
-"""There is no network on this port: the module is there to be imported, and what it makes cannot be made."""
+"""A module in place of a network, which this port has not: it can be imported, and makes nothing."""
 
 AF_INET = 2
 SOCK_DGRAM = 2

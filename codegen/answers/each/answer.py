@@ -104,7 +104,7 @@ class EachAnswer(KindOfAnswer):
         return (self.source,) if self.withholds else ()
 
     def is_withheld(self, known: Known) -> bool:
-        """While one of the values that it carries is unknown."""
+        """Return whether one of the values that it carries is unknown, where that withholds the message."""
         values = known[self.source.path] if self.withholds else ()
         assert isinstance(values, tuple)
         return None in values[self.first : self.first + self.covers.count]
@@ -139,7 +139,7 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of the values that there are, and that of what goes out in their place."""
+        """Return the scaling of the elements, if any is reached, and those of the answer that stands in for them."""
         return (*((self.scaling,) if self._is_reached else ()), *(self.fallback.scalings if self.fallback else ()))
 
     @property
@@ -273,7 +273,7 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def varies(self) -> bool:
-        """With its source."""
+        """Return True: it changes with its source."""
         return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:

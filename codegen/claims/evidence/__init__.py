@@ -13,11 +13,12 @@ from codegen.claims.evidence.heads import is_headed
 from codegen.claims.evidence.kinds import FIRM, Evidence
 from codegen.claims.evidence.names import of_entry, of_field, of_message
 from codegen.claims.evidence.tied import around
+from codegen.claims.parts.span import Span
+from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, CHANGED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SUPPOSED, words
 from codegen.claims.rules import ENTRY_VALUE, SENTINEL
 from codegen.claims.statements.entries import is_borne_out
-from codegen.claims.statements.spans import Span, spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.once import once

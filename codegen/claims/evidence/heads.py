@@ -3,8 +3,8 @@
 import re
 from functools import cache
 
+from codegen.claims.parts.span import Span, head_of
 from codegen.claims.ruled_out import is_own_column
-from codegen.claims.statements.spans import Span, head_of
 
 _HEADS = {
     "claim-struct": r"type|data ?type|format|length|elements|count|array|encoding",

@@ -6,11 +6,11 @@ from codegen.claims.enclosing import is_of_type
 from codegen.claims.evidence.heads import is_headed
 from codegen.claims.evidence.kinds import Evidence
 from codegen.claims.evidence.tied import around, closed, is_alone, is_beside, is_clause, message_of, near
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span, head_of, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_own_column
 from codegen.claims.rules import SCALING, SIZE
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span, head_of, is_data
 from codegen.load.prose import PassageKind
 from codegen.once import once
 

@@ -2,8 +2,8 @@
 
 import re
 
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span
 from codegen.load.prose import PassageKind
 
 _LINKS = frozenset((

@@ -7,6 +7,8 @@ which messages a part may be about; the other modules each know what is said of 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
+from codegen.claims.parts.span import Span, head_of
+from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.statements import (
@@ -17,29 +19,31 @@ from codegen.claims.statements import (
     facts,
     lengths,
     limits,
+    masks,
     messages,
     nouns,
     order,
+    placed,
     sizes,
     tables,
     types,
     units,
     unknown,
 )
-from codegen.claims.statements.spans import Span, head_of, spans
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
     (types.check, "FP", "T"),
     (lengths.check, "FP", ""),
-    (units.check, "FP", "UN"),
+    (units.check, "FP", "UNQ"),
     (unknown.check, "FP", "NS"),
     (absent.check, "FP", "NS"),
-    (amounts.check, "FP", "Q"),
+    (amounts.check, "Q", "N"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
     (order.check, "FP", ""),
+    (masks.check, "V", "N"),
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
@@ -60,6 +64,8 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
     low, high = span.bounds(offset)
+    so = span.text.find(", so ", offset, high)
+    high = so if so >= 0 else high  # what somebody does therefore is not what is said
     return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 
@@ -72,6 +78,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
                 yield from (found for found in find(reading, span) if not _is_aside(span, found))
     yield from tables.check(reading, parts)
+    yield from placed.check(reading, parts)
     yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)

@@ -1,54 +1,64 @@
-"""Values that a field is said to have while nothing is known: "without a sensor `alt` is 0", "-1 marks no `id`"."""
+"""Values that a field is said to have while nothing is known: "without a sensor `alt` is 0", "not known? send -1".
+
+Whatever the words: a sentence that says that something is absent, with one value tied to these words and one field that
+it is about, says which value stands for unknown there.
+"""
 
 import re
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
-from codegen.claims.ruled_out import ASKED, MISTAKEN, PAST, PROPOSED, REPLACED, words
+from codegen.claims.ruled_out import MISTAKEN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SENTINEL, as_sure
-from codegen.claims.statements.fields import number
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span, is_data
+from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
+_THING = (
+    r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
+    r"|aid|temperature|information|idea|clock|time)"
+)
 _ABSENT = re.compile(
-    rf"\b{NOTHING}|\b(?:no|without an?|without) (?:[a-z]+ ){{0,2}}(?:sensor|data|fix|gps|estimate|measurement"
-    rf"|value|reading"
-    r"|module|receiver|input|signal|device)\b|\babsent\b|\bmissing\b|\b(?:lacks?|has no) an? |\bnothing\b"
-    r"|\b(?:cannot|can't|do not|don't) (?:fill|know|measure|tell|have)\b|\buntil (?:an? |the )?[a-z]+ is (?:known"
-    r"|there|available)|\bno \w+ is (?:fitted|connected|present|known|available)"
+    rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
+    rf"|\b(?:lacks?|has no) an? "
+    r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
+    r"|report|see|provide|exist)\b"
+    r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
+    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
 )
-_VERB = (
-    r"(?:is|are|=|==|:|equals|reads?|shows?|stays?(?: at)?|remains?(?: at)?|keeps?|must be|has to be|have to be"
-    r"|should be"
-    r"|becomes|gets|holds?|carries|contains|will be|goes to|(?:is |are )?(?:set|filled|left|sent|marked)"
-    r"(?: to| with| as| at)?|to|with|at|as)"
+_TOLD = re.compile(
+    r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
+    r"|unavailable"
+    r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
+    r"|estimate)|does(?: not|n't)|until a"
 )
-_TO_VALUE = re.compile(
-    rf"(?P<name>[FP])(?: (?:of|in) M)?(?: field)?,? {_VERB}(?: (?:the )?(?:value|number|fixed))? ?(?P<value>[NS])"
-    r"(?=\s*(?:[,;.)!]|$|#|//|/\*|\*/|(?:if|when|as long as|while|until|unless|and|as|because|for|then|on|without)\b))"
-)
-_TO_FIELD = re.compile(
-    r"(?<![-+*/<>] )(?P<value>[NS]) (?:(?:in|for|as|into|marks?|means|of|is|says|stands|signals|tells|to|an?|the"
-    r"|missing|unknown"
-    r"|invalid|absent|field|fields|value|that) )*(?P<name>[FP])(?! ?(?:[-+*/]|(?:is|are|=) ?[NS]))"
-)
-_TO_SEND = re.compile(
-    r"\b(?:use|send|put|write|set|take) (?P<value>[NS]) (?:if|when|where|while|unless) [^.;"
-    r"|()NS]{0,40}?(?P<name>F)(?! ?[-+*/])"
-)
-_CONDITION = re.compile(
-    r"\b(?:if|when|while|without|unless|until|no|unknown|absent|missing|invalid|lacks?|marks?|has no)\b"
-)
+_NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
-    PAST, MISTAKEN, PROPOSED, REPLACED[:1], ASKED, r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b",
+    PAST, MISTAKEN, PROPOSED, REPLACED[:1], r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b", r"\bnever\b",
     r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b",
+    r"\b(?:do not|don't|must not|should not|not to) (?:send|use|set|fill|write|treat|put|take)",
 )  # fmt: skip
+_USED = re.compile(
+    r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param"
+    r"|channels?|bytes?|bit|page|section"
+    r"|element|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\."
+    r"|\[)$"
+)
+_NO_VALUE = re.compile(
+    r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
+    r"|[a-z]+s (?:of|are|in)\b|\])"
+)
+_GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
+_OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
+_FAR = 70
+_QUESTION = re.compile(r"\? (?:then|so|in that case|send|use|set|fill|it|write|put|F|N|S)\b")
 _SMALL = (0, 1)
 """Numbers that a field may really have while something else is unknown."""
 
@@ -56,18 +66,24 @@ _SMALL = (0, 1)
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value that a sentence about something unknown gives a field."""
     for low, high in _sentences(span):
-        if not _ABSENT.search(span.text, low, high) or _RULED_OUT.search(span.text, low, high):
+        absent = [
+            (found.start(), found.end())
+            for found in _ABSENT.finditer(span.text, low, high)
+            if not _NEGATED.search(span.text, max(low, found.start() - 30), found.start())
+        ]
+        if not absent or _RULED_OUT.search(span.text, low, high):
             continue
-        told: set[int] = set()
-        for form in (_TO_VALUE, _TO_FIELD, _TO_SEND):
-            for found in form.finditer(span.text, low, high):
-                if found.start("name") not in told:
-                    told.add(found.start("name"))
-                    yield from _found(reading, span, found, (low, high))
+        values = [
+            (at, number(term)) for at, term in span.sentence.within(low, high, "NS") if _is_value(span.text, low, at)
+        ]
+        for group, at, tied in _told(span, low, high, absent, [at for at, _ in values]):
+            one = about(reading, span, group)
+            if one is not None and not any(_is_right(one, value, is_tied=place in tied) for place, value in values):
+                yield from _found(reading, span, one, at, (low, high))
 
 
 def _sentences(span: Span) -> Iterator[tuple[int, int]]:
-    """The sentences of a part; an item, a row and a line are one."""
+    """The sentences of a part, a question with its answer; an item, a row and a line are one."""
     if is_data(span):
         return
     if span.kind is PassageKind.ROW or span.is_code:
@@ -76,46 +92,80 @@ def _sentences(span: Span) -> Iterator[tuple[int, int]]:
     low = 0
     while low < len(span.text):
         _, high = span.bounds(low)
+        if _QUESTION.match(span.text, high):
+            _, high = span.bounds(high + 1)
         yield low, high
         low = max(high + 1, low + 1)
 
 
-def _found(reading: Reading, span: Span, found: "re.Match[str]", sentence: tuple[int, int]) -> Iterator[Diagnostic]:
-    term = span.sentence.term(found.start("value"))
-    one, value = about(reading, span, found.start("name")), number(term)
-    if one is None or value is None or _is_element(span, found.start("name")) or one.field.definition.enum:
+def _is_value(text: str, low: int, at: int) -> bool:
+    """Whether a number may be a value of a field, and no amount, place or end of a range."""
+    return not _USED.search(text[max(low, at - 14) : at].removesuffix("(")) and not _NO_VALUE.match(text, at + 1)
+
+
+def _told(
+    span: Span, low: int, high: int, absent: list[tuple[int, int]], values: list[int]
+) -> Iterator[tuple[int, int, list[int]]]:
+    """The names of fields, each with the value that the words for absence are tied to, and all that may be."""
+    names = [said.names[-1] for said in said_of_fields(span) if low <= said.start < high] or _carried(span, low, high)
+    taken: set[int] = set()
+    for start, end in absent:
+        tied = [at for at in values if at not in taken and _is_tied(span.text, at, start, end)]
+        if not tied or not names:
+            continue
+        at = min(tied, key=lambda value: start - value if value < start else value - end)
+        before = [name for name in names if name < at]
+        behind = [name for name in names if name > at and not _GAP.search(span.text, at + 1, name)]
+        name = before[-1] if before else next(iter(behind), None)
+        if name is not None and not _is_element(span, name):
+            taken.add(at)
+            yield name, at, tied
+
+
+def _carried(span: Span, low: int, high: int) -> list[int]:
+    """The field that the sentences before one are about: the only one of the passage so far, and of no other thing."""
+    before = [said for said in said_of_fields(span) if said.start < low]
+    names = {span.sentence.term(said.names[-1]).written for said in before}
+    if len(names) != 1 or any(len(said.names) > 1 for said in before):
+        return []
+    others = [at for at, _ in span.sentence.within(before[-1].end, high, "MEVC")]
+    return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
+
+
+_CARRIED = 250
+"""How far a field is carried, in characters."""
+
+
+def _is_tied(text: str, at: int, start: int, end: int) -> bool:
+    """Whether a value and words for absence belong together: near, and with nothing of another kind between."""
+    if start <= at < end:
+        return True
+    low, high = (at + 1, start) if at < start else (end, at)
+    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1))
+    return high - low <= _FAR and not _GAP.search(gap) and not re.search(r"[NS]", gap)
+
+
+def _is_right(one: About, value: float | Fraction | None, *, is_tied: bool) -> bool:
+    """Whether a value stands for unknown in a field; a small one that stands elsewhere may be there by chance."""
+    if value is None or (float(value) in _SMALL and not is_tied):
+        return False
+    return not one.is_wrong(partial(is_unknown, value=float(value)))
+
+
+def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[int, int]) -> Iterator[Diagnostic]:
+    term = span.sentence.term(at)
+    value, known = number(term), unknown_values(one.field)
+    if value is None or known is None or one.field.definition.enum:
         return
-    known = unknown_values(one.field)
-    if known is None or not one.is_wrong(partial(is_unknown, value=float(value))):
+    if not one.is_wrong(partial(is_unknown, value=float(value))):
         return
-    rest = span.text[sentence[0] : found.start()] + " " + span.text[found.end() : sentence[1]]
-    if not (_ABSENT.search(rest) or _ABSENT.search(found[0])) or _others(span, found, sentence, one):
+    is_told = _TOLD.search(span.text, *sentence) is not None
+    if float(value) in _SMALL and not is_told:
         return
-    is_sure = one.is_sure and (float(value) not in _SMALL or _is_told(span, sentence))
     text = f"{one.name} is unknown when it is {known[1]}, not {term.written}"
-    yield reading.found(
-        as_sure(SENTINEL, is_sure=is_sure), span.place(found.start("value")), f"{one.name} {term.written}", text
-    )
+    yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
 
 
 def _is_element(span: Span, offset: int) -> bool:
     value = span.sentence.term(offset).value
     return isinstance(value, NamedField) and value.elements is not None
-
-
-def _is_told(span: Span, sentence: tuple[int, int]) -> bool:
-    """Whether the sentence says of the value itself that it stands for nothing."""
-    return (
-        re.search(
-            r"unknown|invalid|marks?\b|sentinel|no data|not (?:known|available|measured)", span.text[slice(*sentence)]
-        )
-        is not None
-    )
-
-
-def _others(span: Span, found: "re.Match[str]", sentence: tuple[int, int], one: About) -> bool:
-    """Whether another value of the sentence is the right one, or it is about another field's."""
-    values = [number(term) for at, term in span.sentence.within(*sentence, "NS") if at != found.start("value")]
-    return any(
-        value is not None and float(value) not in _SMALL and is_unknown(one.field, float(value)) for value in values
-    )

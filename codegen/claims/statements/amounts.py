@@ -4,13 +4,14 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.field_units import of_field
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
-from codegen.claims.statements.subjects import About, about
+from codegen.claims.statements.quantities import measuring
+from codegen.claims.statements.subjects import About, about, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -34,7 +35,8 @@ _COMPARED = re.compile(
     r"|near|nearly|around|up to|from|by|per|each|and|or)|[<>~\u00b1+*/x\u00d7-]|\.\.|N[UM]?) ?$"
 )
 _BEHIND = re.compile(
-    r" ?(?:[-+*/\u00d7]|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N|U\b)"
+    r" ?(?:[-+*/\u00d7]|bits?\b|and Q|, Q|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N"
+    r"|U\b)"
 )
 _INTERVAL = "interval"
 _FAR = 70
@@ -84,13 +86,15 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
     for offset, term in span.sentence.within(low, high, "N"):
         start, end = sorted((at, offset))
         value = number(term)
-        if value is None or isinstance(value, float) or end - start > _FAR or not _is_tied(span, start, end):
+        if value is None or isinstance(value, float) or not _is_together(span, low, start, end):
             continue
         if _COMPARED.search(text[low:offset].removesuffix("(")) and not text[low:offset].rstrip().endswith(" to"):
             continue
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):
             continue
         one = _field(reading, span, (start, end), (low, high), unit)
+        if one is None and at < offset and _SENT_AS.fullmatch(text, start + 1, end):
+            one = _unnamed(reading, span, (low, high), unit)
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
@@ -101,6 +105,31 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         what = f"{written} is {float(own):.10g} in {one.name} ({one.field.unit_text}), not {term.written}"
         yield reading.found(as_sure(SCALING, is_sure=one.is_sure), span.place(offset), stated, what)
         return
+
+
+_EXAMPLE = re.compile(r"(?: [a-z]+){0,4}: F = ")
+"""Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
+_SENT_AS = re.compile(
+    r" ?(?:(?:is|are|would be|gets|has to be|must be|then|thus|therefore) )*(?:sent|coded|encoded|transmitted|written"
+    r"|stored"
+    r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like"
+    r"|in the form of)"
+    r" (?:an?|the)? ?(?:value |number |integer )*"
+)
+"""Between an amount and its number, where no field is named."""
+
+
+def _unnamed(reading: Reading, span: Span, bounds: tuple[int, int], unit: Unit) -> About | None:
+    """The fields that an amount without a name may be one of: those of the message that measure the same."""
+    if any(span.sentence.within(*bounds, "FC")):
+        return None
+    messages, is_sure = subjects(reading, span, bounds[0])
+    fields = [field for field in measuring(messages[:1], unit) if field.type.is_integer]
+    if not fields or not is_sure:
+        return None
+    text = span.source_text(max(bounds[0] - _FAR, 0), bounds[1]).lower()
+    fields.sort(key=lambda field: not any(len(word) > 2 and word in text for word in field.name.lower().split("_")))
+    return About(messages[0], fields[0], tuple(fields[1:]), is_sure=False)
 
 
 _RULED_OUT = words(
@@ -125,6 +154,13 @@ _PARAMETER = re.compile(r"\b(?:param\w*|ids?|messages?|msg|command|section|versi
 def _is_parameter(text: str, low: int, offset: int) -> bool:
     """Whether a number is that of a parameter of a command, an id or the like."""
     return _PARAMETER.search(text[low:offset]) is not None
+
+
+def _is_together(span: Span, low: int, start: int, end: int) -> bool:
+    """Whether an amount and a number belong together, and are not the other side of a mapping, which stands first."""
+    if end - start > _FAR or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP"))):
+        return False
+    return _is_tied(span, start, end) or _EXAMPLE.fullmatch(span.text, start + 1, end) is not None
 
 
 def _is_tied(span: Span, start: int, end: int) -> bool:
@@ -168,6 +204,10 @@ def _in_own(field: WireField, amount: Fraction, unit: Unit) -> Fraction | None:
     return (turned.factor * amount + turned.offset) / field.multiplier
 
 
+_ROUNDED = 100
+"""An amount of so many digits may be rounded to the last of them."""
+
+
 def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, written: str) -> bool:
     """Whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
     places = len(re.split(r"[^\d]", written.partition(".")[2])[0]) if "." in written else 0
@@ -175,6 +215,7 @@ def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, w
         own, next_one = _in_own(field, amount, unit), _in_own(field, amount + Fraction(1, 10**places), unit)
         if own is None or next_one is None:
             return True
-        if abs(own - value) <= max(abs(next_one - own) / 2 if places or own % 1 else Fraction(1, 2), Fraction(1, 2)):
+        is_rounded = places or own % 1 or amount >= _ROUNDED
+        if abs(own - value) <= max(abs(next_one - own) / 2 if is_rounded else Fraction(1, 2), Fraction(1, 2)):
             return True
     return False

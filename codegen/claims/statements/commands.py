@@ -3,12 +3,12 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import PARAMETER, as_sure
 from codegen.claims.statements.field_units import is_same_unit
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry
@@ -61,6 +61,10 @@ def _numbered(reading: Reading, span: Span, around: str | None) -> Iterator[Diag
         said = behind or before
         if said is not None:
             yield from _said(reading, span, found, said, command, at)
+        amount = _AMOUNT.match(span.text, found.end(), high)
+        if amount is not None:
+            own = next((each for each in command.parameters if each.number == str(at)), None)
+            yield from _amount(reading, span, amount, command, own) if own is not None else ()
 
 
 def _number_at(span: Span, found: "re.Match[str]") -> int | None:
@@ -124,6 +128,28 @@ def _unit(
     name = dict(own.attributes).get("label", "")
     text = f"{command.name}: param {own.number} ({name}) is in {dict(own.attributes)['units']}, not {written}"
     yield reading.found(PARAMETER, span.place(stated.start("unit")), f"{command.name} {own.number} {written}", text)
+
+
+_AMOUNT = re.compile(r"\)? ?(?:=|is|:|to|of|set to)? ?(?:N ?\(?(?P<unit>U)\)?|(?P<amount>Q))(?=\s*(?:[,.;)|]|$|and\b))")
+"""A parameter with its value and the unit of it."""
+
+
+def _amount(
+    reading: Reading, span: Span, found: "re.Match[str]", command: EnumEntry, own: CommandParameter
+) -> Iterator[Diagnostic]:
+    """ "param2 = 1200 (cm/s)" of a parameter in m/s."""
+    at = found.start("unit") if found["unit"] else found.start("amount")
+    value = span.sentence.term(at).value
+    unit = value[1] if isinstance(value, tuple) else value
+    units = Unit.parse(dict(own.attributes).get("units"))
+    if units is None or not isinstance(unit, Unit) or is_same_unit(unit, units) or not unit.dimension:
+        return
+    written = span.sentence.term(at).written
+    name = dict(own.attributes).get("label", "")
+    text = f"{command.name}: param {own.number} ({name}) is in {dict(own.attributes)['units']}, not {written}"
+    yield reading.found(
+        as_sure(PARAMETER, is_sure=False), span.place(at), f"{command.name} {own.number} {written}", text
+    )
 
 
 def _content(text: str) -> list[str]:

@@ -5,12 +5,14 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from codegen.claims import ruled_out
+from codegen.claims.parts.span import Span
+from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, REPLACED, SUPPOSED
 from codegen.claims.rules import ENTRY_VALUE, as_sure
+from codegen.claims.statements.entry_names import named
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.meaning import meaning
-from codegen.claims.statements.spans import Span, head_of, spans
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -35,29 +37,13 @@ _PAIRS = (
     ),
 )
 _ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
-_NAMED = (
-    re.compile(
-        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192) ?|,? (?:is|has|equals|as)(?: the)?(?: value| number| bit| code"
-        r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
-        r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
-    ),
-    re.compile(
-        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
-        r"|this is"
-        r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)"
-    ),
-)
-_AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
 _QUOTED = re.compile(r"[\"'\u201c\u201d]")
 _NOT = ruled_out.words(
     DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"
 )
+_RESPECTIVELY = re.compile(r"(?:N(?:, N)*,? and|N,) $")
+"""Before the last of several values: "2 and 4 are horizontal and vertical velocity"."""
 _FEWEST = 2
-_VALUE_HEAD = re.compile(
-    r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
-    r"|source|sent|example|meaning|enum|default|is\b",
-    re.IGNORECASE,
-)
 _ANY_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")
 _CONSTANT = re.compile(
     r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int"
@@ -85,7 +71,7 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
         if is_list:
             subject = _subject(reading, above, spans) if above is not None else None
             for span in spans:
-                yield from _named(reading, span)
+                yield from named(reading, span)
                 own = list(_said(reading, span))
                 yield from own
                 if subject is not None and not _fields(reading, span):
@@ -94,7 +80,7 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
                     yield from _unnamed(reading, span)
             continue
         for span in spans:
-            yield from _named(reading, span)
+            yield from named(reading, span)
             yield from _said(reading, span)
             if not _fields(reading, span):
                 yield from _unnamed(reading, span)
@@ -120,6 +106,26 @@ def _said(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             others = {other.definition.enum for other in one.others} - {enum.name, None}
             if not others:
                 yield from _values(reading, span, _Subject(one.name, enum), said.end, said.until)
+                yield from _only(reading, span, enum, said.end, said.until)
+
+
+def _only(reading: Reading, span: Span, enum: EnumDefinition, low: int, high: int) -> Iterator[Diagnostic]:
+    """The only number and the only entry of a cell, an item or a clause about a field: "24 by default, down (NAME)"."""
+    stop = re.compile(r"[|;]|\.\s").search(span.text, low, high)
+    high = stop.start() if stop is not None and span.text[low : stop.start()].strip() else high
+    numbers = [at for at, _ in span.sentence.within(low, high, "NQ")]
+    entries = [term for _, term in span.sentence.within(low, high, "VCEMFT")]
+    if len(numbers) != 1 or len(entries) != 1 or _NOT.search(span.text, low, high) or span.is_code:
+        return
+    value, entry = number(span.sentence.term(numbers[0])), enum.entry(entries[0].written)
+    if value is None or entry is None or entry.value == value or not _TOLD_FIRST.fullmatch(span.text, low, numbers[0]):
+        return
+    written = span.sentence.term(numbers[0]).written
+    text = f"{enum.name}: {entry.name} is {entry.value}, not {written}"
+    yield reading.found(as_sure(ENTRY_VALUE, is_sure=False), span.place(numbers[0]), f"{entry.name} {written}", text)
+
+
+_TOLD_FIRST = re.compile(r"[\s|:=(,]*(?:(?:is|has|always|must be|set to|fixed at|the|value|to|as|=)[\s:]*){0,4}")
 
 
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:
@@ -209,7 +215,7 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
     told: set[int] = set()
     for value, words, offset in (*_alone(span, low, high), *_pairs(span, low, high)):
         before = span.text[max(low, offset - 30) : offset]
-        if offset in told or _NOT.search(re.split(r"[,.;(]", before)[-1]):
+        if offset in told or _RESPECTIVELY.search(before) or _NOT.search(re.split(r"[,.;(]", before)[-1]):
             continue
         meant = known.meant_otherwise(value, words)
         if meant is not None:
@@ -225,59 +231,6 @@ def _finding(
     hint = f"{value} is {at.name}" if at else None
     rule = as_sure(ENTRY_VALUE, is_sure=meaning(subject.enum).is_sure(meant, words) or span.is_code)
     return reading.found(rule, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
-
-
-@once
-def _entry_values(reading: Reading) -> dict[str, int]:
-    """The values of all entries by name."""
-    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
-
-
-def _named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
-    """Entries by their names, or by the end of their names, beside a number."""
-    if "V" not in span.text:
-        return
-    values = _entry_values(reading)
-    for form in _NAMED:
-        for found in form.finditer(span.text):
-            if form is _NAMED[1] and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start()):
-                continue  # "FIRST 1, SECOND 2"
-            name = span.sentence.term(found.start("name")).written
-            yield from _value(reading, span, name, values.get(name), found)
-    if span.is_code and not span.is_comment:
-        comment = re.search(r"(?:#|//|/\*) ?(?:M )?(?P<name>V)\b", span.text)
-        stated = re.search(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
-        if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
-            name = span.sentence.term(comment.start("name")).written
-            yield from _value(reading, span, name, values.get(name), stated)
-
-
-def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.Match[str]") -> Iterator[Diagnostic]:
-    stated = number(span.sentence.term(found.start("value")))
-    is_bit = span.text[max(found.start("value") - 4, 0) : found.start("value")] == "bit "
-    if is_bit and stated is not None and stated != own and 0 <= stated < 32:
-        stated = 1 << int(stated)
-    before = span.text[max(found.start("value") - 24, 0) : found.start("value")]
-    if (
-        own is None
-        or stated is None
-        or stated == own
-        or re.search(
-            r"\b(?:component|system|(?<!command )id|param\w*|than|after|about|least|most|up to|channel|instance"
-            r"|see|section"
-            r"|chapter|not) ?$|[+*<>-] ?$",
-            before[:-1] if before.endswith(" ") else before,
-        )
-    ):
-        return
-    at = found.start("value")
-    cell = span.text[span.text.rfind("|", 0, at) + 1 : (span.text + "|").index("|", at)].strip()
-    is_apart = "|" in found[0] and cell != "N"
-    if span.kind is PassageKind.ROW and "|" in found[0] and (is_apart or not _VALUE_HEAD.search(head_of(span, at))):
-        return
-    written = span.sentence.term(found.start("value")).written
-    text = f"{name} is {own}, not {written}"
-    yield reading.found(ENTRY_VALUE, span.place(found.start("value")), f"{name} {written}", text)
 
 
 def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:

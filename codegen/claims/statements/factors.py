@@ -5,11 +5,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import of_field
+from codegen.claims.statements.field_units import is_same_unit, of_field
 from codegen.claims.statements.fields import Said, claimed, number
-from codegen.claims.statements.spans import Span
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -25,6 +25,11 @@ _SIGN = re.compile(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
     r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
+_COMMENTED = re.compile(
+    r"\)* ?(?P<how>[/*]) ?\(?(?P<number>N)[)\]}]*[;,]? *(?://|#"
+    r"|/\*) ?(?:[a-zVEP ,;:()-]{0,40}[ ,(])??(?P<unit>U)(?=\s*(?:[,.;)]|\*/|$|[a-z]))"
+)
+"""A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
     r"\b(?:to get|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
 )
@@ -51,8 +56,8 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     yield from _named_factor(reading, said)
     wanted = _WANTED.search(text, max(said.before, said.start - 40), said.start)
     wanted = wanted or _EQUATION.search(text, max(said.before, said.start - 40), said.start)
-    for form in (_FACTOR, _SIGN) if wanted is None else (_BY, _APPLIED):
-        found = form.search(text, start, said.until)
+    for form in (_FACTOR, _SIGN, *((_COMMENTED,) if span.is_code else ())) if wanted is None else (_BY, _APPLIED):
+        found = form.match(text, said.end, said.until) if form is _COMMENTED else form.search(text, start, said.until)
         if (
             found is None
             or found.end() <= said.end
@@ -66,7 +71,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
         one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
-        if one is not None and not (form is _SIGN and _is_raw(found, unit, one.field)):
+        if one is not None and not (form in (_SIGN, _COMMENTED) and _is_raw(unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
             yield reading.found(
@@ -90,10 +95,10 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             )
 
 
-def _is_raw(found: "re.Match[str]", unit: Unit, field: WireField) -> bool:
-    """Whether a comment behind a factor tells what is divided: ``relative_alt / 1000  # mm``."""
-    own = field.definition.units
-    return own is not None and Unit.parse(own) == unit and re.search(r"#|//", found[0]) is not None
+def _is_raw(unit: Unit, field: WireField) -> bool:
+    """Whether what stands behind a factor is the unit of the field, which something else is turned into."""
+    own = Unit.parse(field.definition.units)
+    return own is not None and is_same_unit(own, unit)
 
 
 _SUFFIXES = {

@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, as_sure
 from codegen.claims.statements.fields import Said, each_about, made_of, number, said_of_fields
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -20,6 +20,7 @@ _KIND = re.compile(
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
 )
 _VERBS = frozenset((
+    "it", "they", "note",
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
     "belongs", "among", "to", "in", "as",
 ))  # fmt: skip
@@ -42,7 +43,7 @@ _ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
 _ENUM_IDLE = frozenset((
     "is", "are", "an", "a", "from", "of", "use", "uses", "the", "enum", "type", "taken", "see", "value", "values",
     "entry", "in", "one", "hold", "holds", "has", "contains", "as", "by", "bitmask", "bits", "flags", "list", "code",
-    "codes", "T", "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
+    "codes", "those", "T", "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
 ))  # fmt: skip
 _NOT = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2])
 
@@ -67,6 +68,11 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if value is not None and 1 < value <= len(named):
             is_extension = found["kind"].startswith("ext")
             yield from _kinds(reading, span, named[-int(value) :], found.start("kind"), is_extension=is_extension)
+    for said in said_of_fields(span) if span.kind in (PassageKind.ITEM, PassageKind.ROW) else ():
+        clause = _CLAUSE.search(text, said.end, said.until)
+        if clause is not None:
+            is_extension = clause["kind"].startswith("ext")
+            yield from _kinds(reading, span, said.names, clause.start("kind"), is_extension=is_extension)
     for found in _NAMED_SO.finditer(text):
         yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
@@ -94,6 +100,10 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 _THESE = re.compile(
     r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
 )
+_CLAUSE = re.compile(
+    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))"
+)
+"""A clause of an item or a cell that is nothing else."""
 _NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 60

@@ -4,9 +4,9 @@ import re
 from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
 
+from codegen.claims.parts.sentence import NamedField, StatedType, Term
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
-from codegen.claims.statements.sentence import NamedField, StatedType, Term
-from codegen.claims.statements.spans import Span, is_data
 from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -26,6 +26,9 @@ _SUBJECT = re.compile(
 _THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
 
 
+_FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
+_MEMBER = re.compile(r"[a-z_]\.$")
+"""Before the name of a member of another thing, ``T_wb.q``."""
 _EXCEPT = re.compile(
     r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
 )
@@ -61,6 +64,7 @@ def said_of_fields(span: Span) -> tuple[Said, ...]:
 
 def _said(span: Span) -> Iterator[Said]:
     groups = [found for found in _GROUP.finditer(span.text) if _is_name(span, found)]
+    groups = [found for found in groups if span.is_code or not _MEMBER.search(span.text, 0, found.start())]
     groups = [found for found in groups if not _EXCEPT.search(span.text, max(found.start() - 40, 0), found.start())]
     for index, found in enumerate(groups):
         following = groups[index + 1].start() if index + 1 < len(groups) else len(span.text)
@@ -79,9 +83,11 @@ def _said(span: Span) -> Iterator[Said]:
 
 def _is_name(span: Span, found: "re.Match[str]") -> bool:
     """Whether a group names fields: words of a language that happen to be names need more around them."""
-    if "F" in found[0]:
-        return True
     text = span.text
+    if "F" in found[0]:
+        again = _FIELD_CELL.search(text, found.end()) if span.kind is PassageKind.ROW else None
+        names = {term.written for _, term in span.sentence.within(*again.span(), "F")} if again is not None else set()
+        return span.sentence.term(found.start()).written not in names
     lead = _BEGINS.match(text)
     begins = lead is not None and lead.end() >= found.start()
     behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]
@@ -91,6 +97,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
             or behind in (":", "=", ";", ",")
             or text[max(found.start() - 40, 0) : found.start()].endswith(("T ", "T", ": ", "# ", "// "))
         )
+    if span.kind is PassageKind.ROW and _FIELD_CELL.search(text, found.end()):
+        return False  # the other side of a mapping
     if span.kind is PassageKind.ROW:
         return text[max(found.start() - 40, 0) : found.start()].rstrip().endswith("|") or begins
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
@@ -98,7 +106,10 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
     is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
-    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] == " field"
+    return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
+        " field",
+        " array",
+    )
 
 
 def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
     CHANGED,
@@ -19,7 +20,6 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, made_of, named, number, said_of_fields
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
@@ -73,7 +73,7 @@ _COMMENT = re.compile(r"#|//|/\*")
 _ELEMENTS = re.compile(
     r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
     r"|bytes?|octets?|channels"
-    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of|per|behind|before|after|further"
+    r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of (?!T)|per|behind|before|after|further"
     r"|more|a second|each|in a|in base|in payload|in total|in all|at the|are|each))"
     r"(?P<per>(?:/| per | a )\w+)?"
 )

@@ -5,12 +5,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from codegen.claims.described_range import range_of
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.field_units import has_unit, of_field
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -72,9 +73,10 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every end of a range that is said of one field."""
     for said in said_of_fields(span):
         one = about(reading, span, said.names[-1])
-        if one is None or not one.field.type.is_integer or one.field.definition.enum:
+        if one is None or one.field.definition.enum:
             continue
-        yield from _said(reading, said, one)
+        found = list(_said(reading, said, one)) if one.field.type.is_integer else []
+        yield from found or _described(reading, said, one)
 
 
 def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
@@ -114,6 +116,39 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         if wrong is not None:
             yield _finding(reading, said, one, wrong, is_top=wrong is end, is_sure=is_certain)
             return
+
+
+def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
+    """ "From 0 to 100" of a field whose description gives another range."""
+    span, text = said.span, said.span.text
+    found = _SPAN.search(text, said.end, said.until)
+    told = [range_of(field) for field in (one.field, *one.others)]
+    if found is None or any(each is None for each in told) or found.start() - said.end > _FAR:
+        return
+    gap = text[said.end : found.start()].replace(" of M", "")
+    if _RULED_OUT.search(gap) or _NOT_ONE.search(gap) or not _RUNS.search(gap) or re.search(r"[|;]|\.\s|[MEVC]", gap):
+        return
+    low, high = (_end(span, found.start(group)) for group in ("low", "value"))
+    if low is None or high is None or high.unit is not None or _UNITS_BEHIND.match(text, found.end()):
+        return
+    if any(each is not None and (low.value in each or high.value in each[1:]) and high.value in each for each in told):
+        return
+    best = told[0]
+    if best is None or low.value not in (best[0], 0, 1) or high.value in (best[1], *_TOPS):
+        return
+    if best[1] and float(high.value) / best[1] > _SCALED:
+        return  # the description has it in another unit
+    written = span.sentence.term(high.offset).written
+    words = f"{one.name} goes from {best[0]:g} to {best[1]:g}, not to {written}"
+    yield reading.found(as_sure(RANGE, is_sure=False), span.place(high.offset), f"{one.name} to {written}", words)
+
+
+_SCALED = 50
+"""So many times as much is the same in a smaller unit."""
+_RUNS = re.compile(
+    r"\b(?:runs?|goes|ranges?|between|from|is|are|range|scale|scaled|accepts?|takes?|values?|number)\b[^,]*$"
+    r"|^ ?[(:,] ?$"
+)
 
 
 def _is_of_other(unit: object, one: About) -> bool:

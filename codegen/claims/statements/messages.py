@@ -4,11 +4,11 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, OWN, PAST, REPLACED, words
 from codegen.claims.rules import CRC_EXTRA, MESSAGE_ID, as_sure
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -34,6 +34,11 @@ _HELD = re.compile(
     r"M(?: messages?)?(?:,? (?P<mark>id |#|message |msg )?\(? ?| ?\((?P<called>(?:message |msg )?(?:id[ :=]*"
     r"|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
 )
+_HELD_FIRST = re.compile(
+    r"M(?: messages?)? ?\((?P<called>(?:message |msg )?(?:id[ :=]*|number |no\.? )?#?) ?(?P<number>N)(?P<mark>)"
+    r"(?=[,;] ?(?!N ?(?:[,)]|hz|ms|U)))"
+)
+"""An id that other things stand behind in its parentheses."""
 _HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
 _PLAIN = re.compile(
     r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has (?:the )?number) (?:number |no\.? |id"
@@ -69,12 +74,13 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """The ids beside names, in headings, in lists of both, and in words."""
     text = span.text
-    for found in _HELD.finditer(text):
+    for found in (*_HELD.finditer(text), *_HELD_FIRST.finditer(text)):
         name = str(span.sentence.term(found.start()).value)
         offset = found.start("number")
         called = found["called"] or found["mark"] or ""
         is_discussed = "#" in called and "id" not in called and re.match(r"\)?[\s.,;]*$", text[offset + 1 :])
-        if not is_discussed and ("_" in name or called or span.kind is PassageKind.HEADING):
+        is_told = "_" in name or called or span.kind is PassageKind.HEADING or _is_id(span, offset)
+        if not is_discussed and is_told:
             yield from _id(reading, span, offset, (reading.messages[name],))
     if span.kind is PassageKind.HEADING and _HEADED.fullmatch(text.strip()):
         offset = text.index("N", text.index("M"))
@@ -91,6 +97,17 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _worded(reading, span, found)
 
 
+def _is_id(span: Span, offset: int) -> bool:
+    """Whether a number behind a plain word can hardly be anything else than an id."""
+    value = number(span.sentence.term(offset))
+    return value is not None and value >= _GREAT
+
+
+_GREAT = 100
+_BESIDE = 16
+"""Characters around a number in which words say that it is a rate or a size."""
+
+
 def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "RADIO_STATUS is 109, RADIO is 166", "Message: ODOMETRY, 331.", "param1 = 33 (GLOBAL_POSITION_INT)"."""
     text = span.text
@@ -99,7 +116,7 @@ def _plain(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         told = _TOLD[named]
         low, high = span.bounds(found.start())
         is_else = (
-            _OF_RATE.search(text, low, high)
+            _OF_RATE.search(text, max(low, found.start() - _BESIDE), min(high, found.end() + _BESIDE))
             or _UNSURE.search(text, low, high)
             or _OTHER.search(text, low, found.start())
         )

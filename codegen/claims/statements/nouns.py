@@ -3,12 +3,13 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.parts.sentence import StatedType
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span
+from codegen.claims.statements.quantities import quantities
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -30,7 +31,7 @@ _NOT = re.compile(
 _IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
     "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
-    "only", "time",
+    "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
 ))  # fmt: skip
 _MOST_WORDS = 3
 """The last words before a unit that can be the name of a field: "the current ground speed"."""
@@ -75,9 +76,10 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             fields = [field for field in messages[0].fields if _is_called(field, words) and _is_kin(field, unit, words)]
             if fields:
                 break
-        if not fields or any(
-            has_unit(field, unit) for message in messages for field in message.fields if _is_called(field, words)
-        ):
+        called = [field for message in messages for field in message.fields if _is_called(field, words)]
+        if not fields and any(name == messages[0].name for _, name in span.named(0, found.start())):
+            fields = called = quantities(messages[:1], words[-1], unit)
+        if not fields or any(has_unit(field, unit) for field in called):
             continue
         first = fields[0]
         written = span.sentence.term(found.end() - 1).written

@@ -4,10 +4,10 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ORDER, as_sure
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 

@@ -5,12 +5,12 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SIZE, as_sure
 from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -25,7 +25,8 @@ _BYTES = re.compile(
 )
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
-    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements)|[.-]\d)"
+    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
+    r"|items|entries|messages)|[.-]\d)"
     r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
 )
 _LENGTHS = re.compile(
@@ -43,6 +44,7 @@ _PAIRS = (
         rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}"
     ),
     re.compile(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
+    re.compile(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes"),
     re.compile(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
     re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
     re.compile(
@@ -68,7 +70,7 @@ _SHORT = re.compile(
 _KINDS = re.compile(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
     r" )?header)"
-    r"|(?P<frame>frames?|packets?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
+    r"|(?P<frame>frames?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
     r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
 _OF_ELSE = re.compile(
@@ -184,7 +186,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         possible = {each for message in messages for each in _meant(message, kind, size)}
         off = _TOLERANCE if _ABOUT.search(size.before) else Fraction(0)
         is_right = any(abs(Fraction(value) - each) <= off * each for each in possible)
-        if not is_right and not _is_room(size, messages[0], value):
+        is_array = any(value == field.size for field in messages[0].fields if field.is_array)
+        if not is_right and not is_array and not _is_room(size, messages[0], value):
             yield _finding(reading, size, messages[0], kind)
 
 
@@ -280,6 +283,10 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
+    if near and all(at > size.offset for at, _ in near) and not is_row and not span.is_code:
+        gap = span.text[size.end : near[0][0]]
+        if re.search(r"[,;:]", gap):
+            return ()  # "it takes 340 bytes, so a NAME with its 42 ...", "it has 25 bytes, NAME 23"
     messages, is_sure = subjects(reading, span, size.offset)
     if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT and not span.is_code:
         return ()  # "20 bytes." answers what was asked before, which may be a field

@@ -3,9 +3,9 @@
 import re
 from collections.abc import Callable, Iterable
 
+from codegen.claims.parts.sentence import NamedField
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
-from codegen.claims.statements.sentence import NamedField
-from codegen.claims.statements.spans import Span
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField, WireMessage
 
@@ -47,8 +47,15 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
             value.name, [reading.messages[str(span.sentence.term(of.start("message")).value)]], [], is_sure=True
         )
     low, high = span.bounds(offset)
+    if _is_of_unknown(span, low, offset):
+        return None
     before = [reading.messages[name] for at, name in span.named(low, high) if at < offset][::-1]
-    after = [reading.messages[name] for at, name in span.named(low, high) if at > offset]
+    after = [
+        reading.messages[name]
+        for at, name in span.named(low, high)
+        if at > offset
+        and not (_ITSELF.match(span.text, at) and re.search(r"[,;:] ?[a-z ]*$", span.text[offset + 1 : at]))
+    ]
     if found := _about(value.name, before, [], is_sure=True):
         return found
     inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
@@ -67,6 +74,21 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     if span.is_code and "_" not in value.name and not topic.earlier and len(topic.document) > 1:
         return None  # a plain word, "id" or "load", is as likely a member of somebody's own type
     return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
+
+
+def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
+    """Whether the nearest name before a field is one that there is not: "PUMP_STATE, in which `id` ..."."""
+    if span.is_code:
+        return False
+    names = [(at, term.letter) for at, term in span.sentence.within(low, offset, "MC")]
+    return bool(names) and names[-1][1] == "C" and _IN_IT.match(span.text, names[-1][0] + 1, offset) is not None
+
+
+_ITSELF = re.compile(r"M (?:has|is|uses|carries|wants|sends|keeps|counts|knows|does)\b")
+"""A message that a clause of its own is about: "only 16 bits here, NAME has 32"."""
+_IN_IT = re.compile(
+    r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$"
+)
 
 
 def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:

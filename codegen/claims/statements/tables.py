@@ -6,13 +6,13 @@ from fractions import Fraction
 from functools import partial
 from itertools import groupby
 
+from codegen.claims.parts.span import Span
 from codegen.claims.rate import RULE as BANDWIDTH
 from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
@@ -23,6 +23,7 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 from codegen.model.units.unit import Unit
 
+_IN_BYTES = re.compile(r",? ?[(\[](?:in )?(?:b|bytes?)[)\]]$|,? in bytes$")
 _ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
 _CRC = re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
 _BASE = re.compile(
@@ -74,7 +75,7 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     for is_row, run in groupby(parts, lambda span: span.kind is PassageKind.ROW):
         rows = [_row(reading, span) for span in run] if is_row else []
         if len(rows) > 1:
-            heads = [head.lower() for head in rows[0].span.heads]
+            heads = [_IN_BYTES.sub("", head.lower()) or head.lower() for head in rows[0].span.heads]
             for column, head in enumerate(heads):
                 yield from _messages(reading, rows[1:], column, head)
                 yield from _fields(reading, rows[1:], column, head)

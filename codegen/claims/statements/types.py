@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.layout import typed
+from codegen.claims.parts.sentence import StatedType
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
     CHANGED,
@@ -20,8 +22,6 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
-from codegen.claims.statements.sentence import StatedType
-from codegen.claims.statements.spans import Span, is_data
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
@@ -41,7 +41,7 @@ _NOT = words(
 )  # fmt: skip
 _BEFORE = re.compile(
     r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
-    r"|named))? ?$|\bT $"
+    r"|named)|(?:elements?|values?|entries) (?:of|in)(?: the)?)? ?$|\bT $"
 )
 _AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
@@ -144,6 +144,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
 
 
+_IS_ARRAY = re.compile(r"\[|;")
 _NEXT = re.compile(r",|\b(?:and|plus|with)\b")
 
 
@@ -154,9 +155,11 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if lead is None or _NOT.search(span.text, max(said.before, lead.start() - 20), said.start):
         return
     offset = lead.start()
-    stated = stated_type(span.sentence.term(offset))
+    stated, term_text = stated_type(span.sentence.term(offset)), span.sentence.term(offset).written
     if _is_path(span, offset) or _is_foreign(span, stated, offset):
         return
+    if len(said.names) > 1 and stated.length is not None and not _IS_ARRAY.search(term_text):
+        stated = StatedType(stated.name, stated.bits, stated.sign)  # "two floats `a` and `b`" counts the fields
     elements = named(span.sentence.term(said.names[0])).elements
     if span.is_code and not span.is_comment and elements is not None:
         stated = StatedType(stated.name, stated.bits, stated.sign, elements)

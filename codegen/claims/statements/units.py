@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.span import Span, head_of, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
     CHANGED,
@@ -23,7 +25,6 @@ from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.factors import factors
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.spans import Span, head_of, is_data
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -31,19 +32,22 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
-    r"|reports?|measured in|is|are|be)"
+    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
+    r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
     r"|\bT|\"|^)\s*$"
 )
 _IS_SHORT = re.compile(
     r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per"
-    r"|but|because|while|on|of|to|up)\b|[-\u2013\u2014])"
+    r"|but|because|while|on|of|to|up|too|also|clockwise|counter|a?msl|agl|into|after|behind|before|in|where|which|like"
+    r"|by|east|north|along|under|until|within|then|not|so|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
 )
 _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
     COMPARED[:2],
-    SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b", r"\blimit", r"\bstep\b",
+    SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b",
+    r"\blimited\b", r"\bstep\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r", the \w",
@@ -54,6 +58,8 @@ _SCALED_AFTER = re.compile(
     r"|was wrong|\?|, which is wrong)"
 )
 _GAP_LONG = 90
+_NUMBERED = re.compile(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?:N(?:\.\.\.?N|-N)?[:,] )")
+"""A comment that begins with a place on the wire, "/* 16: rad */"."""
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -61,6 +67,37 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for said in said_of_fields(span):
         found = list(factors(reading, said))
         yield from found or _unit(reading, said)
+    yield from _steps(reading, span)
+
+
+def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "0.1 °C" in a column of units: that much is one."""
+    if span.kind is not PassageKind.ROW:
+        return
+    for offset, term in span.sentence.within(0, len(span.text), "Q"):
+        cell = _CELL.search(span.text, max(span.text.rfind("|", 0, offset), 0))
+        names = [said for said in said_of_fields(span) if said.end <= offset]
+        if (
+            cell is None
+            or not names
+            or not _UNIT_HEAD.search(head_of(span, offset))
+            or not isinstance(term.value, tuple)
+        ):
+            continue
+        amount, unit = term.value
+        if not amount or not isinstance(unit, Unit) or not unit.dimension or span.text.count("Q") > _OTHERS:
+            continue
+        step = Unit(term.written, unit.dimension, unit.scale * Fraction(amount), unit.pi, unit.zero)
+        one = claimed(reading, names[0], offset, partial(has_unit, unit=step))
+        if one is not None and Unit.parse(one.field.definition.units) is not None:
+            text = f"{one.name} {_own(one.field)}, not {term.written}"
+            yield reading.found(as_sure(UNIT, is_sure=False), span.place(offset), f"{one.name} in {term.written}", text)
+
+
+_CELL = re.compile(r"\|\s*Q\s*(?=\||$)")
+_UNIT_HEAD = re.compile(r"\bunits?\b|\bresolution|\blsb\b|\bscal", re.IGNORECASE)
+_OTHERS = 1
+"""Amounts of a row of which one is a unit."""
 
 
 def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -71,10 +108,12 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         yield from _found(reading, said, before)
         return
     for offset, _ in span.sentence.within(said.end, said.until, "U"):
-        gap, behind = text[said.end : offset], text[offset + 1 :]
+        gap, behind = _NUMBERED.sub(r"\1", text[said.end : offset]), text[offset + 1 :]
         if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
             return
-        is_column = span.is_comment and gap == " " and not behind.strip()  # "# heading, target_heading    deg"
+        is_column = gap == " " and (
+            span.is_comment or span.kind is PassageKind.ITEM
+        )  # "heading, target_heading    deg"
         if (
             not (_PLACE.search(gap) or is_column)
             or not _IS_SHORT.match(behind)
@@ -117,12 +156,17 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
 def _is_own(span: Span, offset: int) -> bool:
     """Whether a unit is what code computes, what a column of another thing holds, or the name of a key."""
     if is_data(span):
-        return span.text[offset + 1 : offset + 2] == ":"
+        return (
+            span.text[offset + 1 : offset + 2] == ":"
+            or _SHOWN_KEY.search(span.text, max(offset - 24, 0), offset) is not None
+        )
     if span.is_code and not span.is_comment and not span.sentence.term(offset).is_quoted:
         return re.search(r"#|//|/\*|;|--", span.text[:offset]) is None
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
+_SHOWN_KEY = re.compile(r"\b(?:suffix|label|display\w*|shown\w*|format|to|output\w*|title|caption) ?[:=] ?$")
+"""Before the unit of what is shown of a field."""
 _OWN_COLUMN = re.compile(
     r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
     r"|exported|screen|column",

@@ -5,10 +5,10 @@ import re
 from collections.abc import Iterator
 from functools import partial
 
+from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
-from codegen.claims.statements.spans import Span
 from codegen.claims.statements.subjects import about
 from codegen.claims.unknown_value import is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic
@@ -60,6 +60,9 @@ _NOT = re.compile(
 )
 
 
+_DO_NOT = re.compile(
+    r"\b(?:never|do not|don't|must not|should not) (?:ever )?(?:send|use|set|write|fill|put|treat|take) [a-z ]*$"
+)
 _INVALID = re.compile(rf"\b{NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
 _IS_VALUE = re.compile(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
 _COMMON = 1
@@ -69,7 +72,8 @@ _COMMON = 1
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value for unknown of a part."""
     for said in said_of_fields(span):
-        yield from _said(reading, said)
+        if not _DO_NOT.search(span.text, max(said.before, said.start - 40), said.start):
+            yield from _said(reading, said)
 
 
 def is_unknown(field: WireField, value: float) -> bool:

@@ -1,4 +1,4 @@
-"""What all elements of a dialect have in common: required attributes, names, booleans, lifecycle, unknown parts."""
+"""The common part of all elements of a dialect: required attributes, names, booleans, lifecycle, unknown parts."""
 
 from collections.abc import Set
 

@@ -71,7 +71,7 @@ def _included(path: str, written: str, files: Files) -> str:
 def decode_overlay(
     path: str, files: Files, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
 ) -> tuple[DialectFile, ...]:
-    """As ``decode_dialect_files``, for a file of the project that adds to the dialect: it is marked as an overlay.
+    """Decode a file of the project that adds to the dialect, like ``decode_dialect_files``, and mark it as an overlay.
 
     So are the files that it includes, but not pymavlink's.
     """

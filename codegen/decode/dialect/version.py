@@ -1,4 +1,4 @@
-"""With which release of pymavlink a project was reviewed: another one is told at once, before what follows from it."""
+"""Checks the release of pymavlink that a project was reviewed with: another one is told before its consequences."""
 
 import os
 

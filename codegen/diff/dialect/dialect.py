@@ -10,6 +10,7 @@ from codegen.diff.dialect.hearing import between, by_id, heard, taken_for
 from codegen.diff.dialect.lifecycle import lifecycle_changes
 from codegen.diff.dialect.meaning import Vocabulary
 from codegen.diff.dialect.pairing import type_text
+from codegen.diff.judging.texts import other_reference
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.source import Place
 
@@ -131,7 +132,10 @@ def _within(
     yield from lifecycle_changes(new.name, old.definition.lifecycle, new.definition.lifecycle, places, names)
     before, after = old.definition.description, new.definition.description
     if before != after:
-        yield changed(rules.DESCRIPTION, new.name, before or None, after or None, places, messages=names)
+        found = other_reference(before, after)
+        rule, breaks = (rules.MESSAGE_MEANING, BOTH) if found.breaks else (rules.DESCRIPTION, None)
+        words = before or None, after or None
+        yield changed(rule, new.name, *words, places, found.effect, breaks=breaks, messages=names)
 
 
 def _users(old: Dialect, new: Dialect) -> Mapping[str, list[str]]:

@@ -9,7 +9,8 @@ from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.lifecycle import lifecycle_changes
 from codegen.diff.dialect.meaning import Vocabulary
 from codegen.diff.dialect.parameters import other_parameter
-from codegen.diff.judging.judging import HARMLESS, Judgement, gone_entry, other_entry, same_entry
+from codegen.diff.judging.judging import HARMLESS, Judgement, gone_entry, other_entry
+from codegen.diff.judging.texts import same_entry
 from codegen.model.dialect.dialect import CommandParameter, EnumDefinition, EnumEntry
 from codegen.source import Place
 

@@ -13,7 +13,7 @@ from codegen.diff.judging.wording import name_likeness, text_likeness
 from codegen.model.dialect.dialect import WireField, WireMessage
 
 _DECEIVED = (rules.FIELD_TYPE, rules.FIELD_ORDER, rules.FIELD_SENTINEL, rules.FIELD_MULTIPLIER)
-"""What is read wrongly where frames of the other version are read at all."""
+"""Changes for which frames of the other version are misread, if they are read at all."""
 
 
 def field_changes(old: WireMessage, new: WireMessage, enums: Vocabulary) -> tuple[Change, ...]:

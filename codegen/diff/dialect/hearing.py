@@ -1,4 +1,4 @@
-"""Whether receivers of the other version read a message at all: where CRC_EXTRA or the id differs they do not."""
+"""Finds messages that receivers of the other version do not read, as CRC_EXTRA or the id differs."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace

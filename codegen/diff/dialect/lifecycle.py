@@ -11,7 +11,7 @@ from codegen.source import Place
 def lifecycle_changes(
     subject: str, old: Lifecycle, new: Lifecycle, places: tuple[Place, Place], messages: Sequence[str]
 ) -> Iterator[Change]:
-    """At most one change, which says all of it."""
+    """Yield at most one change, which says all of it."""
     if old != new:
         yield changed(LIFECYCLE, subject, _said(old), _said(new), places, messages=messages)
 

@@ -1,4 +1,4 @@
-"""What the bytes of a field mean, in two versions: units, sentinels, enums, ranges. Nothing of it is in CRC_EXTRA."""
+"""Changes in the meaning of a field's bytes: units, sentinels, enums, ranges. CRC_EXTRA covers none of them."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -10,9 +10,9 @@ from codegen.diff.change import BOTH, Change, ChangeRule, changed
 from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.pairing import Pair
 from codegen.diff.dialect.sentinels import is_same_sentinel, other_sentinel
-from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum, stated_conflict
+from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
 from codegen.diff.judging.quantities import SAME_NUMBER, other_range, other_unit, unit_in_words
-from codegen.diff.judging.wording import Likeness, other_word, stated_values, text_likeness
+from codegen.diff.judging.texts import other_text
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, decimal, ratio
@@ -48,7 +48,7 @@ def _is_unchanged(pair: Pair) -> bool:
 
 
 class _Teller(NamedTuple):
-    """What makes changes of one field."""
+    """The maker of changes of one field."""
 
     pair: Pair
     message: str
@@ -80,7 +80,7 @@ class _Teller(NamedTuple):
         )
 
     def attribute(self, name: str) -> tuple[str | None, str | None] | None:
-        """Both texts of an attribute, where they differ."""
+        """Return both texts of an attribute, where they differ."""
         old, new = (getattr(side, name) or None for side in self.sides)
         return None if old == new else (old, new)
 
@@ -131,7 +131,7 @@ def _texts(told: _Teller) -> Iterator[Change]:
         yield told.change(rules.PRINT_FORMAT, formats)
     if old.description != new.description:
         is_unit_told = old.units is new.units is None and _units(old, new) is not None
-        meaning = HARMLESS if is_unit_told else _other_text(old, new)
+        meaning = HARMLESS if is_unit_told else other_text(old.description, new.description)
         words = old.description or None, new.description or None
         if meaning.gravity:
             yield told.change(rules.FIELD_MEANING, words, meaning)
@@ -140,7 +140,7 @@ def _texts(told: _Teller) -> Iterator[Change]:
 
 
 def _units(old: FieldDefinition, new: FieldDefinition) -> tuple[str | None, str | None] | None:
-    """Both units where they differ: of the attributes, and where one is missing what the text says in its place."""
+    """Return both units where they differ: of the attributes, or else of the text."""
     before, after = old.units or None, new.units or None
     if before is not None and after is not None:
         return (before, after) if before != after else None
@@ -170,7 +170,7 @@ def _other_units(old: str | None, new: str | None, text: str) -> Judgement:
 
 
 def _scale(old: FieldDefinition, new: FieldDefinition) -> Fraction | None:
-    """By which factor the number for one value grew, unit and multiplier together; None where that is not known."""
+    """Return the factor by which the number for one value grew, unit and multiplier together; None where unknown."""
     factor = Fraction(1) if (old.units or "") == (new.units or "") else _factor(old.units or "", new.units or "")
     before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
     if factor is None or not isinstance(before, Fraction) or not isinstance(after, Fraction) or not after:
@@ -245,20 +245,6 @@ def _enum_judgement(old: FieldDefinition, new: FieldDefinition, enums: Vocabular
     if before is None or after is None:
         return Judgement(breaks=True)
     return other_enum(before, after, new.description)
-
-
-def _other_text(old: FieldDefinition, new: FieldDefinition) -> Judgement:
-    """Return what comes of another text: nothing, unless it says another thing of a number, or the opposite."""
-    values = stated_conflict(stated_values(old.description), stated_values(new.description))
-    if values.gravity:
-        return values
-    likeness = text_likeness(old.description, new.description)
-    if likeness is Likeness.OPPOSITE:
-        return Judgement(breaks=True, effect="the text says the opposite")
-    if likeness is Likeness.DISPUTED:
-        return Judgement(doubt="whether the text says the opposite of what it said")
-    word = other_word(old.description, new.description)
-    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
 
 
 def _stated_at(field: WireField) -> Place:

@@ -1,4 +1,4 @@
-"""Which field of one version of a message is which of the other."""
+"""Pairs the fields of two versions of a message."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -1,10 +1,11 @@
-"""Whether a number of a command still is what it was: its label, its words, its unit, its range, its enum."""
+"""Compares a parameter of a command in two versions: its label, its words, its unit, its range, its enum."""
 
 from collections.abc import Mapping
 
 from codegen.diff.dialect.meaning import Vocabulary, other_default
 from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum, stated_conflict
 from codegen.diff.judging.quantities import other_range, other_unit, share_for_unit, unit_in_words
+from codegen.diff.judging.texts import other_text
 from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry
 
@@ -56,8 +57,10 @@ def _other_words(old: CommandParameter, new: CommandParameter, entries: tuple[En
         return another
     values = stated_conflict(stated_values(old.description), stated_values(new.description))
     if names in (Likeness.SAME, Likeness.UNSAID, Likeness.NEAR):
-        if values.gravity:
-            return values
+        is_told_by_enum = "enum" in dict(new.attributes) and "enum" not in dict(old.attributes)
+        found = values if is_told_by_enum else other_text(old.description, new.description)
+        if found.gravity:
+            return found
         is_doubtful = names is not Likeness.SAME and texts is Likeness.OTHER
         if is_doubtful or texts is Likeness.DISPUTED:
             return Judgement(doubt=f"whether {_called(new)} still is what {_called(old)} was")
@@ -70,7 +73,7 @@ def _other_words(old: CommandParameter, new: CommandParameter, entries: tuple[En
 
 
 def _swapped(old: CommandParameter, new: CommandParameter, entries: tuple[EnumEntry, EnumEntry]) -> str:
-    """That two parameters changed places, where they did."""
+    """Return the end of a sentence that says that two parameters changed places; empty where they did not."""
     label = dict(old.attributes).get("label", "")
     for other in entries[1].parameters:
         if other.number != new.number and label and dict(other.attributes).get("label") == label:

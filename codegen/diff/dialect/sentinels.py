@@ -18,7 +18,7 @@ _SIGN = re.compile(r"\b(?:unknown|invalid|not (?:known|available))\b", re.IGNORE
 
 @dataclass(frozen=True, slots=True)
 class OtherSentinel:
-    """What comes of another sentinel, whom it breaks, and what a person has to judge."""
+    """The effect of another sentinel, the sides that it breaks, and the question for a person."""
 
     effect: str
     breaks: tuple[Victim, ...]

@@ -1,4 +1,4 @@
-"""What of a dialect a project uses, so that what changes elsewhere in it can be told apart."""
+"""The part of a dialect that a project uses, so that changes elsewhere in it can be told apart."""
 
 from collections.abc import Iterable
 

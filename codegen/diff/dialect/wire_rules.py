@@ -197,6 +197,12 @@ FIELD_MEANING = _meaning(
     "bytes are believed and mean something else. Or it may be so, and a person has to judge.",
     *BOTH,
 )
+MESSAGE_MEANING = _meaning(
+    "message-meaning-changed",
+    "The description of a message says that its fields are measured from something else: other axes, another height, "
+    "another clock.",
+    *BOTH,
+)
 ENTRY_MEANING = _meaning(
     "enum-entry-meaning-changed",
     "An entry keeps its name and its number, but its description says the opposite, or tells of something else: both "

@@ -1,1 +1,1 @@
-"""Whether what changed still is what it was, and how bad it is where it is not."""
+"""Judges whether a changed thing still means the same, and how bad it is where it does not."""

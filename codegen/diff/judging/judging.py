@@ -1,15 +1,15 @@
-"""Whether a number that was one thing still is it: a respelling, another thing, or a question for a person."""
+"""Judges a number under another name: a respelling, another thing, or a question for a person."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from codegen.diff.judging.wording import (
     Likeness,
+    common_share,
     is_replaced,
     is_unsaid,
     name_likeness,
     names_of,
-    other_word,
     says_private,
     says_reserved,
     stated_values,
@@ -19,11 +19,12 @@ from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 
 _ALIKE = (Likeness.SAME, Likeness.NEAR)
 _UNCLEAR = (Likeness.VAGUE, Likeness.UNSAID)
-_LEAST_WORDS = 4
+_SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
+"""Shares of the words that two texts about one number have in common."""
 
 
 class Judgement(NamedTuple):
-    """What comes of a change: whether somebody ``breaks``, ``doubt`` as the question for a person, and why."""
+    """The judgement of a change: whether it ``breaks`` somebody, the ``doubt`` for a person to settle, its effect."""
 
     breaks: bool = False
     doubt: str = ""
@@ -92,25 +93,6 @@ def by_words(names: Likeness, texts: Likeness, old: str, new: str) -> Judgement:
     return another
 
 
-def same_entry(old: str, new: str) -> Judgement:
-    """Return what comes of another text for an entry that keeps its name and its number."""
-    values = stated_conflict(stated_values(old), stated_values(new))
-    if values.gravity:
-        return values
-    likeness = text_likeness(old, new)
-    if likeness is Likeness.OPPOSITE:
-        return Judgement(breaks=True, effect="the text says the opposite")
-    if likeness is Likeness.DISPUTED:
-        return Judgement(doubt="whether the text says the opposite of what it said")
-    word = other_word(old, new)
-    if word is not None:
-        return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning")
-    lengths = [len(text.split()) for text in (old, new)]
-    if likeness is Likeness.OTHER and min(lengths) >= _LEAST_WORDS:
-        return Judgement(doubt="the text tells of something else under the same name")
-    return HARMLESS
-
-
 def gone_entry(entry: EnumEntry, *, is_bitmask: bool) -> Judgement:
     """Return what comes of an entry that is gone with its number, of an enum of bits or of numbers."""
     if says_reserved(entry.name):
@@ -129,7 +111,11 @@ def other_enum(old: EnumDefinition | None, new: EnumDefinition | None, text: str
     if new is None:
         said = stated_values(text)
         entries = {entry.value: entry.name for entry in old.entries}
-        agreeing = [number for number, words in said.items() if _is_entry(entries.get(number, ""), words, old.name)]
+        agreeing = [
+            number
+            for number, words in said.items()
+            if isinstance(number, int) and _is_entry(entries.get(number, ""), words, old.name)
+        ]
         if names_of(text, (old.name,)) or (agreeing and len(agreeing) == len(old.entries)):
             return Judgement(effect="the description still says so")
         return Judgement(breaks=True, effect="nothing says what its numbers mean any more")
@@ -161,7 +147,7 @@ def enum_for_words(text: str, new: EnumDefinition | None) -> Judgement:
         return HARMLESS
     entries = {entry.value: entry.name for entry in new.entries}
     for number, words in stated_values(text).items():
-        if number in entries and not _is_entry(entries[number], words, new.name):
+        if isinstance(number, int) and number in entries and not _is_entry(entries[number], words, new.name):
             other = next((value for value, name in entries.items() if _is_entry(name, words, new.name)), None)
             if other is not None:
                 effect = f"{number} was {words!r} in the description, which is {other} in {new.name}"
@@ -169,7 +155,7 @@ def enum_for_words(text: str, new: EnumDefinition | None) -> Judgement:
     return HARMLESS
 
 
-def stated_conflict(old: Mapping[int, str], new: Mapping[int, str]) -> Judgement:
+def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) -> Judgement:
     """Return what comes of numbers of which two texts say something else."""
     for number, words in old.items():
         if number not in new or text_likeness(words, new[number]) is Likeness.SAME:
@@ -177,20 +163,26 @@ def stated_conflict(old: Mapping[int, str], new: Mapping[int, str]) -> Judgement
         moved = next((other for other, said in new.items() if text_likeness(words, said) is Likeness.SAME), None)
         if moved is not None and moved in old and text_likeness(old[moved], new[moved]) is not Likeness.SAME:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
-        if _is_alike(words, new[number]):
+        if _is_alike(words, new[number]) and _is_same(words, new[number]):
             continue
         moved = next((other for other, said in new.items() if other != number and _is_alike(words, said)), None)
         if moved is not None:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
         if text_likeness(words, new[number]) is Likeness.OPPOSITE:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}")
-        if text_likeness(words, new[number]) is Likeness.OTHER:
+        if not _is_same(words, new[number]):
             return Judgement(doubt=f"whether {number}, which was {words!r}, is {new[number]!r}")
     return HARMLESS
 
 
 def _is_alike(words: str, other: str) -> bool:
     return text_likeness(words, other) in _ALIKE
+
+
+def _is_same(words: str, other: str) -> bool:
+    """Return whether two texts about a number have most words of the shorter one, and some of the longer one."""
+    shorter, longer = common_share(words, other, of=min), common_share(words, other)
+    return shorter >= _NEARLY_ALL or (shorter >= _MOST and longer >= _SOME)
 
 
 def _is_entry(name: str, words: str, enum: str) -> bool:

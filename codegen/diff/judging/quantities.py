@@ -1,4 +1,4 @@
-"""What a number counts: its unit, by attribute or in words, and the range that it has."""
+"""Compares units, by attribute or in words, and ranges of numbers."""
 
 import re
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What breaks nobody who was not told: changes of what is work in progress, and the end of what was deprecated."""
+"""Softens changes that had been announced: of work in progress, and removals of what was deprecated."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace

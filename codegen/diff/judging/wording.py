@@ -1,7 +1,7 @@
-"""How alike two names or two texts are: a respelling, a better text, or words for something else."""
+"""The likeness of two names or two texts: a respelling, a better text, or words for something else."""
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 from enum import StrEnum
 from functools import cache
 
@@ -17,6 +17,7 @@ from codegen.diff.judging.words import (
 
 _PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _WORD = re.compile(r"[a-z]+|\d+(?:\.\d+)?")
+_ADDRESS = re.compile(r"https?://\S+|www\.\S+", re.IGNORECASE)
 _SIGNED = re.compile(r"[a-z]+|-?\d+")
 _CLAUSE = re.compile(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
 
@@ -40,7 +41,7 @@ _TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
 
 
 class Likeness(StrEnum):
-    """How alike two wordings are.
+    """The likeness of two wordings.
 
     UNSAID: at least one says nothing. NEAR: most words of one are in the other. VAGUE: some are. OPPOSITE: a word is
     replaced by one that excludes it; DISPUTED: so it is, but much else is another, too.
@@ -78,7 +79,8 @@ def name_likeness(old: str, new: str, whole: str = "") -> Likeness:
     if any(word.isdigit() for word in (*gone, *come)):
         return Likeness.OTHER
     if len(gone) == len(come) == 1 and is_slip(gone[0], come[0]):
-        return Likeness.NEAR
+        is_swapped = sorted(gone[0]) == sorted(come[0]) and len(gone[0]) >= _LONG
+        return Likeness.SAME if is_swapped else Likeness.NEAR
     if set(_names(old)) <= _GENERAL or set(_names(new)) <= _GENERAL:
         return Likeness.VAGUE
     shared = [word for word in before if word not in gone and len(word) > 3]
@@ -105,6 +107,14 @@ def text_likeness(old: str, new: str) -> Likeness:
     if share >= 0.6 and not any(word.isdigit() for word in gone):
         return Likeness.NEAR
     return Likeness.VAGUE if share >= 0.3 else Likeness.OTHER
+
+
+def common_share(old: str, new: str, of: Callable[[int, int], int] = max) -> float:
+    """Return which share of the words of the longer text, or of the shorter one, both have in some spelling."""
+    before, after = words_of(old), words_of(new)
+    gone, come = _unmatched(sorted(before - after), sorted(after - before))
+    gone = [word for word in gone if not any(len(word) >= _LONG and is_slip(word, other) for other in come)]
+    return (len(before) - len(gone)) / max(of(len(before), len(after)), 1)
 
 
 def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
@@ -189,6 +199,11 @@ def words_of(text: str) -> set[str]:
     return {stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE}
 
 
+def without_addresses(text: str) -> str:
+    """Return a text without the addresses of pages, whose words and numbers say nothing of it."""
+    return _ADDRESS.sub(" ", text)
+
+
 @cache
 def _names(name: str) -> tuple[str, ...]:
     return tuple(stem(part.lower()) for part in _PARTS.findall(name))
@@ -228,15 +243,19 @@ def _is_opposed(gone: Collection[str], come: Collection[str], *, is_text: bool =
     return any(is_negated(word, other) or is_negated(other, word) for word in gone for other in come)
 
 
+_LONG = 8
+"""Letters of a word in which two that changed places make no other word."""
 _LONGEST = 20
-_STATED = re.compile(r"(?<![\w.])(-?\d+)\s*(?:[:=]|means\b|is\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)")
+_STATED = re.compile(
+    r"(?<![\w.])(-?\d+|NaN\b)\s*(?:[:=]|means\b|is\b|to\b|for\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)", re.IGNORECASE
+)
 
 
-def stated_values(text: str) -> dict[int, str]:
-    """Return what a text says of single numbers: ``0: forward, 1: reverse``."""
-    found: dict[int, str] = {}
+def stated_values(text: str) -> dict[int | str, str]:
+    """Return what a text says of single numbers: ``0: forward, 1: reverse``, ``NaN to keep the present angle``."""
+    found: dict[int | str, str] = {}
     for one in _STATED.finditer(text):
-        number, words = one[1], one[2].strip()
-        if len(number) < _LONGEST:
-            found[int(number)] = f"{found[int(number)]}, {words}" if int(number) in found else words
+        if len(one[1]) < _LONGEST:
+            number, words = one[1] if one[1].isalpha() else int(one[1]), one[2].strip()
+            found[number] = f"{found[number]}, {words}" if number in found else words
     return found

@@ -95,8 +95,8 @@ def _gravity(group: Group) -> tuple[int, bool, int]:
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """How many changes are not waived, how many of those break somebody silently or noticed, how many a person has to
-    judge, how many lose what a requirement had, how many are errors because somebody set it, and how many are waived.
+    """The numbers of changes: those not waived, and of these the ones that break somebody silently or noticed, that a
+    person has to judge, that lose part of a requirement, and that somebody set to be errors; then the waived ones.
     """
 
     changes: int

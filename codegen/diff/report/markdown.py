@@ -20,7 +20,7 @@ _GRAVE: dict[str, Callable[[Change], bool]] = {
     "Needs a person": lambda change: change.weight is Weight.PERSON,
     "Loses what a requirement asks for": lambda change: change.is_lost,
 }
-"""What does not pass without a word, under the titles of its sections."""
+"""The changes that need a word, under the titles of their sections."""
 
 _MARKS = {
     Weight.SILENT: "**silent and breaking** · ",
@@ -37,7 +37,7 @@ TITLES = {
 }
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#~@&])")
 _CALLING = re.compile(r"([@#])(?=\w)")
-"""What forges make links to people and issues of after they read the Markdown, so whatever backslash was before it."""
+"""Signs that forges turn into links to people and issues after they read the Markdown, even behind a backslash."""
 
 
 def review_markdown(found: Review) -> str:
@@ -97,7 +97,7 @@ def _sections(found: Review) -> list[_Section]:
 
 
 def _limited(head: Sequence[str], sections: Sequence[_Section], bandwidth: Sequence[str]) -> str:
-    """As much as a comment has room for, in the order of the sections, with what is missing counted."""
+    """Return as much as a comment has room for, in the order of the sections, with a count of what is missing."""
     tables = "\n".join(bandwidth)
     room = MOST_CHARACTERS - _TAIL
     text = _cut("\n".join(head), room)

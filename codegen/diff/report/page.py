@@ -65,7 +65,7 @@ class BandwidthRow:
 
 @dataclass(frozen=True, slots=True)
 class BandwidthTable:
-    """What changed in the bandwidth of one program."""
+    """The changes in the bandwidth of one program."""
 
     title: str
     rows: tuple[BandwidthRow, ...]

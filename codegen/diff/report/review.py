@@ -19,7 +19,7 @@ MOST_TESTS = 3
 
 
 class FailOn(StrEnum):
-    """What makes a comparison fail, beside areas and single rules."""
+    """The condition under which a comparison fails, beside areas and single rules."""
 
     NEVER = "never"
     ANY = "any"

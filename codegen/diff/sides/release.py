@@ -10,7 +10,7 @@ from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dia
 
 INSTALLED = "pymavlink"
 ARCHIVES = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
-"""What names of archives end in."""
+"""Ends of the names of archives."""
 
 _DIALECTS = re.compile(r"(?:^|/)(?:dialects/v20|message_definitions/v1\.0)/[^/]+\.xml$")
 _FOLDERS = ("", "pymavlink/dialects/v20", "dialects/v20", "v20", "message_definitions/v1.0")

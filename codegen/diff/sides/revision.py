@@ -1,4 +1,4 @@
-"""What a revision of git has: a project, or with a path behind a colon a dialect or another project."""
+"""Reads a side of a comparison from a revision of git: a project, or with a path behind a colon a dialect."""
 
 import os
 from contextlib import ExitStack

@@ -35,7 +35,7 @@ class Side:
 
 @dataclass(frozen=True, slots=True)
 class Unreadable:
-    """Why there is no side: in words, with a hint, or by what reading it found."""
+    """The reason for which a side cannot be read: in words, with a hint, or as the findings of reading it."""
 
     message: str
     hint: str | None = None
@@ -44,7 +44,7 @@ class Unreadable:
 
 @dataclass(frozen=True, slots=True)
 class Around:
-    """What a side is looked for in: the project file that the command works on, if there is one, and options.
+    """The context in which a side is looked up: the project file that the command works on, if any, and options.
 
     ``dialect`` is the dialect of a release that is meant where none is named; ``pymavlink`` a release whose dialects
     take the place of the installed ones. ``read_systems`` reads a project: the caller's, since comparing dialects needs

@@ -1,4 +1,4 @@
-"""What the telemetry takes of the links, before and after: whole frames at the default rates of their streams."""
+"""The share of the links that telemetry takes, before and after: whole frames at the default rates of their streams."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -63,7 +63,7 @@ class Bandwidth:
 
 
 def compare_bandwidth(old: System, new: System) -> Bandwidth:
-    """Both versions side by side."""
+    """Return both versions side by side."""
     before, after = _prices(old), _prices(new)
     rows = tuple(BandwidthRow(name, before.get(name), after.get(name)) for name in dict.fromkeys((*after, *before)))
     whole = BandwidthRow("all", total(before.values()), total(after.values()))

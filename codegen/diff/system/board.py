@@ -1,4 +1,4 @@
-"""What there is to say about the board, its links, the streams on them, and as whom the vehicle speaks."""
+"""Subjects of the board, its links, the streams on them, and the identity of the vehicle."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What carries what to the wire: from parameters, ADC channels and quantities to the fields whose numbers they make."""
+"""The way of a number to the wire: from parameters, ADC channels and quantities to the fields that send it."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace

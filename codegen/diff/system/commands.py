@@ -1,4 +1,4 @@
-"""What there is to say about the commands that the vehicle is given, and about its modes."""
+"""Subjects of the commands that the vehicle is given, and of its modes."""
 
 from collections.abc import Iterator
 

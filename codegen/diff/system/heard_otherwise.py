@@ -1,4 +1,4 @@
-"""Who hears nothing any more, hears less, or gets other numbers because the specification of a vehicle changed."""
+"""Judges changes of a vehicle by what ground stations hear: nothing any more, less often, or other numbers."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace

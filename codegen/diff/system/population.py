@@ -27,7 +27,7 @@ _RULES = {
 
 _STATION = (Victim.OLD_STATION,)
 _ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
-"""What follows from another source is told with it."""
+"""Changes that follow from another source, and are told with it."""
 
 
 def population_changes(old: System, new: System) -> Iterator[Change]:

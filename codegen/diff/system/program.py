@@ -1,4 +1,4 @@
-"""What there is to say about the program on the board and about the receiver."""
+"""Subjects of the program on the board, and of the receiver."""
 
 from collections.abc import Iterable, Iterator
 

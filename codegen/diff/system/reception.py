@@ -1,4 +1,4 @@
-"""What there is to say about messages that set quantities, for two versions to be compared by."""
+"""Subjects of the messages that set quantities."""
 
 from collections.abc import Iterator
 

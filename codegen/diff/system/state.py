@@ -1,4 +1,4 @@
-"""What there is to say about the parameters and the state of a vehicle."""
+"""Subjects of the parameters and of the state of a vehicle."""
 
 from collections.abc import Iterator
 from fractions import Fraction

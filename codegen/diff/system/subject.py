@@ -1,4 +1,4 @@
-"""What there is to say about one part of a system, as facts that two versions of it are compared by."""
+"""A subject: one part of a system as a list of facts, by which two versions of it are compared."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from fractions import Fraction

@@ -1,1 +1,1 @@
-"""What the answers of tables tell the stages, and the numbers that they send."""
+"""The results of answers of tables: accounts for the stages, and the numbers that are sent."""

@@ -1,4 +1,4 @@
-"""What an answer says of itself: a record for each stage that asks."""
+"""An answer's account of itself: a record for each stage that asks."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from codegen.model.answers.step import Step
 from codegen.model.vehicle import Parameter, Quantity
 
 FLAGS = " + "
-"""What stands between the flags of a source in words."""
+"""The sign between the flags of a source in words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Words:
 
 
 class Origins(ABC):
-    """How the steps up to a quantity or a parameter are told; whoever prints the steps of an answer gives one."""
+    """The steps up to a quantity or a parameter; the caller that prints the steps of an answer passes one."""
 
     @abstractmethod
     def steps(self, source: Quantity | Parameter) -> tuple[Step, ...]:
@@ -33,7 +33,7 @@ class Origins(ABC):
 
 
 class Aspect(Enum):
-    """What of an answer a fact is about: changes of each are told under a rule of its own."""
+    """The aspect of an answer that a fact is about: changes of each are reported under a rule of its own."""
 
     SOURCE = auto()
     CONSTANT = auto()
@@ -89,7 +89,7 @@ class Arriving:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """What the tests of a receiver demand of a quantity: ``about`` has the keys of ``receiver_facts.json``."""
+    """The expectations of a receiver's tests for a quantity: ``about`` has the keys of ``receiver_facts.json``."""
 
     quantity: Quantity
     about: Mapping[str, object]

@@ -48,7 +48,7 @@ class Elements:
 
 
 class Answer(ABC):
-    """Where some elements of a field take their value from. ``codegen/answers/`` has a module for each kind.
+    """The source of the values of some elements of a field. ``codegen/answers/`` has a module for each kind.
 
     The stages ask these methods and know no kind. What most kinds have in common is the default.
     """
@@ -57,7 +57,7 @@ class Answer(ABC):
 
     covers: Elements
 
-    # What it reads.
+    # The state and parameters that it reads.
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -66,7 +66,7 @@ class Answer(ABC):
 
     @property
     def carried(self) -> tuple[Quantity, ...]:
-        """Those quantities the numbers of which go out themselves."""
+        """Return the quantities whose numbers go out themselves."""
         return ()
 
     @property
@@ -95,7 +95,7 @@ class Answer(ABC):
         """Return whether it is the number of the board's chip: it tells two boards with the same program apart."""
         return False
 
-    # What goes out.
+    # The values that go out.
 
     @abstractmethod
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
@@ -132,13 +132,13 @@ class Answer(ABC):
         """
         return 0, self.covers.field.type.size * self.covers.count
 
-    # Where the firmware writes it.
+    # The lines with which the firmware writes it.
 
     @abstractmethod
     def statements(self, code: PayloadCode) -> list[str]:
         """The statements that write its elements, in the function of the message; a comment says which and why."""
 
-    # How it is told.
+    # Its account for people and for diff.
 
     @abstractmethod
     def words(self) -> Words:
@@ -150,14 +150,14 @@ class Answer(ABC):
 
     @abstractmethod
     def traits(self, position: int) -> Iterator[Trait]:
-        """Everything that a change of the answer could be about, for its element at ``position``, from 0."""
+        """Yield each attribute that a change of the answer can be about, for its element at ``position``, from 0."""
 
     @property
     def entries(self) -> tuple[str, ...]:
         """The names of entries of enums that it uses."""
         return ()
 
-    # What it is for receivers.
+    # Its readings for receivers.
 
     @property
     def is_instance_number(self) -> bool:
@@ -200,7 +200,7 @@ class Answer(ABC):
             factor = arriving.scaling.factor * arriving.quantity.steps
             yield arriving.quantity, None if is_unknown else float(Fraction(wire[0]) / factor)
 
-    # How it is tested.
+    # Its cases for tests.
 
     @property
     def arriving(self) -> Arriving | None:

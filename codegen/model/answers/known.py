@@ -1,4 +1,4 @@
-"""What is stored of the state, and the numbers that it makes on the wire."""
+"""Stored values of the state, and the numbers that they make on the wire."""
 
 import math
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ Stored = int | Fraction | str | tuple[int | Fraction | None, ...] | None
 A boolean is 0 or 1."""
 
 Known = Mapping[str, Stored]
-"""What is stored by ``component.quantity`` or name of a parameter."""
+"""Stored values by ``component.quantity`` or name of a parameter."""
 
 Value = int | float | str
 """One element on the wire; a text is one."""

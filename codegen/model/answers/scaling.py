@@ -1,4 +1,4 @@
-"""From stored steps to the number on the wire: exact factor, rounding, limits, and the sentinel out of reach."""
+"""The scaling of stored steps to the number on the wire: exact factor, rounding, limits, sentinel out of reach."""
 
 import math
 from fractions import Fraction

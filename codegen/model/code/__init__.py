@@ -1,1 +1,1 @@
-"""What generated code is made of, in machine code and in plain Python alike."""
+"""The parts of generated code, in machine code and in plain Python alike."""

@@ -48,7 +48,7 @@ def beyond(halves: Sequence[str], low: Number | None, high: Number | None, stora
 
 
 def _near(top: str, low: Number | None, high: Number | None, storage: Storage) -> str:
-    """What is so of the highest half of every number beyond a limit, and of few others; empty where nothing is."""
+    """Return a condition true for the highest half of all numbers beyond a limit, and of few others; empty without."""
     if storage.is_float:
         if low is None or high is None or not low <= 0 <= high:
             return ""
@@ -79,7 +79,7 @@ def _ordered(halves: Sequence[str], split: Sequence[int], storage: Storage) -> t
 
 
 def _more(halves: Sequence[str], limit: Sequence[int]) -> str:
-    """That numbers, compared from the highest half on, are more than others."""
+    """Return the condition that numbers, compared from the highest half on, are more than others."""
     return _compared(halves, limit, ">", _FULL)
 
 

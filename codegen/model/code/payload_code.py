@@ -1,4 +1,4 @@
-"""How the function of a message reads the state and writes its payload: answers say what, this spells it in code.
+"""The spelling of functions that read the state and write a payload: answers give the content, this gives the code.
 
 A firmware has each function twice, in machine code and in plain Python. Both are made of the same statements, which
 answers give; where they differ, in reading a word and in writing a number, they ask for the spelling.
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 INDENT = "    "
 UNKNOWN = "_UNKNOWN"
-"""What a word has that is unknown: a constant of the generated module, less than every limit."""
+"""The value of an unknown word: a constant of the generated module, less than every limit."""
 
 
 def indented(lines: list[str], levels: int = 1) -> list[str]:

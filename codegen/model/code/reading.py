@@ -1,4 +1,4 @@
-"""What a message says under a name, as an expression of the generated Python."""
+"""Named values of a message as expressions of the generated Python."""
 
 from fractions import Fraction
 
@@ -8,7 +8,7 @@ from codegen.model.dialect.dialect import EnumDefinition, WireField
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What one message says under a name: an expression over ``get`` and ``raw``, the fields as read and as they stand.
+    """A named value of a message: an expression over ``get`` and ``raw``, the fields as read and as they stand.
 
     ``unit`` is that of the result, ``doc`` says for people what a quantity is, ``enum`` names the numbers that it may
     take, ``field`` is where it stands. ``uses`` are the names of functions and tables in the expression. With

@@ -1,4 +1,4 @@
-"""How the words of the state keep one number: in one of them, or in halves of 16 bits, or as the bits of a float.
+"""The storage of one number in words of the state: in one word, in halves of 16 bits, or as the bits of a float.
 
 A word of 32 bits holds a small integer, which MicroPython reads without allocating on every port. What needs more is
 kept in halves, one to a word and the low one first: machine code and plain Python copy them to the wire as they are.
@@ -67,7 +67,7 @@ class Storage(Enum):
         return rounded
 
     def nearest(self, value: Fraction) -> Fraction:
-        """Of a float, the one that comes nearest; of what lies beyond them all the last one."""
+        """Return the float that comes nearest to a value; for one beyond all the last of them."""
         low, high = self.limits
         return Fraction(self.held(float(max(low, min(high, value)))))
 

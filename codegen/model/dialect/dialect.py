@@ -12,7 +12,7 @@ from codegen.source import Place
 
 @dataclass(frozen=True, slots=True)
 class Lifecycle:
-    """Whether a message, enum or entry is still to be used: ``wip``, ``deprecated`` and ``superseded``."""
+    """The lifecycle of a message, enum or entry: ``wip``, ``deprecated`` and ``superseded``."""
 
     wip: bool = False
     deprecated_since: str | None = None
@@ -154,7 +154,7 @@ class KnownMessage:
 
 
 class Standing(Enum):
-    """What became of a correction: it holds, the project refuses it, or its words are gone from the dialect."""
+    """The standing of a correction: it holds, the project refuses it, or its words are gone from the dialect."""
 
     APPLIED = "applied"
     REFUSED = "refused"
@@ -187,7 +187,7 @@ class FieldCorrection(NamedTuple):
 
 
 class Kind(Enum):
-    """What the bytes of a wire type mean."""
+    """The kind of value that the bytes of a wire type encode."""
 
     UNSIGNED = "unsigned"
     SIGNED = "signed"
@@ -216,7 +216,7 @@ class WireType:
 
 
 class SentinelForm(Enum):
-    """How ``invalid`` was written: the forms that real dialects use."""
+    """The form in which ``invalid`` was written: those that real dialects use."""
 
     VALUE = "V"
     EACH = "[V]"

@@ -1,1 +1,1 @@
-"""Where the values of quantities come from, how far they reach, and how long they are believed."""
+"""The values of quantities: their sources, their ranges, and how long they are believed."""

@@ -1,4 +1,4 @@
-"""What is measured, as that of which others are counted: sums over time, and what these leave."""
+"""A measured quantity as the basis of counted ones: of sums over time, and of the remainders that these leave."""
 
 from typing import TYPE_CHECKING
 

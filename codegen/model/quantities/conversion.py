@@ -1,4 +1,4 @@
-"""How a quantity comes from the counts of an ADC: by a multiplier and an offset, which are parameters or constants."""
+"""The conversion of ADC counts to a quantity: by a multiplier and an offset, which are parameters or constants."""
 
 import math
 from collections.abc import Mapping
@@ -37,7 +37,7 @@ class Constant:
 
 
 Factor = Parameter | Constant
-"""What the conversion of a reading takes: a parameter that an operator sets, or a constant."""
+"""A factor in the conversion of a reading: a parameter that an operator sets, or a constant."""
 
 
 def factors_by_instance(factor: Factor, parameters: Mapping[str, Parameter], instances: int) -> tuple[Factor, ...]:
@@ -47,7 +47,7 @@ def factors_by_instance(factor: Factor, parameters: Mapping[str, Parameter], ins
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """From an ADC count to stored steps: (volts at the pin - ``offset``) * ``multiplier``, rounded to nearest.
+    """A conversion of ADC counts to stored steps: (volts at the pin - ``offset``) * ``multiplier``, to the nearest.
 
     With an offset it is limited to ``low`` and ``high``, where it can pass them: a level below empty is empty.
     In whole steps of these two it is ``(count * numerator - offset * offset_numerator) * multiplier / denominator``; a

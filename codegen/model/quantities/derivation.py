@@ -1,4 +1,4 @@
-"""Where the value of a quantity comes from: what the stages ask each derivation (``codegen/derivations/``)."""
+"""The interface of derivations (``codegen/derivations/``): the questions of the stages about the source of a value."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
@@ -33,7 +33,7 @@ class DerivationFact(NamedTuple):
 
 
 class Derivation(ABC):
-    """Where the value of a quantity comes from. Every kind is a frozen dataclass in a module of its own.
+    """The source of the value of a quantity. Every kind is a frozen dataclass in a module of its own.
 
     Quantities are passed to the methods that need one, since a derivation belongs to one and does not know it. What
     most kinds have in common is answered here.
@@ -90,7 +90,7 @@ class Derivation(ABC):
 
     @property
     def threshold(self) -> "Threshold | None":
-        """Above what a warning is logged."""
+        """Return the threshold above which a warning is logged."""
         return None
 
     @property
@@ -139,7 +139,7 @@ class Derivation(ABC):
 
     @property
     def set_stale_ms(self) -> int | None:
-        """For how long what code sets is believed of what begins anew with this count; None is for ever."""
+        """Return how many ms values set by code are believed of quantities that begin anew with it; None: for ever."""
         return None
 
     @property
@@ -169,7 +169,7 @@ class Derivation(ABC):
 
     @property
     def gives(self) -> "tuple[tuple[str, Output, Fraction], ...]":
-        """By instance the sensor that gives it, what of it, and the stored steps in one step of that; else nothing."""
+        """Return by instance the sensor, its output and the stored steps in one step of that; nothing without one."""
         return ()
 
     @property

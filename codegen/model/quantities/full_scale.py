@@ -1,4 +1,4 @@
-"""What an input of the converter shows at most, and what it has to."""
+"""The largest value that an input of the converter can show, and the largest that it has to."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""Within which limits every message carries a quantity as it is: what code sets beyond them is counted and told."""
+"""The limits within which every message carries a quantity as it is: values set beyond them are counted and told."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What code sets of a component that readings forget together, once code has set none of it for a while."""
+"""Quantities that code sets together, and that readings forget together once code has set none of them for a while."""
 
 import math
 

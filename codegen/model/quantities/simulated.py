@@ -1,4 +1,4 @@
-"""How a true value reaches the firmware on a host: what a derivation tells the simulation of a quantity."""
+"""The mock through which true values of a quantity reach the firmware on a host."""
 
 from collections.abc import Mapping
 from dataclasses import field

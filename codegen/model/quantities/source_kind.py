@@ -18,7 +18,7 @@ FAULTS = {
     "slow": "the sensor takes longer",
     "stuck": "the sensor gives what it gave",
 }
-"""What can be wrong with a sensor in a simulation."""
+"""Faults of a sensor in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ class Output:
 
 @dataclass(frozen=True, slots=True)
 class Polling(Cited):
-    """What is known of every sensor: its name, how often it is asked, how long that may take, when it is set up again.
+    """The common settings of sensors: the name, the period of polling, its time limit, and the delay of a new set-up.
 
     ``limit_us`` is None where nothing limits it.
     """
@@ -137,7 +137,7 @@ class Source(ABC):
 
     @property
     def given_in(self) -> tuple[Fraction, ...]:
-        """How many steps of each output make one of the units in which read() of the user's code gives them.
+        """Return for each output the number of its steps in the unit in which read() of the user's code gives it.
 
         Empty where a driver gives steps.
         """
@@ -176,7 +176,7 @@ class Source(ABC):
 
     @property
     def silence_ms(self) -> int | None:
-        """After how long without anything new it counts as failed; None: it has something new each time."""
+        """Return the time in ms without anything new after which it counts as failed; None: it always has something."""
         return None
 
     # what it is connected to

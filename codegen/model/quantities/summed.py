@@ -1,4 +1,4 @@
-"""What is counted of readings as time goes on: sums over time, what they leave of a full store, how long that lasts."""
+"""Sums of readings over time, the rest of a full store that they leave, and how long that rest lasts."""
 
 from fractions import Fraction
 
@@ -24,7 +24,7 @@ class Sum:
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """What ``after``, a sum, leaves of ``full``, a parameter of which one step is so many ``steps`` of the sum.
+    """The rest of ``full`` after the sum ``after``; one step of the parameter ``full`` is ``steps`` steps of the sum.
 
     ``share``: the steps that are all of it, for what is told as a part of it; None: in steps of the sum.
     """
@@ -37,7 +37,7 @@ class Rest:
 
 @dataclass(frozen=True, slots=True)
 class Lasting:
-    """How long ``left`` lasts at the mean of ``at`` over so many ``readings``: ``left * factor / at``."""
+    """The time that ``left`` lasts at the mean of ``at`` over so many ``readings``: ``left * factor / at``."""
 
     left: str
     at: str

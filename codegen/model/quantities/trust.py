@@ -1,4 +1,4 @@
-"""When what is kept of a quantity is warned about, and when it is no longer believed."""
+"""Thresholds of warnings about a value, and the time after which it is no longer believed."""
 
 from codegen.frozen import dataclass
 
@@ -13,7 +13,7 @@ class Threshold:
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """When the value of a quantity is no longer believed, and so unknown; None: never for that reason.
+    """The events after which a value is no longer believed, and so unknown; None: never for that reason.
 
     ``invalid_after`` counts failed readings in a row, ``stale_after_ms`` is the age of the last good one,
     or of what code has set.

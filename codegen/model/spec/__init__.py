@@ -1,1 +1,1 @@
-"""What is written: the records of the specification's files, every value with its place."""
+"""The specification as written: the records of its files, every value with its place."""

@@ -1,4 +1,4 @@
-"""Who may command the vehicle over which link, as vehicle.yaml states it."""
+"""The access to commands, as vehicle.yaml states it: who may command the vehicle over which link."""
 
 from collections.abc import Mapping
 from enum import StrEnum
@@ -21,7 +21,7 @@ class Admission(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AccessSpec(Written):
-    """Who may command the vehicle. Without it every link is open."""
+    """The access to commands: who may command the vehicle over which link. Without it every link is open."""
 
     links: Mapping[str, Admission] = described(
         "Each link of the board: open to everybody, signed (only frames with the right key count, and all that goes "

@@ -86,17 +86,17 @@ class LinkSpec(Written):
 
     @property
     def is_tcp(self) -> bool:
-        """Whether it goes over TCP, at either end."""
+        """Return whether it goes over TCP, at either end."""
         return self.tcp_server is not None or self.tcp_client is not None
 
     @property
     def tcp_backlog(self) -> int:
-        """How many connections wait until a TCP server takes them."""
+        """Return the number of connections that can wait until a TCP server takes them."""
         return 4 if self.backlog is None else self.backlog
 
     @property
     def is_wireless(self) -> bool:
-        """Whether it goes over Wi-Fi, where others may listen."""
+        """Return whether it goes over Wi-Fi, where others may listen."""
         return self.uart is None and not self.usb
 
 

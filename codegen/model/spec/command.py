@@ -11,7 +11,7 @@ from codegen.source import Written
 
 
 class Allowed(StrEnum):
-    """When a command is done."""
+    """The state of the vehicle in which a command is allowed."""
 
     ALWAYS = "always"
     DISARMED = "disarmed"
@@ -19,7 +19,7 @@ class Allowed(StrEnum):
 
 
 class Sender(StrEnum):
-    """Who may ask for a command."""
+    """The senders from which a command is accepted."""
 
     ANY = "any"
     GROUND_STATION = "ground_station"

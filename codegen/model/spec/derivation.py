@@ -1,4 +1,4 @@
-"""Where the value of a quantity comes from, as written: the keys of ``state.yaml`` that belong to each derivation.
+"""Derivations as written: the keys of ``state.yaml`` that belong to each kind.
 
 They stand among the keys of the quantity (see ``flattened``); what they resolve to is in ``codegen/derivations/``.
 """
@@ -14,7 +14,7 @@ from codegen.source import Written
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DerivationSpec(Written):
-    """What is written about where a value comes from, beside the keys that every quantity has.
+    """The source of a value as written: the keys of one derivation, beside those that every quantity has.
 
     ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number.
     ``LOOKS_AT_QUANTITY``: what ``KEY`` names may be a quantity of the component.
@@ -148,7 +148,7 @@ class TrendSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EstimateSpec(DerivationSpec):
-    """What a measured quantity stands for."""
+    """An estimate from a measured quantity."""
 
     KEY = "estimate_from"
 
@@ -161,7 +161,7 @@ class EstimateSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeasuredSpec(DerivationSpec):
-    """What an ADC measures."""
+    """A measurement by an ADC."""
 
     KEY = "adc"
 
@@ -204,7 +204,7 @@ class MeasuredSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IntegralSpec(DerivationSpec):
-    """What is summed over time."""
+    """A sum over time."""
 
     KEY = "integral_of"
 
@@ -220,7 +220,7 @@ class IntegralSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LeftSpec(DerivationSpec):
-    """What a sum leaves."""
+    """The rest of a full store after a sum."""
 
     KEY = "left_of"
     LOOKS_AT_QUANTITY = False
@@ -235,7 +235,7 @@ class LeftSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LastsSpec(DerivationSpec):
-    """How long something lasts."""
+    """The time that a rest lasts."""
 
     KEY = "lasts"
 
@@ -249,7 +249,7 @@ class LastsSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SourcedSpec(DerivationSpec):
-    """What a sensor gives."""
+    """An output of a sensor."""
 
     KEY = "source"
     LOOKS_AT_QUANTITY = False

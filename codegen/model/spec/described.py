@@ -1,4 +1,4 @@
-"""How a record of the specification describes its keys.
+"""Descriptions of the keys of a specification's record.
 
 Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
 A class may further declare ``ONE_OF``, keys of which exactly one is written, ``BESIDE``, which of these another one

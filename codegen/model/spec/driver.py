@@ -10,7 +10,7 @@ from codegen.source import Written
 
 
 class KeyKind(StrEnum):
-    """What stands at a key of a sensor."""
+    """The kind of value that a key of a sensor takes."""
 
     WHOLE = "whole"
     NUMBER = "number"
@@ -20,7 +20,7 @@ class KeyKind(StrEnum):
 
 
 class BusKind(StrEnum):
-    """What the driver's device is connected to."""
+    """The bus that the driver's device is connected to."""
 
     I2C = "i2c"
     UART = "uart"
@@ -68,7 +68,7 @@ class DriverSpec(Written):
 
 @dataclass(frozen=True, slots=True)
 class OwnDriver:
-    """Such a driver with the text of its module, whose file is ``path``."""
+    """A driver of the project's own with the text of its module, whose file is ``path``."""
 
     spec: DriverSpec
     path: str

@@ -9,11 +9,11 @@ from codegen.model.spec.described import Amount, Verbatim, described
 from codegen.source import Written
 
 GROUND_STATION = "ground_station"
-"""What can be silent, beside a quantity that is unknown."""
+"""The sender that can be silent, beside a quantity that is unknown."""
 
 
 class Watching(StrEnum):
-    """When a failsafe looks at all."""
+    """The states of the vehicle in which a failsafe watches."""
 
     ARMED = "armed"
     ALWAYS = "always"
@@ -67,7 +67,7 @@ class FailsafeLevelSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FailsafeSpec(Written):
-    """What is done when a quantity is beyond a threshold or unknown for a while, or nobody is heard."""
+    """A failsafe: an action when a quantity is beyond a threshold or unknown for a while, or nobody is heard."""
 
     ONE_OF: ClassVar[tuple[str, ...]] = ("watches", "silence")
     INSTEAD: ClassVar[str] = (

@@ -11,7 +11,7 @@ from codegen.source import Written
 
 
 class Rounding(StrEnum):
-    """How a value between two wire steps is rounded; a half goes away from zero with ``nearest``."""
+    """The rounding of a value between two wire steps; a half goes away from zero with ``nearest``."""
 
     NEAREST = "nearest"
     DOWN = "down"
@@ -20,20 +20,20 @@ class Rounding(StrEnum):
 
 
 class Others(StrEnum):
-    """What goes out in the fields that a table does not list."""
+    """The answer for the fields that a table does not list."""
 
     UNKNOWN = "unknown"
 
 
 class Send(StrEnum):
-    """When a message goes out that is due."""
+    """The condition under which a due message goes out."""
 
     ALWAYS = "always"
     WHILE_KNOWN = "while_known"
 
 
 class Clock(StrEnum):
-    """What a clock counts from: the start of the firmware, or 1970."""
+    """The start of a clock's count: the start of the firmware, or 1970."""
 
     BOOT = "boot"
     UNIX = "unix"
@@ -41,7 +41,7 @@ class Clock(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FieldAnswer(Written):
-    """Where one field, or some elements of it, take their value from: exactly one of the first eleven keys.
+    """The source of the value of one field, or of some elements of it: exactly one of the first eleven keys.
 
     ``state`` beside ``each`` is what goes out while one of the values is unknown.
     The short form ``field: unknown`` stands for ``field: {unknown: true}``.
@@ -112,7 +112,7 @@ class FieldAnswer(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RepresentationSpec(Written):
-    """Which of several instances a single message reports: exactly one of the keys."""
+    """The choice of the instance that a single message reports: exactly one of the keys."""
 
     first: Literal[True] | None = described("The first one.", default=None)
     parameter: str | None = described(

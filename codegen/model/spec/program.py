@@ -33,7 +33,7 @@ class ControlSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StorageSpec(Written):
-    """Where the board keeps the parameters."""
+    """The storage of parameters on the board."""
 
     files: tuple[str, ...] = described("Names of two files in the board's flash; saves take turns between them.")
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
@@ -52,7 +52,7 @@ class StorageSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ArmingSpec(Written):
-    """How the vehicle is armed."""
+    """The arming of the vehicle."""
 
     force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -65,7 +65,7 @@ class ArmingSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ActionSpec(Written):
-    """What a failsafe does: a call of the vehicle that the user's code overrides."""
+    """The action of a failsafe: a call of the vehicle that the user's code overrides."""
 
     value: int = described("Value of the parameter that chooses this action.")
     call: str = described("Name of the call.")
@@ -90,7 +90,7 @@ class ModeSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ServicesSpec(Written):
-    """What the vehicle answers to ground stations."""
+    """The services of the vehicle to ground stations."""
 
     fastest: Amount = described("Highest rate at which messages without a stream can be asked for, such as 10 Hz.")
     silence: Amount = described(

@@ -9,7 +9,7 @@ from codegen.source import Written
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RolesSpec(Written):
-    """Which fields tell how long something that is drawn from lasts, by their names in whichever message has them."""
+    """The fields that tell how long a store in use still lasts, by their names in whichever message has them."""
 
     current: tuple[str, ...] = described("The current that is drawn.", default=())
     consumed: tuple[str, ...] = described("The charge that was drawn.", default=())

@@ -14,7 +14,7 @@ Points = tuple[tuple[Verbatim, ...], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CourseSpec(Written):
-    """What is true of a quantity, whatever the firmware makes of it: exactly one of value and points."""
+    """The true values of a quantity over time, whatever the firmware makes of them: exactly one of value and points."""
 
     value: Verbatim | None = described(
         "The value that it has all the time, with its unit: 12 V; an entry of its enum, true or false, a text; or "
@@ -102,7 +102,7 @@ class BesideSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectSpec(Written):
-    """What must hold: exactly one of state, told, text and no_text. Otherwise ``codegen sim`` ends with exit code 1."""
+    """An expectation: exactly one of state, told, text and no_text. If it fails, ``codegen sim`` exits with code 1."""
 
     at_: Amount | None = described("When, such as 40 s. Default: at the end.", key="at", default=None)
     state: str | None = described("A quantity as the firmware has it: battery.failsafe.", default=None)

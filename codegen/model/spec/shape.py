@@ -153,7 +153,7 @@ def one_of(model: type[Written]) -> tuple[str, ...]:
 
 
 def beside(model: type[Written]) -> Mapping[str, str]:
-    """By a key of ``one_of``: another of these keys that may be written with it."""
+    """Return by a key of ``one_of`` another of these keys that may be written with it."""
     pairs: Mapping[str, str] = getattr(model, "BESIDE", {})
     return pairs
 

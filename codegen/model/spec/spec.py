@@ -86,7 +86,7 @@ class ProgramProject(Written):
 
 
 class ParameterType(StrEnum):
-    """How PARAM_VALUE announces a parameter: an entry of MAV_PARAM_TYPE, in lower case and without that prefix."""
+    """The type that PARAM_VALUE announces: an entry of MAV_PARAM_TYPE, in lower case and without that prefix."""
 
     INT8 = "int8"
     UINT8 = "uint8"
@@ -154,7 +154,7 @@ class StreamSpec(Written):
 
 
 class Generation(StrEnum):
-    """Which generation of messages is streamed and announced."""
+    """The generation of messages that is streamed and announced."""
 
     OLD = "old"
     NEW = "new"
@@ -239,7 +239,7 @@ class CorrectionsSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShippedCorrection(Written):
-    """What a dialect of pymavlink states about fields in words and not in an attribute."""
+    """A statement about fields that a dialect of pymavlink makes in words and not in an attribute."""
 
     message: str = described("Message that holds the fields.")
     fields: str = described("The field, or several as a pattern.")
@@ -272,7 +272,7 @@ class Criterion(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HostLimit(Written):
-    """What tests on a host cannot show of the criteria with these ``numbers``, and how the bench does."""
+    """The limit of tests on a host for the criteria with these ``numbers``, and the proof on the bench."""
 
     numbers: tuple[int, ...]
     text: str

@@ -127,9 +127,22 @@ class ComponentSpec(Written):
         "own_failsafe",
     )
 
+    def is_written(self, quantity: str) -> bool:
+        """Return whether a quantity of that name is written, be it in a way that could not be read."""
+        return f"quantities.{quantity}" in self.places
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StateSpec(Written):
     """``state.yaml``: the vehicle state."""
 
     components: Mapping[str, ComponentSpec] = described("The components by name.")
+
+    def has_written(self, component: str) -> bool:
+        """Return whether a component of that name is written, be it in a way that could not be read."""
+        return f"components.{component}" in self.places
+
+    def is_written(self, component: str, quantity: str) -> bool:
+        """Return the same for ``component.quantity``."""
+        read = self.components.get(component)
+        return self.has_written(component) if read is None else read.is_written(quantity)

@@ -37,7 +37,7 @@ class SetSeverity(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SeveritySpec(Written):
-    """How bad a kind of change is in codegen diff, everywhere or for some files, messages or versions."""
+    """The severity of a kind of change in codegen diff, everywhere or for some files, messages or versions."""
 
     kind: str = described(
         "Id of a rule of codegen diff, an area (wire, behaviour, trace, documentation), a weight (silent, breaking, "

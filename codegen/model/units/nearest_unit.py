@@ -1,4 +1,4 @@
-"""What unit was meant by a spelling that is none."""
+"""Finds the unit that was probably meant by a spelling that is none."""
 
 import re
 from collections.abc import Iterable, Iterator

@@ -16,7 +16,7 @@ PREFIXES = {
     "Mi": "1048576",
     "Gi": "1073741824",
 }
-"""What a symbol with a prefix is of the symbol itself."""
+"""The factors of prefixes."""
 
 BASES = {
     "m": "length",
@@ -79,10 +79,10 @@ SYMBOLS: dict[str, tuple[str, str, str]] = {
 """G is the standard gravity of the fields in mG (a gauss has its name in full), rev a turn, kn a knot: 1852 m/h."""
 
 ZEROS = {"degC": "273.15"}
-"""Where the scale of a unit begins: its 0, in the base unit."""
+"""The zero of a unit's scale, in the base unit."""
 
 ONLY_WITH_PREFIX = frozenset({"B"})
-"""What the dialects write only with a prefix, in KiB and MiB."""
+"""Units that the dialects write only with a prefix, in KiB and MiB."""
 
 SHOWN = {
     "V": "voltage",
@@ -119,7 +119,7 @@ SHOWN = {
     "dB": "level",
     "dBm": "power level",
 }
-"""What a unit measures, in a word, by units that values are shown in, the preferred ones first."""
+"""The dimension of a unit, in a word, by units that values are shown in, the preferred ones first."""
 
 WORDS = {
     "volt": "V",
@@ -177,7 +177,7 @@ WORDS = {
     "\u00b5s": "us",
     "\u03a9": "Ohm",
 }
-"""What people write for a unit, in small letters and without a plural, and how the dialects spell it."""
+"""Words that people write for a unit, in small letters and without a plural, with the dialects' spelling."""
 
 SCALED = (
     *("degE7", "degE5", "deg/2", "m/s*5", "km/h", "mm/h", "dm/s", "cm/s", "mm/s", "mrad/s", "cdeg/s", "ddeg/s"),
@@ -197,4 +197,4 @@ PREFIX_WORDS = {
     "mega": "M",
     "giga": "G",
 }
-"""What people write before such a word."""
+"""Prefixes that people write before such a word."""

@@ -1,1 +1,1 @@
-"""What is known of the board, and what is connected to it."""
+"""The board of a project: its pins, and the links and sensors that are connected to them."""

@@ -1,4 +1,4 @@
-"""What is known about the board of a project: its pins as sets of numbers."""
+"""Resolves the kind of board of a project: its pins as sets of numbers."""
 
 import ast
 import re
@@ -116,7 +116,7 @@ def _timing(spec: BoardModelSpec, report: Report) -> Timing | None:
 
 
 def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
-    """Its timeouts, and what resets come from in words."""
+    """Return the watchdog of a board: its timeouts, and the causes of resets in words."""
     shortest = read_time(spec.shortest, unit_named("ms"), spec.at("shortest"), report)
     longest = None if spec.longest is None else read_time(spec.longest, unit_named("ms"), spec.at("longest"), report)
     if shortest is not None and longest is not None and shortest > longest:

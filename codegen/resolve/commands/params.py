@@ -29,7 +29,7 @@ _DEGREES_E7 = unit_named("degE7")
 
 @dataclass(frozen=True, slots=True)
 class _Stated:
-    """What the dialect states about a parameter; None where it states nothing."""
+    """The attributes that the dialect states for a parameter; None where it states nothing."""
 
     unit: Unit | None
     minimum: Fraction | None

@@ -1,4 +1,4 @@
-"""What one correction changes: attributes of a message, of a field, or of an enum's entry."""
+"""Applies one correction: to attributes of a message, of a field, or of an enum's entry."""
 
 from collections.abc import Callable, Iterable, Set
 from dataclasses import field, replace

@@ -21,7 +21,7 @@ UNKNOWN_ENUM = Rule(
 )
 
 DEFAULT_VERSION = 2
-"""What mavgen assumes for a file without a ``<version>``."""
+"""The version that mavgen assumes for a file without a ``<version>``."""
 
 
 def resolve_dialect(

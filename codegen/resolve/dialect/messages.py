@@ -34,8 +34,10 @@ def merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, M
 
 
 def numbered_messages(messages: Mapping[str, MessageDefinition], report: Report) -> list[MessageDefinition]:
-    """Those with an id of their own, in its order. Corrections have been applied: an id that is missing or taken now is
-    reported, where the XML or the correction states it."""
+    """Return the messages with an id of their own, in its order.
+
+    Corrections have been applied: a missing or taken id is reported where the XML or the correction states it.
+    """
     by_id: dict[int, MessageDefinition] = {}
     for message in messages.values():
         if message.id == UNNUMBERED:

@@ -29,7 +29,7 @@ _DECIMAL = re.compile(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][
 
 @dataclass(frozen=True, slots=True)
 class _Problem:
-    """Why a value cannot be used."""
+    """The reason for which a value cannot be used."""
 
     rule: Rule
     message: str

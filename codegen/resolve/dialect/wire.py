@@ -1,4 +1,4 @@
-"""How a message goes over the wire: order, offsets, lengths and CRC_EXTRA of its fields."""
+"""The layout of a message on the wire: order, offsets and lengths of its fields, and its CRC_EXTRA."""
 
 from collections.abc import Iterable, Mapping
 

@@ -11,7 +11,7 @@ from codegen.resolve.failsafes.scope import FailsafeScope
 def level_conditions(
     scope: FailsafeScope, spec: FailsafeSpec, written: FailsafeLevelSpec, quantity: Quantity | None
 ) -> tuple[Condition, ...]:
-    """Those of a level; findings are reported."""
+    """Return the conditions of a level; findings are reported."""
     given = [key for key in ("below", "above", "unknown", "either") if getattr(written, key)]
     if quantity is None:
         for key in given:
@@ -28,7 +28,7 @@ def level_conditions(
 
 
 def arming_conditions(scope: FailsafeScope, spec: FailsafeSpec, quantity: Quantity | None) -> tuple[Condition, ...]:
-    """Those of ``to_arm``, which have no time."""
+    """Return the conditions of ``to_arm``, which have no time."""
     for each in spec.to_arm:
         for key in ("after", "hysteresis"):
             if getattr(each, key) is not None:

@@ -1,4 +1,4 @@
-"""Which action holds where failsafes that are up ask for several: ``priority`` of vehicle.yaml."""
+"""Resolves the order of actions for failsafes that are up together: ``priority`` of vehicle.yaml."""
 
 from collections.abc import Iterable
 from itertools import pairwise

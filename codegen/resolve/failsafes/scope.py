@@ -1,4 +1,4 @@
-"""What failsafes name: quantities, actions; and how a finding about one is told."""
+"""The names that failsafes can use, quantities and actions, and the findings about them."""
 
 from collections.abc import Mapping
 
@@ -15,7 +15,7 @@ from codegen.resolve.failsafes.setting import SettingReader
 
 @dataclass(frozen=True, slots=True)
 class FailsafeScope:
-    """What a failsafe may name, and where its findings go."""
+    """The names that a failsafe may use, and the report for its findings."""
 
     settings: SettingReader
     components: Mapping[str, Component]
@@ -45,7 +45,7 @@ class FailsafeScope:
             return None
         quantity = whole.quantities.get(name)
         if quantity is None:
-            if name not in whole.spec.quantities:
+            if not whole.spec.is_written(name):
                 hint = did_you_mean(name, whole.quantities)
                 self.report.add(UNKNOWN_QUANTITY, spec.at(key), f"{owner} has no quantity {name}", hint)
             return None

@@ -35,7 +35,7 @@ def read_text(
 
 
 def _names_a_quantity(piece: str, component: Component | None) -> bool:
-    return component is not None and any(field[2] in component.spec.quantities for field in _FIELD.finditer(piece))
+    return component is not None and any(component.spec.is_written(field[2]) for field in _FIELD.finditer(piece))
 
 
 def _parts(
@@ -54,7 +54,7 @@ def _parts(
             parts.append(f"{{{name}}}")
             continue
         quantity = watched if name == VALUE else component.quantities.get(name) if component else None
-        if quantity is None and component and name in component.spec.quantities:
+        if quantity is None and component and component.spec.is_written(name):
             continue  # what is wrong with it was reported
         if quantity is None or quantity.elements is not None:
             known = [NAME, LEVEL, *([VALUE] if watched else []), *(component.quantities if component else ())]
@@ -79,7 +79,7 @@ def _parts(
 
 
 def _decimals(quantity: Quantity) -> int:
-    """As many decimals as the steps that are kept have, two at most."""
+    """Return as many decimals as the stored steps have, two at most."""
     decimals = 0
     while decimals < 2 and 10**decimals < quantity.steps:
         decimals += 1

@@ -1,4 +1,4 @@
-"""Which elements of a message each key of a population table answers for."""
+"""Assigns the elements of a message to the keys of its population table."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -40,7 +40,7 @@ def answered_elements(
     ``citation`` is that of the message; it holds where an answer cites nothing of its own.
     """
     answers: list[Elements] = []
-    # What is written but could not be read, or has no such element, was reported: its field is not "unanswered".
+    # A key that could not be read, or names no such element, was reported: its field is not "unanswered".
     broken = {_field_of(key) for key in _written_keys(population) if key not in population.fields}
     for key, answer in population.fields.items():
         cited = (

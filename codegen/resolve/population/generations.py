@@ -1,4 +1,4 @@
-"""What decides whether and when a message goes out, beside its stream: its generation, and what announces it."""
+"""Resolves generations and announcements, which decide beside the stream whether and when a message goes out."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -26,7 +26,7 @@ BAD_ANNOUNCEMENT = Rule(
     "once, and no text.",
 )
 CHOICES = tuple(Generation)
-"""What the values of the parameter choose: 0, 1 and 2."""
+"""The choices of the parameter's values 0, 1 and 2."""
 
 
 def resolve_generations(
@@ -46,7 +46,7 @@ def resolve_generations(
         citation = cite_optional(written.requirement, written.at("requirement"), index, report)
         aspects = cite_aspects(written, index, report)
         component = components.get(name)
-        if component is None and name not in spec.state.components:
+        if component is None and not spec.state.has_written(name):
             message = f"the state has no component {name} that there could be generations of messages about"
             report.add(BAD_GENERATIONS, written.place, message, did_you_mean(name, components))
         problems = [

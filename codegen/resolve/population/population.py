@@ -39,7 +39,7 @@ _POINTLESS = {
     "per": "says nothing without board",
     **dict.fromkeys(("split", "min", "max", "rounding"), "says nothing about what is not read as a number"),
 }
-"""What there is to say of a key that shapes answers of other kinds only."""
+"""The message about a key that shapes answers of other kinds only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
     component = None
     if population.for_each is not None:
         component = parts.components.get(population.for_each)
-        if component is None:
+        if component is None and not parts.spec.state.has_written(population.for_each):
             hint = did_you_mean(population.for_each, parts.components)
             place = population.at("for_each")
             report.add(UNKNOWN_COMPONENT, place, f"the state has no component {population.for_each}", hint)

@@ -1,4 +1,4 @@
-"""Which of several instances a message reports that there is once."""
+"""Chooses the instance that a message reports where it reports only one of several."""
 
 from collections.abc import Iterable, Mapping
 
@@ -40,7 +40,7 @@ def resolve_representations(
         place = population.at(f"represents.{name}")
         component = components.get(name)
         if component is None:
-            if name not in state.components:
+            if not state.has_written(name):
                 hint = did_you_mean(name, components)
                 report.add(BAD_REPRESENTATION, place, f"the state has no component {name}", hint)
         elif name == population.for_each:
@@ -49,7 +49,7 @@ def resolve_representations(
             report.add(BAD_REPRESENTATION, place, f"no field of the message is about {name}")
         elif (choice := _choice(component, policy, written, parameters, report)) is not None:
             chosen[name] = choice
-    # Where a choice could not be read, or the number of an instance was asked for in vain, that has been reported.
+    # A choice that could not be read, or the number of an instance asked for in vain, has been reported.
     reported = {written.state.removesuffix(".instance") for written in population.fields.values() if written.state}
     for name in sorted(read - {population.for_each} - population.represents.keys() - reported):
         if components[name].instances > 1 and f"represents.{name}" not in population.places:
@@ -84,7 +84,7 @@ def _choice(
         place = policy.at("lowest")
         quantity = component.quantities.get(policy.lowest)
         if quantity is None:
-            if policy.lowest not in component.spec.quantities:
+            if not component.spec.is_written(policy.lowest):
                 hint = did_you_mean(policy.lowest, component.quantities)
                 report.add(BAD_REPRESENTATION, place, f"{component.name} has no quantity {policy.lowest}", hint)
             return None

@@ -1,4 +1,4 @@
-"""What the vehicle answers about what it does not have, as far as its dialect has words for it."""
+"""Resolves the answers about features that the vehicle lacks, as far as its dialect has words for them."""
 
 from codegen.model.absence import ABSENCE_FIELDS, LOGS, MISSION_RESULTS, MISSIONS, MODES, Absence
 from codegen.model.dialect.dialect import Dialect

@@ -1,4 +1,4 @@
-"""Who may command the vehicle: ``access`` of vehicle.yaml."""
+"""Resolves the access to commands: ``access`` of vehicle.yaml."""
 
 import re
 from collections.abc import Iterator, Mapping

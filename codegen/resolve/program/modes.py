@@ -26,7 +26,7 @@ def resolve_modes(
     vehicle = components.get("vehicle")
     quantity = vehicle.quantities.get("mode") if vehicle and vehicle.instances == 1 else None
     if vehicle is None or quantity is None or quantity.kind is not QuantityKind.NUMBER:
-        if vehicle is None or "mode" not in vehicle.spec.quantities:  # else what is wrong with it has been reported
+        if vehicle is None or not vehicle.spec.is_written("mode"):  # else what is wrong with it has been reported
             report.add(BAD_MODE, spec.at("modes"), "the component vehicle of the state has no number mode to be set")
         return ()
     found: dict[int, Mode] = {}
@@ -48,7 +48,7 @@ def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity,
         quantity = vehicle.quantities.get(name)
         place = mode.at(f"base[{index}]")
         if quantity is None:
-            if name not in vehicle.spec.quantities:
+            if not vehicle.spec.is_written(name):
                 hint = did_you_mean(name, vehicle.quantities)
                 report.add(BAD_MODE, place, f"the component vehicle has no quantity {name}", hint)
         elif quantity.kind is not QuantityKind.BOOLEAN or not quantity.derivation.is_set_by_code or name in _OWN:

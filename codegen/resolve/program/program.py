@@ -31,7 +31,7 @@ BAD_PROGRAM = Rule(
     "and each action has a name of its own.",
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
-"""What the difference of two ticks_us() tells on a board."""
+"""The largest difference of two ticks_us() on a board."""
 
 _CALLS = {
     *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
@@ -156,7 +156,7 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
         yield spec.place, "the state has no single component vehicle"
     for name, kind in VEHICLE_QUANTITIES.items() if vehicle and spec.arming else ():
         quantity = vehicle.quantities.get(name) if vehicle else None
-        if quantity is None and vehicle and name in vehicle.spec.quantities:
+        if quantity is None and vehicle and vehicle.spec.is_written(name):
             continue  # what is wrong with it has been reported
         if quantity is None or quantity.kind.value != kind or not quantity.derivation.is_set_by_code:
             yield spec.place, f"the component vehicle of the state has no {kind} {name} that can be set"

@@ -1,4 +1,4 @@
-"""What the services to ground stations need of the dialect: messages, and entries of enums."""
+"""The messages and entries of enums that the services to ground stations need of the dialect."""
 
 from collections.abc import Iterator
 
@@ -66,7 +66,7 @@ CANCELLED = "MAV_RESULT_CANCELLED"
 
 @dataclass(frozen=True, slots=True)
 class Uses:
-    """What the program has that not every program has, and that needs more of the dialect.
+    """The features of the program that need more of the dialect.
 
     A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared; a link brings
     the key of others.

@@ -1,4 +1,4 @@
-"""What the tables do with each quantity, before it is decided how the quantity is kept."""
+"""Collects the uses of each quantity by the tables, before it is decided how the quantity is kept."""
 
 from collections.abc import Iterator, Mapping
 from typing import TypeVar
@@ -28,7 +28,7 @@ class Carriers:
 
 
 def find_carriers(spec: Spec, dialect: Dialect) -> Carriers:
-    """Those of all tables; what cannot be found is reported where the tables are resolved."""
+    """Return the carriers in all tables; names that cannot be found are reported where the tables are resolved."""
     fields: dict[str, list[WireField]] = {}
     compared = set(_compared(spec))
     for population in spec.populations:

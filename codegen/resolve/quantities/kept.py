@@ -1,4 +1,4 @@
-"""How the state keeps a quantity: its kind, its units, its limits, and the words that hold a value."""
+"""Resolves the storage of a quantity: its kind, its units, its limits, and the words that hold a value."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -170,7 +170,7 @@ def _check_order(around: Surroundings, limits: Limits) -> None:
 
 
 def _of_enum(enum: EnumDefinition) -> tuple[int, int]:
-    """From the smallest to the largest entry; of a bitmask any flags."""
+    """Return the smallest and the largest entry; of a bitmask the limits of any flags."""
     values = [entry.value for entry in enum.entries]
     if not enum.is_bitmask:
         return min(values), max(values)

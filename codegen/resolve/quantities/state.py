@@ -130,7 +130,7 @@ def find_quantity(
     component, _, name = path.partition(".")
     if component in components and name in components[component].quantities:
         return components[component].quantities[name]
-    if component in state.components and name in state.components[component].quantities:
+    if state.is_written(component, name):
         return None
     known = [f"{owner.name}.{quantity}" for owner in components.values() for quantity in owner.quantities]
     report.add(UNKNOWN_QUANTITY, place, f"the state has no quantity {path}", did_you_mean(path, known))

@@ -33,7 +33,7 @@ _ONE_FOR_EACH = (
     "far: {quantities: {level_1: ..., level_2: ...}}, and write state: far.level_2"
 )
 _PART_LIMIT = 1 << 28
-"""What numerator and denominator of a factor are less than with which wholes_plain.py makes whole numbers of floats."""
+"""The limit of numerator and denominator of a factor with which wholes_plain.py makes whole numbers of floats."""
 _FLOATS = {4: Storage.BINARY32, 8: Storage.BINARY64}
 
 

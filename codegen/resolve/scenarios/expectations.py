@@ -1,4 +1,4 @@
-"""What must hold in a scenario: the quantity, the time and the bounds of each expectation."""
+"""Resolves the expectations of a scenario: the quantity, the time and the bounds of each."""
 
 from collections.abc import Sequence
 
@@ -31,7 +31,7 @@ class Expectations:
         self._system = system
 
     def read(self, written: Sequence[ExpectSpec]) -> tuple[Expectation, ...]:
-        """Those without errors."""
+        """Return the expectations without errors."""
         found = [self._expectation(spec) for spec in written]
         return tuple(expectation for expectation in found if expectation is not None)
 

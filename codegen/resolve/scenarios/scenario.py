@@ -190,6 +190,6 @@ class _Resolver:
 
 
 def unknown_scenario(name: str, known: Sequence[str]) -> str:
-    """That there is no scenario of that name, with what may have been meant."""
+    """Return the message that there is no scenario of that name, with the one that may have been meant."""
     hint = did_you_mean(name, known)
     return f"there is no scenario {name!r}" + (f"; {hint}" if hint else "")

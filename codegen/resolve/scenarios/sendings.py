@@ -1,4 +1,4 @@
-"""What a scenario sends to the vehicle: a message of the dialect by its fields, as the bytes of its payload."""
+"""Resolves a message that a scenario sends to the vehicle: from its fields to the bytes of its payload."""
 
 import re
 import struct

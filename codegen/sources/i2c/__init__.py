@@ -1,1 +1,1 @@
-"""What devices on an I2C bus have in common: access to registers, and a bus of the mocks."""
+"""The common part of devices on an I2C bus: access to registers, and a bus of the mocks."""

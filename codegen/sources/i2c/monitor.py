@@ -30,7 +30,7 @@ class MonitorSpec(SourceSpec):
 
 @dataclass(frozen=True, slots=True)
 class Chip:
-    """What one of the chips is: the volts of a step of the bus and of the shunt, with the most steps of each.
+    """The data of one chip: the volts of a step of the bus and of the shunt, with the most steps of each.
 
     ``codes`` has what stands for so many conversions that are averaged; ``kind`` is the word for the driver.
     """

@@ -27,7 +27,7 @@ OUTPUTS = (
     Output("hdop", _HUNDREDTHS, 0, 9998, "Dilution of precision in the plane."),
     Output("vdop", _HUNDREDTHS, 0, 9998, "Dilution of precision in height."),
 )
-"""What it gives, in the order of the driver's values."""
+"""Its outputs, in the order of the driver's values."""
 
 
 SAID = {
@@ -36,7 +36,7 @@ SAID = {
     "garbled": "lines arrive garbled",
     "stuck": "the receiver says what it said",
 }
-"""What can be wrong with it in a simulation."""
+"""Its faults in a simulation."""
 
 _MODULES = ("nmea", "nmea_plain", "nmea_viper", "sentences_plain", "sentences_viper")
 
@@ -55,7 +55,7 @@ class NmeaSpec(SourceSpec):
 
 @dataclass(frozen=True, slots=True)
 class NmeaReceiver(Source):
-    """On a UART; silent for ``silent_ms`` it has failed."""
+    """A receiver on a UART, which has failed after ``silent_ms`` without a line."""
 
     polling: Polling
     line: Serial

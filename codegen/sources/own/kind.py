@@ -75,7 +75,7 @@ class OwnSource(Source):
 
 
 def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: OwnDriver) -> OwnSource | None:
-    """Its keys by what the driver declares; None after a finding."""
+    """Return the sensor, with its keys as the driver declares them; None after a finding."""
     declared = driver.spec
     if not _CLASS.fullmatch(declared.class_name):
         around.report.add(BAD_SOURCE, declared.at("class"), f"{declared.class_name} is no name of a class")

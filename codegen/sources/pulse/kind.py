@@ -40,7 +40,7 @@ class PulseSpec(SourceSpec):
 
 @dataclass(frozen=True, slots=True)
 class PulseInput(Source):
-    """At a pin of the board, one of ``choices``."""
+    """A pulse input at a pin of the board, one of ``choices``."""
 
     polling: Polling
     gpio: int

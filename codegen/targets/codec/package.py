@@ -15,7 +15,7 @@ OWN = frozenset(
     {"NAME", "ID", "CRC_EXTRA", "BASE_LENGTH", "LENGTH", "FIELDS", "TARGETS", "DEFAULTS", "wire", "live"}
     | {"source_sequence", "source_system", "source_component", "names", "get", "raw", "set", "update"}
 )
-"""What is an attribute of each message, so that a field of that name has ``_`` behind it."""
+"""Attributes of each message: a field with one of these names has ``_`` behind it."""
 _EMPTY = '"""MAVLink for MicroPython, made by codegen codec."""\n'
 
 

@@ -59,7 +59,7 @@ class LevelRow:
 
 @dataclass(frozen=True, slots=True)
 class ActionRow:
-    """What a failsafe can do."""
+    """The row of an action that failsafes can take."""
 
     value: int
     call: str

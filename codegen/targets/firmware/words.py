@@ -1,4 +1,4 @@
-"""Where the state keeps what: 32-bit words in one array, a block of them for each instance of each component.
+"""The layout of the state: 32-bit words in one array, a block of them for each instance of each component.
 
 A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
 largest magnitude that 32-bit boards read without allocating. What a small integer does not hold takes a word for every
@@ -181,7 +181,7 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
 
 
 SET_AGE = "set_age"
-"""How many readings ago code has set one of those that are forgotten together; unknown is never, or long ago."""
+"""The number of readings since code has set one of those forgotten together; unknown is never, or long ago."""
 
 FACTOR_WORDS = ("multiplier", "offset")
 
@@ -192,10 +192,10 @@ def factor_words(reading: Reading) -> tuple[tuple[str, Factor], ...]:
 
 
 CLOCK_WORDS = (("last_us", 1), ("last_ms", 1), ("boot_ms", 4), ("unix_ms", 4))
-"""What the clocks need behind what they count in microseconds; clock_viper.py and clock_plain.py know their order."""
+"""The further words of clocks that count in microseconds; clock_viper.py and clock_plain.py know their order."""
 
 TREND_WORDS = ("count", "newer", "older")
-"""What a trend keeps beside its readings: how many there were, and the sums of the two halves."""
+"""The further words of a trend beside its readings: their number, and the sums of the two halves."""
 
 
 def differ(numbers: tuple[int, ...]) -> bool:

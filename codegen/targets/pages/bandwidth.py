@@ -161,7 +161,7 @@ def _amount(cost: Cost, amount: Range, rate: Fraction) -> Amount:
 
 
 def _generations(system: System) -> Chart:
-    """Everything that is streamed, with each choice and in each version of MAVLink."""
+    """Return the chart of all that is streamed, with each choice and in each version of MAVLink."""
     names = " and ".join(generations.component.name for generations in system.generations)
     setters = ", ".join(generations.parameter.name for generations in system.generations if generations.parameter)
     amounts = [_choice(choice, protocol, system) for choice in Generation for protocol in (2, 1)]

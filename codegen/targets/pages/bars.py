@@ -45,7 +45,7 @@ class Chart:
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """What a bar is to show: ``amount`` in the unit of the chart."""
+    """An amount to show as a bar: ``amount`` in the unit of the chart."""
 
     label: str
     amount: Range

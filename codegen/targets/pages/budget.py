@@ -1,4 +1,4 @@
-"""What the telemetry costs: bytes per second of every message, and of all at once, against what links carry."""
+"""The cost of telemetry: bytes per second of every message, and of all together, beside the capacity of links."""
 
 from collections.abc import Iterable
 from fractions import Fraction

@@ -19,7 +19,7 @@ BLOCK = 8
 """Bytes of a payload in one drawing."""
 _HEIGHT, _HEIGHT_OF_PARTS = 78, 56
 _HEX = 48
-"""Where the text of a byte stands, higher where its letter stands under it."""
+"""The height of a byte's text, which is higher where a letter stands under it."""
 _LETTER = 6.6
 """Width of a letter of a name, at most; of the word for extensions in all."""
 _EXTENSIONS = 64
@@ -68,7 +68,7 @@ class Cut:
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """Where the extensions begin, with the place of the word for it."""
+    """The boundary at which the extensions begin, with the place of the word for it."""
 
     x: float
     word_x: float

@@ -10,7 +10,7 @@ from codegen.resolve.dialect.wire import crc_mcrf4xx
 from codegen.targets.suite.expected import Wire
 
 SIGNATURE = (("link", 1), ("timestamp", 6), ("signature", 6))
-"""What a signed frame of MAVLink 2 has after its checksum: names and bytes. Source: MAVLink's guide to signing."""
+"""The parts of a signed frame of MAVLink 2 after its checksum: names and bytes. Source: MAVLink's guide to signing."""
 
 
 @dataclass(frozen=True, slots=True)

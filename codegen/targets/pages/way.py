@@ -24,7 +24,7 @@ class _Origins(Origins):
     system: System
 
     def steps(self, source: Quantity | Parameter) -> tuple[Step, ...]:
-        """From the sensor, or whatever gives the value, to where it is kept."""
+        """Return the steps from the sensor, or another source of the value, to where it is kept."""
         return (_parameter(source),) if isinstance(source, Parameter) else tuple(_quantity(source, self.system))
 
 

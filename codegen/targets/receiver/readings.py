@@ -14,7 +14,7 @@ from codegen.model.vehicle import Component
 from codegen.targets.receiver.roles import charging_entry, describes
 
 FACT = "info."
-"""How the names of facts begin among those of quantities."""
+"""The beginning of the names of facts among those of quantities."""
 CHARGING = "is_charging"
 """The name of what a message says about being charged; no attribute of its own."""
 
@@ -22,7 +22,7 @@ CHARGING = "is_charging"
 def readings_of(
     message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
 ) -> tuple[Reading, ...]:
-    """Everything that a message says about an instance of the component, each name once."""
+    """Return all readings of a message about an instance of the component, each name once."""
     found: dict[str, Reading] = {}
     for answer in message.answers:
         for reading in _inverse(answer, message, component, roles, dialect):

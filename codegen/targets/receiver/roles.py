@@ -1,4 +1,4 @@
-"""What fields mean for the time that something which is drawn from still lasts: receiver.yaml says it, by names."""
+"""The roles of fields in predicting how long a store still lasts; receiver.yaml gives them by names."""
 
 from collections.abc import Iterable, Mapping
 

@@ -92,7 +92,7 @@ class AttributeView:
 
 @dataclass(frozen=True, slots=True)
 class RoleView:
-    """What plays a role: pairs of a reading's name and the factor to the unit of the role, as a tuple in Python."""
+    """The players of a role: pairs of a reading's name and the factor to the unit of the role, as a tuple in Python."""
 
     name: str
     players: str
@@ -215,7 +215,7 @@ def _arguments(text: str) -> Iterator[str]:
 
 
 def _example(component: Component, readings: Iterable[Reading]) -> str:
-    """Some quantities, as the page prints them: those of the component that have a unit."""
+    """Return some quantities of the component that have a unit, as the page prints them."""
     names = [reading.name for reading in readings if reading.name in component.quantities and reading.unit]
     read = {name for name, quantity in component.quantities.items() if quantity.derivation.conversion}
     shown = sorted(set(names) - TAKEN, key=lambda name: (name not in read, name))
@@ -235,7 +235,7 @@ def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:
 def _ranked(
     system: System, receiver: Receiver, said: Mapping[str, tuple[Reading, ...]]
 ) -> dict[str, dict[str, Reading]]:
-    """By name, in order, and by message, the preferred one first: what it says under that name."""
+    """Return by name, in order, and by message, the preferred one first, the reading under that name."""
     found: dict[str, dict[str, Reading]] = {}
     for message in sorted(receiver.messages, key=lambda message: _preference(message, system)):
         for reading in said[message.wire.name]:

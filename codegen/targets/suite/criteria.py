@@ -16,7 +16,7 @@ _Cited = tuple[str, Citation]
 
 
 def check_criteria(system: System, program: Program) -> dict[str, tuple[str, ...]]:
-    """By aspect, ``section.aspect``, the criteria that its checks show."""
+    """Return by aspect, ``section.aspect``, the criteria that its checks show."""
     found: dict[str, dict[str, None]] = {}
     for aspect, citation in _cited(system, program):
         found.setdefault(aspect, {})[str(citation)] = None

@@ -1,4 +1,4 @@
-"""What a message must carry for a given state, by exact arithmetic on the resolved system.
+"""The expected fields of a message for a given state, by exact arithmetic on the resolved system.
 
 The generated tests and the tests of the generator take their expected values from here; nothing of the firmware is
 involved.
@@ -116,7 +116,7 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
 
 
 NOMINAL_TEXT = "Plain words"
-"""What texts are in tests; a different end of it for each instance."""
+"""The text of quantities in tests; a different end of it for each instance."""
 
 
 def nominal(quantity: Quantity) -> int | Fraction:

@@ -24,7 +24,7 @@ RENDERED = ("behaviour.py", "test_frames.py")
 
 @dataclass(frozen=True, slots=True)
 class SuiteView:
-    """What the templates of the suite need to know."""
+    """The data for the templates of the suite."""
 
     system_id: int
     component_id: int

@@ -33,19 +33,19 @@ from codegen.targets.suite.withheld import KnownWord, known_words, withheld_mess
 _PROGRAM = "tests/program"
 
 COMMAND_CHECKS = "tests/command_checks.py"
-"""What there is to check about commands and modes of the project's own."""
+"""Checks of commands and modes of the project's own."""
 
 ACCESS_CHECKS = "tests/access_checks.py"
-"""What there is to check about signed and listed links."""
+"""Checks of signed and listed links."""
 
 TWIN_CHECKS = "tests/twin_checks.py"
-"""What there is to check where a parameter gives the component id: two of the program can have the same one."""
+"""Checks where a parameter gives the component id: two of the program can have the same one."""
 
 WATCHDOG_CHECKS = "tests/watchdog_checks.py"
-"""What there is to check about a watchdog."""
+"""Checks of the watchdog."""
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
-"""What a further program's suite does without: it takes long, and is about modules that all programs share."""
+"""Checks that a further program's suite does without: long ones, of modules that all programs share."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class MeasuredFamilies:
 
 @dataclass(frozen=True, slots=True)
 class InputView:
-    """Where an instance is read by default, and whether it is measured at all."""
+    """The default input of an instance, and whether it is measured at all."""
 
     gpio: int
     is_on: bool
@@ -78,7 +78,7 @@ class AccessFacts:
 
 @dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
-    """What the checks of the program compare with; ``criteria`` are those of each aspect of the checks."""
+    """The expected values of the checks of the program; ``criteria`` are those of each aspect of the checks."""
 
     program: ProgramView
     pairs: tuple[PairFacts, ...]
@@ -114,7 +114,7 @@ class ModeFacts:
 
 @dataclass(frozen=True, slots=True)
 class CommandSuiteView:
-    """What the checks of commands and modes compare with."""
+    """The expected values of the checks of commands and modes."""
 
     commands: tuple[CommandFacts, ...]
     modes: tuple[ModeFacts, ...]
@@ -206,7 +206,7 @@ def _command_view(program: Program) -> CommandSuiteView:
 
 
 def _withheld_lines(system: System) -> dict[int, tuple[str, ...]]:
-    """By message what it is withheld for, as lines of a table."""
+    """Return by message the quantities that withhold it, as lines of a table."""
     return {
         each.id: tuple(
             one_by_one(f"    {each.id}: ", (f'("{owner}", "{name}")' for owner, name in each.quantities), ",", "[]")

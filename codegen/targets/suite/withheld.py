@@ -1,4 +1,4 @@
-"""What tests need to know about messages that are withheld while something is unknown."""
+"""Facts for tests about messages that are withheld while something is unknown."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

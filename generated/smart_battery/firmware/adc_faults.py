@@ -1,6 +1,6 @@
 # Generated from templates/firmware/adc_faults.py: do not edit.
-# Inputs: 1b1903ab463c4647
-"""What is told of inputs of the converter that fail, and how they come back; loaded with the first fault."""
+# Inputs: ccab546c0d8860e7
+"""Texts about inputs of the converter that fail, and how they come back; loaded with the first fault."""
 
 import time
 

@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: 18788459d9916688
+# Inputs: 6ef114c9be0c0ed7
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -171,7 +171,7 @@ def taker(receiver):
             else:
                 own[0]._put_more(data)
                 return
-        # What is left goes to the front.
+        # Move the rest to the front.
         target = ptr8(int(state[19]) | int(state[20]) << 32)
         source = ptr8(int(target) + int(state[0]))
         kept = int(state[1]) - int(state[0])

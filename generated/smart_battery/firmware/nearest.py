@@ -1,6 +1,6 @@
 # Generated from templates/codec/nearest.py: do not edit.
-# Inputs: 2634632a82794df4
-"""What somebody may have meant by a name that is wrong."""
+# Inputs: d56fe6425b13cd8b
+"""Finds the name that somebody may have meant by a wrong one."""
 
 
 def hint(name, known):

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
 # Inputs: e225ae5060b1835f
-"""What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
+"""Takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time
 

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/scan_plain.py: do not edit.
-# Inputs: 7823d0a28286080b
-"""What the main loop looks at all the time, in plain Python; scan_viper is the same in machine code.
+# Inputs: 0884dc26855e8bf7
+"""The scans that the main loop makes all the time, in plain Python; scan_viper is the same in machine code.
 
 Functions of few variables: MicroPython puts those of larger ones on the heap at every call.
 """

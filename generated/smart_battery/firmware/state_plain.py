@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
 # Inputs: 6ea3a3edfc85b0d3
-"""What is done with each reading, in plain Python, for ports without machine code."""
+"""Stores each reading in the state, in plain Python, for ports without machine code."""
 
 from micropython import const
 

@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/station.py, dialect common: do not edit.
-# Inputs: 312f8f7905757ecd
-"""What a link keeps of each station that it serves, and what it is told in texts.
+# Inputs: 22d7e48f366f5ba8
+"""The state of each station that a link serves, and the texts that it is sent.
 
 Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
 """
@@ -20,7 +20,7 @@ _TEXT = const(50)  # characters of a STATUSTEXT
 
 
 class Station:
-    """Its rates, and how far it has been told what it is to know; `address` None is the declared one, or a wire's end.
+    """A station: its rates, and how far it has been told; `address` None is the declared one, or a wire's end.
 
     `heard_ms` is the time.ticks_ms() of its last frame, and counts while `is_heard`. `streams` are those of its rates,
     `sequence` is the number of its next frame, `waiting` has replies that the port did not take yet, and `parameter` is
@@ -53,7 +53,11 @@ class TextSender:
         """Send at most one message to a station, at which the connection is."""
         if station.said is None and station.text == self._texts.last:
             return
-        if self._connection.port.is_up and (station.said is not None or self._take(station)) and self._send(station):
+        if not self._connection.port.is_up:
+            return
+        if station.said is None:
+            self._take(station)
+        if self._send(station):
             # A NUL ends a long text: the chunk after 50 characters may be empty.
             station.chunk += 1
             length = len(station.said[1])
@@ -61,20 +65,18 @@ class TextSender:
                 station.said = None
 
     def _take(self, station):
-        """Take the next text; False: all that were new are overwritten already."""
-        while station.text != self._texts.last:
+        """Take the next text that is not overwritten, as the newest never is."""
+        found = None
+        while found is None:
             station.text += 1
             found = self._texts.get(station.text)
-            if found is not None:
-                text = found[1].encode()
-                if self._connection.link.version == 1:
-                    text = text[:_TEXT]
-                if len(text) > _TEXT:
-                    station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
-                station.said = found[0], text
-                station.chunk = 0
-                return True
-        return False
+        text = found[1].encode()
+        if self._connection.link.version == 1:
+            text = text[:_TEXT]
+        if len(text) > _TEXT:
+            station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
+        station.said = found[0], text
+        station.chunk = 0
 
     def _send(self, station):
         severity, text = station.said

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/stations.py: do not edit.
-# Inputs: 0d141294e10b35eb
+# Inputs: 06331de9c12d2c91
 """The stations at the other end of a port that tells them apart by their addresses."""
 
 import time
@@ -11,7 +11,7 @@ _GONE_MS = const(3000)  # a station that is silent for so long makes room where 
 
 
 class Stations:
-    """Who is served, in `served`: the declared address while nobody is heard, and else whoever is.
+    """The stations that are served, in `served`: the declared address while none is heard, and else those heard.
 
     A station is heard while its frames arrive, and gone after `silence_ms`. It is remembered until its place is needed,
     so that it finds the rates that it has asked for when it comes back. `make` returns a new Station, `port` has the

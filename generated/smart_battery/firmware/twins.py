@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/twins.py: do not edit.
-# Inputs: 03c91e277664d017
-"""Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
+# Inputs: d8fd8f8035423a79
+"""Notices others that use the ids of this board, and tells people, who have to give one of the two another id."""
 
 import time
 from binascii import hexlify

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: ef84fb86523e744f
+# Inputs: a9c38182d3525db2
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -48,8 +48,8 @@ def _attribute(place, about, at, put_at):
     return property(get, put)
 
 
-# What a number is about: its halves, its limits, those that are told, what texts call it, the code of a float, and how
-# many steps make how many units. A call with these as variables of its own would allocate.
+# The description of a number: its halves, its limits, those that are told, its name in texts, the code of a float, and
+# how many steps make how many units. A call with these as variables of its own would allocate.
 
 
 def about_whole(halves, low, high, name, told, numerator=1, denominator=1):

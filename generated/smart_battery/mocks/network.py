@@ -1,5 +1,5 @@
 # Generated from templates/mocks/network.py: do not edit.
-# Inputs: 06c7d0f633818737
+# Inputs: ded8f7aed4fe114b
 """The board's module `network`, as far as the firmware uses it: a Wi-Fi station that follows a script, `radio`.
 
 Only the state of the connection is made up. Sockets are those of the host, and work without it.
@@ -18,7 +18,7 @@ STAT_GOT_IP = 3
 
 
 class Radio:
-    """What happens in the air.
+    """The Wi-Fi around the board, as a test sets it up.
 
     `connect_after_ms` is the virtual time from connect() to an address, None for never. `absent` makes WLAN() fail and
     `failures` the next calls of connect(). `connects` counts those calls, `credentials` is what the last one was given.

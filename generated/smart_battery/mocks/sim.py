@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 27e834c599ff1f93
+# Inputs: f444057900786de9
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -143,7 +143,7 @@ class Simulation:
         return self._start_ms + mock_time.elapsed_us() // 1000
 
     def _is_ahead(self, event):
-        # What happened at the very time of a restart, as the restart itself, is not done again.
+        # An event at the very time of a restart, as the restart itself, is not done again.
         return event["at_ms"] > self._start_ms or self._start_ms == 0
 
     def _connect(self, courses):

@@ -1,6 +1,6 @@
 # Generated from templates/mocks/sim_course.py: do not edit.
-# Inputs: 9d5b3c779c74a4f4
-"""What is true of one quantity in a simulation, over time, and what is wrong with the way that it takes."""
+# Inputs: 1d2e8c4a1d85cb1b
+"""The true values of one quantity in a simulation, over time, and the faults on their way to the firmware."""
 
 
 class Course:

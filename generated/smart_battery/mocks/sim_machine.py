@@ -1,6 +1,6 @@
 # Generated from templates/mocks/sim_machine.py: do not edit.
-# Inputs: 250786df7a8e0651
-"""What code of the user may find on a board in a simulation, and the firmware hardly uses: SPI, PWM and timers."""
+# Inputs: 4abf3513cad00f00
+"""Parts of `machine` that user code may use in a simulation, and the firmware hardly does: SPI, PWM and timers."""
 
 import machine
 import mock_time

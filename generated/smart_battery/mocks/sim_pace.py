@@ -1,6 +1,6 @@
 # Generated from templates/mocks/sim_pace.py: do not edit.
-# Inputs: f9528cdf74a2b270
-"""How fast the time of a simulation passes: with the host's clock, and not ahead of other programs."""
+# Inputs: 8b103140e3a5a11f
+"""The pace of a simulation: its time follows the host's clock, and runs not ahead of other programs."""
 
 import time as host_time  # the host's clock: this is imported before mock_time takes its place for the firmware
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: d4049edcad55383f
+# Inputs: b8deada2b61cc18f
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
@@ -42,7 +42,7 @@ def values(fields, pattern):
 
 
 class Wire:
-    """What takes frames."""
+    """A port that keeps the last frame."""
 
     def write(self, frame):
         """Keep one."""

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 9b05b25efb4ca127
+# Inputs: 1165c92596af607b
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -166,7 +166,7 @@ def health_is_told_after_days():
 
 
 def estimated():
-    """What is estimated follows its curve, unknown with the value and once it is gone; what is not stays unknown."""
+    """An estimate follows its curve, unknown with the value and once that is gone; without a curve it stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]
@@ -330,7 +330,7 @@ def high_value_is_warned_about_at_intervals():
 
 
 def good_count_is_good():
-    """What the other checks start from is neither low nor worth a warning."""
+    """The value that the other checks start from is neither low nor worth a warning."""
     for measured in MEASURED:
         craft = ready_craft()
         run(craft, SECOND_US)

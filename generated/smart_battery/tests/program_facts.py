@@ -12,7 +12,7 @@
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
 # Inputs: 7048cd7050fa5318
-"""What the specification says about the program, for the checks of the program to compare with."""
+"""Facts of the specification about the program, which its checks compare with."""
 
 CONTROL_US = 50000
 LINKS_US = 50000

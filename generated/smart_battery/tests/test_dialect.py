@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 4ce5f6f8ac27e8fa
+# Inputs: 679a1180fc840e65
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -25,7 +25,7 @@ TARGETS = ("target_system", "target", "target_component")
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def laid_out(request, printed):
-    """What the firmware says of each message, by name; see dialect_run.py."""
+    """Return the firmware's layout of each message, by name; see dialect_run.py."""
     found = printed(request.param, "dialect_run.py")
     assert "" not in found, found[""]
     return found
@@ -83,7 +83,7 @@ def test_messages(laid_out, modules):
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def carried(request, printed):
-    """What the firmware makes of values of each message, by name; see fields_run.py."""
+    """Return what the firmware makes of values of each message, by name; see fields_run.py."""
     found = printed(request.param, "fields_run.py")
     assert "" not in found, found[""]
     return found
@@ -123,7 +123,7 @@ def test_fields(carried, modules):
 
 
 def test_unknown_fields(carried):
-    """What can be unknown is that at first and when it is set to None, and what is set in between is told."""
+    """A field that can be unknown is so at first and when it is set to None; a value set in between is told."""
     for name, (_found, _frames, unknown, _misspelt) in carried.items():
         for field, first, given, told, last in unknown:
             assert is_without_number(first), (name, field, first)
@@ -137,7 +137,7 @@ def is_without_number(value):
 
 
 def test_misspelt_fields(carried):
-    """What is no field is told, and which one may have been meant, where a quarter of its letters is wrong."""
+    """A wrong name of a field is told, with the right one where at most a quarter of its letters is wrong."""
     assert any(misspelt for *_others, misspelt in carried.values())
     for name, (found, _frames, _unknown, misspelt) in carried.items():
         fields = found[0][0]

@@ -72,7 +72,7 @@ def test_conversion(case, results):
 
 
 def test_values_arrive_in_units(results, modules):
-    """What pymavlink decodes is what was set, in the units of both, to a step of the field or of what is kept."""
+    """pymavlink decodes the value that was set, in the units of both, to a step of the field or of the stored value."""
     parser = modules[0].MAVLink(None)
     frames = [(case, results["frames"][case["name"]][0]) for case in DATA["messages"]]
     arrived = [(case, parser.parse_buffer(bytearray.fromhex(frame))[0]) for case, frame in frames if frame]

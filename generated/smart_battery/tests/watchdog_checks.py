@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: 67661f03035788dd
+# Inputs: d7be8f0bcc512da1
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -176,7 +176,7 @@ def what_works_is_never_reset():
 
 
 def the_reason_is_told():
-    """What the last reset came from, in words; a warning if it was the watchdog, to who comes later, too."""
+    """The cause of the last reset is told, in words; a warning if it was the watchdog, to later stations, too."""
     for number, words in WATCHDOG["causes"].items():
         machine.set_reset_cause(number)
         assert [text for _, text in new_craft().said("Started after")] == ["Started after " + words]

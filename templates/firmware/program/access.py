@@ -17,7 +17,7 @@ _SENT_MS = const(60000)  # and so soon while frames only go out: load() goes on 
 
 
 class Access:
-    """What signs and judges the frames of each link of `links`, which are (name, number).
+    """Signs and judges the frames of each link of `links`, which are (name, number).
 
     `path` is the file of the key. Without a right one the links have a key that nobody knows, and so obey nobody.
     """

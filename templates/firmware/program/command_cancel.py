@@ -19,7 +19,7 @@ def answer_cancel(connection, vehicle):
 
 
 class _Cancel:
-    """What takes COMMAND_CANCEL on one connection."""
+    """Takes COMMAND_CANCEL on one connection."""
 
     def __init__(self, connection, vehicle):
         self._listeners = connection.services.listeners

@@ -93,9 +93,9 @@ class Connection:
         next(turn)
         self.run = turn.send
 
-    # What a generator keeps between passes are variables, which are found at once and need no heap; and it catches an
-    # exception without the heap, where a function would put all of its variables there. An interrupt or a restart ends
-    # it: who goes on after it begins anew.
+    # A generator keeps variables between passes, which are found at once and need no heap; and it catches an exception
+    # without the heap, where a function would put all of its variables there. An interrupt or a restart ends it: a
+    # program that goes on afterwards makes a new one.
 
     def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""

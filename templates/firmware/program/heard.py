@@ -1,4 +1,4 @@
-"""Whether it is a ground station that sends something: one of its HEARTBEATs arrives on the same link."""
+"""Recognises a sender as a ground station: one of its HEARTBEATs arrives on the same link."""
 
 
 def is_heard(listeners, system):

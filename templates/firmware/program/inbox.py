@@ -8,7 +8,7 @@ _SIZE = const(256)  # bytes that one readinto() takes
 _WORK = const(256)  # bytes that are searched for frames in a pass; to check a frame counts as much as its length
 _PATIENCE_MS = const(500)  # for the end of a frame, where a port does not know better
 
-# Where the state of a link has what: frames_plain says more.
+# The places in the state of a link: frames_plain says more.
 _FIRST = const(0)  # byte in the buffer that was not looked at
 _END = const(1)  # of the buffer
 _KEPT = const(12)

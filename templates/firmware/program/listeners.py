@@ -1,4 +1,4 @@
-"""Who listens at the other end of a link: the ground stations, and other components, whose HEARTBEAT arrives."""
+"""The listeners at the other end of a link: ground stations and other components, known by their HEARTBEAT."""
 
 from array import array
 from time import ticks_diff

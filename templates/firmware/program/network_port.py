@@ -1,4 +1,4 @@
-"""What ports over Wi-Fi have in common: counters, the settings on the board, and the network that they wait for.
+"""The common part of ports over Wi-Fi: counters, the settings on the board, and the network that they wait for.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
 bytes, and `dropped`, in frames, wrap at 2 ** 30, beyond which numbers of 32-bit boards need the heap. `problem` is the

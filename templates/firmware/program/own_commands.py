@@ -9,7 +9,7 @@ from guard import Guard
 from heard import is_heard
 from micropython import const
 
-# What command_table.py says of a command.
+# The parts of a command in command_table.py.
 _METHOD = const(0)
 _TITLE = const(1)  # what texts call it
 _ARMED = const(2)  # whether the vehicle has to be armed for it; None: either way
@@ -19,7 +19,7 @@ _PARAMS = const(5)
 _INT_PARAMS = const(6)  # those of COMMAND_INT, where it carries a position; () where they are the same
 _FRAMES = const(7)  # in which COMMAND_INT may state that position
 
-# What it says of a parameter.
+# The parts of a parameter in command_table.py.
 _NUMBER = const(0)
 _LEAST = const(1)
 _MOST = const(2)

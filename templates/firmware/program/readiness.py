@@ -4,7 +4,7 @@ import select
 
 
 class Readiness:
-    """Whether a stream or a socket is ready, without waiting and without the heap.
+    """Asks whether a stream or a socket is ready, without waiting and without the heap.
 
     look(0) returns something for each one that is watched and ready: it is the poll() of select that takes no heap.
     """

@@ -47,12 +47,12 @@ class Reception:
 
     @property
     def taken(self):
-        """How many messages were taken."""
+        """Return the number of messages taken."""
         return self.counts[1]
 
     @property
     def refused(self):
-        """How many numbers of each field were implausible, by the names of those of which any was."""
+        """Return the numbers of implausible values, by the names of the fields that had any."""
         found = {}
         for at in range(len(self._fields)):
             if self.counts[_FIELDS + at]:

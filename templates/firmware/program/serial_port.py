@@ -42,7 +42,7 @@ class StreamPort:
 
     @property
     def is_up(self):
-        """Whether the stream is there, and its last reading or writing did not fail."""
+        """Return whether the stream is there, and its last reading or writing did not fail."""
         return self._stream is not None and self.problem is None
 
     def readinto(self, buffer):

@@ -9,7 +9,7 @@ _GONE_MS = const(3000)  # a station that is silent for so long makes room where 
 
 
 class Stations:
-    """Who is served, in `served`: the declared address while nobody is heard, and else whoever is.
+    """The stations that are served, in `served`: the declared address while none is heard, and else those heard.
 
     A station is heard while its frames arrive, and gone after `silence_ms`. It is remembered until its place is needed,
     so that it finds the rates that it has asked for when it comes back. `make` returns a new Station, `port` has the

@@ -12,7 +12,7 @@ _NEW, _OLD = const(0xFD), const(0xFE)  # a frame begins so
 
 
 class Peer:
-    """Who is at the other end of `socket`, which does not block; `key` is what its readiness is told by.
+    """The other end of `socket`, which does not block; its readiness is reported by `key`.
 
     `error` is the exception, or the text, with which the connection has ended; None while it is there. `heard_ms` is
     the time.ticks_ms() of its last frame, or of its beginning, and `is_heard` whether there was one.

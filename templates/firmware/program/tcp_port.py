@@ -1,4 +1,4 @@
-"""What the ports over TCP have in common: the connections that are open, and what goes over them."""
+"""The common part of ports over TCP: the open connections, and the bytes that go over them."""
 
 import select
 from time import ticks_ms

@@ -2,7 +2,7 @@
 
 
 class TcpStations:
-    """Who is served, in `served`: a station for each peer of a port, and one without an address while there is none.
+    """The stations that are served, in `served`: one for each peer of a port; without a peer, one that has no address.
 
     A station that asks nothing gets what is sent, as one at the declared address of a UDP port does. `make` returns a
     new Station; `refused` stays 0: a connection for which there is no place is closed by the port.

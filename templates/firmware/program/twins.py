@@ -1,4 +1,4 @@
-"""Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
+"""Notices others that use the ids of this board, and tells people, who have to give one of the two another id."""
 
 import time
 from binascii import hexlify

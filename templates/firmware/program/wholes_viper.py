@@ -22,7 +22,7 @@ def whole_of_float(at: int):
     if shift > 60:
         given[0] = 0
         return
-    # What stands behind the point, times the numerator; `last` is the bit behind that.
+    # The digits behind the point, times the numerator; `last` is the bit behind that.
     rest = last = 0
     if shift <= 0:
         whole <<= 0 - shift

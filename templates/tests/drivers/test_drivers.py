@@ -1,4 +1,4 @@
-"""What the drivers of sensors make of what their devices say, each script in one run of each interpreter.
+"""Tests of sensor drivers against the answers of their devices, each script in one run of each interpreter.
 
 A test is named by its script and check.
 """

@@ -1,4 +1,4 @@
-"""Who may command the vehicle: signed links obey the right key alone, and nothing twice; listed ones who is listed."""
+"""Checks of access: signed links obey the right key alone, and nothing twice; listed ones obey listed stations."""
 
 import asyncio
 
@@ -154,7 +154,7 @@ def nothing_counts_twice():
 
 
 def timestamps_go_on_after_a_restart():
-    """What a vehicle signs is always newer than what it has signed before, whatever its clock says."""
+    """Frames that a vehicle signs are always newer than those signed before, whatever its clock says."""
     name = _signed()
     craft = _scene(name)
     station = SignedStation(craft.port, KEY)

@@ -1,4 +1,4 @@
-"""What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
+"""Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
 from program_bench import (
@@ -276,7 +276,7 @@ def told_of_the_generation_that_is_chosen():
 
 
 def told_besides():
-    """What is announced goes out at its stream's rate, too: so often in two minutes."""
+    """Announced messages go out at their stream's rate, too: so often in two minutes."""
     found = [number for number, facts in MESSAGES.items() if facts["on_connection"] and facts["rate"]]
     needs(found, "a message that is announced and has a rate")
     port = Port()

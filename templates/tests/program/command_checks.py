@@ -70,7 +70,7 @@ class Scene:
 
     @property
     def done(self):
-        """What is answered to a command that is done."""
+        """Return the answer to a command that is done."""
         return IN_PROGRESS if self.facts["long"] else ACCEPTED
 
     def settle(self):
@@ -81,7 +81,7 @@ class Scene:
 
 
 def _is_near(given, expected):
-    """Whether arguments are the expected ones: whole ones exactly, floats as boards have them."""
+    """Return whether arguments are the expected ones: whole ones exactly, floats as boards have them."""
     if len(given) != len(expected):
         return False
     for each, wanted in zip(given, expected):  # noqa: B905  MicroPython
@@ -117,7 +117,7 @@ def command_int_is_the_same():
 
 
 def beyond_is_denied():
-    """What is beyond an end, infinite, NaN without a meaning, no entry or no whole number: the method is not called."""
+    """A value beyond an end, infinite, NaN without a meaning, no entry or no whole number does not reach the method."""
     for facts in COMMANDS:
         scene = Scene(facts)
         for params in facts["beyond"]:
@@ -127,7 +127,7 @@ def beyond_is_denied():
 
 
 def others_are_left_alone():
-    """What is for another system or component is not done; 0 is everybody."""
+    """A command for another system or component is not done; 0 is everybody."""
     for facts in COMMANDS:
         for system, component, count in (
             (SYSTEM_ID % 255 + 1, COMPONENT_ID, 0),
@@ -156,7 +156,7 @@ def refusals_have_failed():
 
 
 def exceptions_have_failed():
-    """What the code raises is told, and each command is answered all the same."""
+    """An exception of the code is told, and each command is answered all the same."""
     for facts in COMMANDS:
         scene = Scene(facts)
         scene.method.says = ValueError("broken")
@@ -219,7 +219,7 @@ def only_who_is_heard():
 
 
 def progress_is_told():
-    """Who asked is told each second how far it is, and its end: done, refused, or an exception."""
+    """A station that asked is told the progress each second, and the end: done, refused, or an exception."""
     needs(LONG, "a command that takes long")
     for facts in LONG:
         for end, result in ((None, ACCEPTED), (True, ACCEPTED), (False, FAILED), (ValueError("broken"), FAILED)):

@@ -40,7 +40,7 @@ class Line:
 
     @property
     def frames(self):
-        """What the UART has sent, as one piece."""
+        """Return the bytes that the UART has sent, as one piece."""
         return [bytes(self.line.sent)]
 
     @frames.setter

@@ -33,7 +33,7 @@ def _accepted(facts):
 
 
 def set_answers_with_the_value():
-    """What is accepted comes back as it is in force, with its type and without an index."""
+    """An accepted value comes back as it is in force, with its type and without an index."""
     craft = new_craft()
     station = craft.ground_station()
     for facts in PARAMETERS:
@@ -123,7 +123,7 @@ def read_by_name_and_by_index():
 
 
 def change_is_announced_on_other_links():
-    """What is set over one link is told on the others, with the value."""
+    """A value set over one link is told on the others."""
     ports = [Port(), Port()]
     craft = new_craft(ports=ports)
     one, other = [GroundStation(port) for port in ports]

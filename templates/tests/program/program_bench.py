@@ -217,14 +217,14 @@ class Sink:
 
 
 class GroundStation:
-    """What is at the other end of a port: the firmware's own link, with the ids of a ground station."""
+    """The other end of a port: the firmware's own link, with the ids of a ground station."""
 
     def __init__(self, port, version=2, system_id=255, component_id=190):
         self.port = port
         self.link = Link(self, system_id, component_id, version, messages.ALL)
 
     def write(self, frame):
-        """What the ground station sends arrives at the vehicle."""
+        """Let a frame of the ground station arrive at the vehicle."""
         self.port.arrives(frame)
         return len(frame)
 

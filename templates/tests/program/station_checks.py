@@ -64,7 +64,7 @@ class End:
 
     @property
     def frames(self):
-        """What came back."""
+        """Return the frames that came back."""
         return self._air.taken.get(self._address, [])
 
     @frames.setter
@@ -141,7 +141,7 @@ def _follows(frames):
 
 
 def rates_are_of_who_asked():
-    """What one station switches off goes on for the other one, and comes back for none but who asks for it."""
+    """A message that one station switches off goes on for the other, and comes back only for one that asks for it."""
     scene = Scene()
     scene.seconds(1, 1, 2)
     scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
@@ -170,7 +170,7 @@ def lists_of_parameters_go_side_by_side():
 
 
 def a_new_value_is_told_to_all():
-    """Who sets a parameter is answered, and the others are told."""
+    """The station that sets a parameter is answered, and the others are told."""
     needs(SETTABLE, "a parameter with several values")
     scene = Scene()
     scene.seconds(1, 1, 2, 3)
@@ -215,7 +215,7 @@ def bytes_that_are_no_frame_change_nothing():
 
 
 def datagrams_stand_for_themselves():
-    """What one station sent of a frame does not become part of another one's, and delays nothing."""
+    """A part of a frame from one station does not become part of another one's, and delays nothing."""
     scene = Scene()
     scene.seconds(1, 1, 2)
     scene.air.taken = {}
@@ -294,7 +294,7 @@ def who_comes_back_finds_its_rates():
 
 
 def who_comes_back_is_told_what_it_missed():
-    """What is sent on connection goes to it alone, though another station has the same system id."""
+    """Only the station that comes back gets the messages sent on connection, though another has its system id."""
     told = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
     scene = Scene()
     needs(told and VERSION == 2, "a message that is sent on connection")

@@ -98,7 +98,7 @@ def rates_by_parameter():
 
 
 def fixed_rates():
-    """What has a fixed rate, such as HEARTBEAT, keeps it for half a minute."""
+    """A message with a fixed rate, such as HEARTBEAT, keeps it for half a minute."""
     port = Counter()
     craft = new_craft(ports=[port])
     found = _counted(craft, port, 30)
@@ -110,7 +110,7 @@ def fixed_rates():
 
 
 def nothing_waits_once_it_is_due():
-    """What is due when the link has its turn goes out in it, unless that is all that a turn takes."""
+    """A message that is due when the link has its turn goes out in it, unless the turn is full."""
     craft = new_craft()  # its port says whether something has arrived: without that a link is served in each turn
     connection = craft.connections[0]
     run_turn = connection.run

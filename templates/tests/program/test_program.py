@@ -36,7 +36,7 @@ def _cases():
 
 @pytest.fixture(scope="session")
 def checked(once):
-    """What a check finds, in the run of all those like `item` that are selected."""
+    """Return a call for the finding of a check, in the run of all those like `item` that are selected."""
 
     def by(interpreter, script, name, item):
         is_long = item.get_closest_marker("days") is not None

@@ -174,7 +174,7 @@ def what_works_is_never_reset():
 
 
 def the_reason_is_told():
-    """What the last reset came from, in words; a warning if it was the watchdog, to who comes later, too."""
+    """The cause of the last reset is told, in words; a warning if it was the watchdog, to later stations, too."""
     for number, words in WATCHDOG["causes"].items():
         machine.set_reset_cause(number)
         assert [text for _, text in new_craft().said("Started after")] == ["Started after " + words]

@@ -184,7 +184,7 @@ def disarmed_only_what_always_watches_acts():
 
 
 def a_level_stays_or_is_over():
-    """What is latched stays; what is not is over once the value is better by the hysteresis, and that is told once."""
+    """A latched level stays; another one is over once the value is better by the hysteresis, and that is told once."""
     for facts, condition in _each():
         bench, at, beyond = _on(facts, condition)
         due = bench.delay(condition)

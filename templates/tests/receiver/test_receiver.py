@@ -41,7 +41,7 @@ def frames():
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request, frames, tmp_path_factory):
-    """What the receiver says, in one run of each interpreter."""
+    """Return the answers of the receiver, in one run of each interpreter."""
     path = tmp_path_factory.mktemp("receiver") / "frames.txt"
     path.write_text("".join(f"{case['message']} {frame}\n" for case, _, frame in frames))
     folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
@@ -55,7 +55,7 @@ def results(request, frames, tmp_path_factory):
 
 
 def agrees(value, stored, about):
-    """Whether an attribute is what the state kept, as far as the wire carries it."""
+    """Return whether an attribute is what the state kept, as far as the wire carries it."""
     if about.get("boolean"):
         return value == bool(stored)
     if stored is None:

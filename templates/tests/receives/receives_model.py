@@ -1,4 +1,4 @@
-"""What has to become of messages that arrive, by the tables alone: exact arithmetic, and nothing of the firmware."""
+"""A model of received messages, by the tables alone: exact arithmetic, and nothing of the firmware."""
 
 import math
 import struct
@@ -84,7 +84,7 @@ def _text(field, value):
 
 
 def _number(field, value, kind):
-    """What is kept of a number on the wire, None for unknown, or Ellipsis: it is not taken."""
+    """Return the value kept of a number on the wire, None for unknown, or Ellipsis: it is not taken."""
     speaking = value if field["element"] is None else value[field["speaking"]]
     value = value if field["element"] is None else value[field["element"]]
     if kind in FLOATS:

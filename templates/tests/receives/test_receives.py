@@ -1,4 +1,4 @@
-"""What arrives sets what the tables of received messages say, on both interpreters; pymavlink makes the frames."""
+"""Tests of received messages against their tables, on both interpreters; pymavlink makes the frames."""
 
 import json
 
@@ -60,7 +60,7 @@ def _plain(value):
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def outcomes(request, played, tmp_path_factory):
-    """What the vehicle knows after each case, in one run of each interpreter."""
+    """Return the state of the vehicle after each case, in one run of each interpreter."""
     path = tmp_path_factory.mktemp("receives") / "cases.json"
     calls = {table["name"]: table["call"] for table in FACTS["tables"]}
     path.write_text(json.dumps({"paths": PATHS, "calls": calls, "cases": [frames for frames, _ in played]}))

@@ -1,4 +1,4 @@
-"""How the sensors are asked, whatever is behind them: drivers of these checks stand in for the true ones.
+"""Checks of how sensors are polled, whatever is behind them: drivers of these checks stand in for the true ones.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
 """
@@ -108,7 +108,7 @@ def silent(*_words):
 
 
 def _as_written(quantity, stored):
-    """What is kept in place of a number that is unknown."""
+    """Return a number as it is stored: the initial one in place of an unknown one."""
     return quantity["initial"] if stored is None else stored
 
 
@@ -254,7 +254,7 @@ def takes_too_long(facts):
 
 
 def grows_old(facts):
-    """What was given is unknown once it is too old, and not before; also where the ticks start again."""
+    """A value is unknown once it is too old, and not before; also where the ticks start again."""
     for start_us in (5 * SECOND_US, TURN_MS_US - 1000000):
         for quantity in facts["quantities"]:
             stale_ms = quantity["stale_after_ms"]

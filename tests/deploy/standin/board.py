@@ -107,7 +107,7 @@ class Watchdog:
 
 
 class Machine:
-    """What the unix port lacks of `machine`."""
+    """The parts of `machine` that the unix port lacks."""
 
     Pin = int
     WDT_RESET = 3
@@ -207,7 +207,7 @@ def run(code, names):
 
 
 def start():
-    """What a board does with power: main.py, where there is one."""
+    """Start main.py, if there is one, as a board with power does."""
     if not SETTINGS.get("starts"):
         return
     for name in list(sys.modules):

@@ -126,7 +126,7 @@ def blow():
 
 
 def steer():
-    """What the remote control asks for, and what it no longer does."""
+    """Tell the requests of the remote control, and their end."""
     state, encode = launched(), telemetry.encode_rc_channels
     remote = state.remote
     tell("no remote control", encode, state)

@@ -288,7 +288,7 @@ def frame(number, length):
 
 
 def torn_writes_are_finished_first():
-    """What the socket took a part of goes on where it stopped; a frame is taken whole or not at all."""
+    """A frame that the socket took in part goes on where it stopped; a frame is taken whole or not at all."""
     full = OSError(errno.EAGAIN, "full")
     for parts in ((1,), (7,), (50, 1, full, full, 30, full, full, 3, 100), (full, full, 200, 1), (0, 5)):
         sink = Sink(*parts)

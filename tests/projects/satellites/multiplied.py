@@ -1,4 +1,4 @@
-"""What the firmware sends and the receiver reads, value for value: `multiplied.py generated-folder`, JSON on stdout."""
+"""Prints as JSON the values that the firmware sends and the receiver reads: `multiplied.py generated-folder`."""
 
 import json
 import sys

@@ -29,7 +29,7 @@ class Levels(Parameters):
 
 
 class Failsafe:
-    """What a simulation sees of a failsafe."""
+    """A failsafe as far as a simulation sees it."""
 
     title = "Battery 1"
     level = 0

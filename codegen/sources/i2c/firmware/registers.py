@@ -2,7 +2,7 @@
 
 
 class Registers:
-    """Those of the device at an address; `opened` is a function that opens the bus. OSError: nobody answers."""
+    """Registers of the device at an address; `opened` is a function that opens the bus. OSError: nobody answers."""
 
     def __init__(self, opened, address):
         self._opened = opened

@@ -1,4 +1,4 @@
-"""What the driver makes of lines of NMEA 0183, and of what is none, from a UART that gives what a check wants.
+"""Checks of the driver with lines of NMEA 0183, and with lines that are none, from a UART that a check fills.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
 """
@@ -261,7 +261,7 @@ def counts_stay_small():
 
 
 def lines_take_nothing_from_the_heap():
-    """Whatever they say."""
+    """Nothing is allocated, whatever the lines say."""
     for text in [LINES[kind][0] for kind in LINES] + ["", "GPTXT,x"]:
         bench = Bench()
         bench.driver._uart = Again(line(text))

@@ -1,7 +1,8 @@
-"""What lines of NMEA 0183 say, by the standard: a line of each kind, and what becomes of it when a field is another.
+"""Lines of NMEA 0183 with their meaning by the standard: one of each kind, and variants in which a field differs.
 
-By the names of the driver's outputs what is new then, in their units; None where that is unknown, and in ROWS, where
-only what differs stands, False where nothing is said of it. The time is microseconds since 1970.
+Each line has the values that are new after it, by the names of the driver's outputs and in their units; None is an
+unknown one. ROWS have only the values that differ; False: the line does not state the value. The time is in
+microseconds since 1970.
 """
 
 LINES = {

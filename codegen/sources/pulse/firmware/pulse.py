@@ -65,7 +65,7 @@ class Pulse:
         return True
 
     def _work_out(self, new, span_us):
-        """So many pulses in so many microseconds: in mHz, digit by digit, so that no number passes 30 bits."""
+        """Work out the frequency of pulses in a span, in mHz, digit by digit, so that no number passes 30 bits."""
         self.values[_WIDTH] = self._width()
         if not 2 * new < span_us < _LONGEST_US:
             self.values[_FREQUENCY] = UNKNOWN  # faster than it can be counted, or nearly none

@@ -1,4 +1,4 @@
-"""What the vehicle does about failsafes that are up: the statements of its methods."""
+"""The statements of the methods with which the vehicle acts on failsafes that are up."""
 
 from codegen.model.program import Program
 

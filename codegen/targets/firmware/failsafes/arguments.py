@@ -1,4 +1,4 @@
-"""What failsafes tell their class beside what all of them have: constants of the module where they agree."""
+"""The arguments that only some failsafes give to their class: constants of the module where they agree."""
 
 from collections.abc import Iterable, Sequence
 

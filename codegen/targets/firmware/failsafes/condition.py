@@ -9,7 +9,7 @@ _SENSE_SILENT = "3  # nobody is heard"
 """As scan_plain has them."""
 
 _IN_A_ROW = {"_ROW_SENSE": 1, "_ROW_LIMIT": 2, "_ROW_FLOOR": 3, "_ROW_AFTER": 4, "_ROW_LEVEL": 6}
-"""Where a row has what, as scan_plain has it."""
+"""The places of values in a row, as scan_plain has them."""
 
 
 def limit_lines(columns: Columns) -> Iterable[str]:

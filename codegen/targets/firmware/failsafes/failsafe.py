@@ -24,7 +24,7 @@ from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
 
 _TO_TELL = "rows[_WORST] != self._told or self._told_ms is not None"
-"""Whether perhaps a text about the health of what is watched is due."""
+"""The condition under which a text about the health of the watched quantity may be due."""
 
 
 @dataclass(frozen=True, slots=True)

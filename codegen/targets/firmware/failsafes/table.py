@@ -9,8 +9,9 @@ from codegen.targets.firmware.words import Layout
 from codegen.targets.naming import parameter_attribute, quoted
 
 COLUMNS = ("PLACE", "LEVEL", "SIGN", "LIMIT", "FACTOR", "OFF", "FLOOR", "SLACK", "AFTER", "MS", "WHY", "ACTION")
-"""What a condition has. FLOOR is what values are believed above, SLACK how much better it has to be, WHY not to arm,
-ACTION what its level does."""
+"""The columns of a condition. FLOOR: values above it are believed, SLACK: the hysteresis, WHY: the reason not to arm,
+ACTION: the action of its level.
+"""
 
 Row = dict[str, str]
 """The literals of a condition by its columns."""
@@ -55,7 +56,7 @@ class Columns:
 
     @staticmethod
     def of(rows: Sequence[Row]) -> "Columns":
-        """Those of all conditions of all failsafes."""
+        """Return the columns of all conditions of all failsafes."""
         values = {column: {row[column] for row in rows if column in row} for column in COLUMNS}
         shared = {column: next(iter(found)) for column, found in values.items() if len(found) == 1}
         # A name stays in the rows: it is looked up by what they have.

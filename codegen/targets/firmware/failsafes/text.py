@@ -6,7 +6,7 @@ from codegen.model.failsafe import Clause, Failsafe, FailsafeLevel, FailsafeText
 from codegen.targets.naming import quoted
 
 ZERO = "0"
-"""What stands for unknown where nothing has counted yet."""
+"""The text for unknown where nothing has counted yet."""
 
 
 def text_lines(failsafe: Failsafe, variable: str) -> Iterator[str]:

@@ -29,7 +29,7 @@ class WatchView:
 
 @dataclass(frozen=True, slots=True)
 class AnnouncementView:
-    """What is sent at once: literals of the frames, (message, what sends it, instance, page), and ways to send one.
+    """The messages sent at once: literals of frames, (message, what sends it, instance, page), and ways to send one.
 
     The first ``on_connection`` of the frames are for who appears on the link. ``unchanged`` says whether everything
     that is watched is as it was when it was ``seen``; empty where that is more than a line.

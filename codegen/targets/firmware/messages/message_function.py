@@ -51,7 +51,7 @@ class FunctionView:
 
 @dataclass(frozen=True, slots=True)
 class SharedView:
-    """What several functions do in plain Python: its name, its arguments, and its statements."""
+    """A function that several others share in plain Python: its name, its arguments, and its statements."""
 
     name: str
     arguments: str
@@ -196,7 +196,7 @@ def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> lis
 
 
 def _withheld(message: PopulatedMessage, code: SpelledCode) -> list[str]:
-    """Nothing is written while something is unknown that its field cannot say."""
+    """Return the lines that withhold a message while something is unknown that its field cannot say."""
     lines = [line for answer in message.answers for line in answer.withholding(code)]
     return ["", "# The message is withheld while one of these is unknown.", *lines] if lines else []
 

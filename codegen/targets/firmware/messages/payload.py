@@ -1,4 +1,4 @@
-"""What both spellings of a message's function have in common: in machine code, and in plain Python."""
+"""The common part of both spellings of a message's function: in machine code, and in plain Python."""
 
 import struct
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from codegen.targets.naming import parameter_attribute
 
 @dataclass(slots=True)
 class SpelledCode(PayloadCode):
-    """What both spellings have in common; what a function turns out to need is noted down while it is spelled."""
+    """The common base of both spellings; it notes the needs of a function while that is spelled."""
 
     layout: Layout
     message: str
@@ -48,7 +48,7 @@ class SpelledCode(PayloadCode):
         return self.number_of(self.word(quantity.component, quantity.attribute, element))
 
     def is_unknown(self, quantity: Quantity, element: str = "") -> str:
-        """By its first word."""
+        """Return the condition that a quantity is unknown, by its first word."""
         word = self.word(quantity.component, quantity.attribute, _first(quantity, element))
         return f"{self.number_of(word)} == {UNKNOWN}"
 
@@ -164,7 +164,7 @@ class SpelledCode(PayloadCode):
         return Turns(element, covers.field.type.size, covers.count) if element else None
 
     def copy_half(self, covers: Elements, at: int, value: str) -> list[str]:
-        """As two bytes, or one."""
+        """Return the lines that copy a half as two bytes, or one."""
         return self.put(covers.offset + 2 * at, min(covers.field.type.size, 2), value)
 
     def is_written(self, covers: Elements, value: int) -> str:
@@ -190,7 +190,7 @@ class SpelledCode(PayloadCode):
         return set(range(covers.offset, covers.offset + covers.count * covers.field.type.size))
 
     def text(self, covers: Elements, value: str | tuple[str, ...]) -> list[str]:
-        """From a constant of the module; of texts that differ each is as long as the longest."""
+        """Return the lines that copy a text from a constant; if there are several, each is as long as the longest."""
         values = (value,) if isinstance(value, str) else value
         data = [text.encode() for text in values]
         length = max(map(len, data))
@@ -240,7 +240,7 @@ class SpelledCode(PayloadCode):
         raise NotImplementedError
 
     def chip(self, covers: Elements) -> list[str]:
-        """From a constant of the module, too, made when it is imported."""
+        """Return the lines that copy the chip's number from a constant, made when the module is imported."""
         name = self._text_constant(covers)
         count = covers.field.count
         self.uses.add("chip")

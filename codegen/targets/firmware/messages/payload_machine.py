@@ -22,7 +22,7 @@ class MachineCode(SpelledCode):
     __slots__ = ()
 
     def subscript(self, component: str, place: str) -> str:
-        """By a pointer to the block."""
+        """Return a word of the block, by a pointer to it."""
         return f"{component}[{place}]"
 
     def number_of(self, word: str) -> str:
@@ -33,7 +33,7 @@ class MachineCode(SpelledCode):
     def put(
         self, offset: int, size: int, value: int | str, *, always: bool = True, turns: Turns | None = None
     ) -> list[str]:
-        """In one piece where the place is a multiple of the size; the smaller Cortex-M insist on that.
+        """Put a number in one piece if its place is a multiple of the size; the smaller Cortex-M insist on that.
 
         A 0 that is known at build time is left to what is cleared, which is fewer and larger pieces.
         """
@@ -59,7 +59,7 @@ class MachineCode(SpelledCode):
         return SpelledCode.got(self, offset, size)
 
     def store_two(self, covers: Elements, place: str, value: str) -> list[str]:
-        """In one piece, where the field begins at an even place."""
+        """Store a number of two bytes in one piece, where the field begins at an even place."""
         start = covers.offset
         self.written |= self.bytes_of(covers)
         if start % 2 == 0:
@@ -69,7 +69,7 @@ class MachineCode(SpelledCode):
         return [f"wire[{start} + 2 * {place}] = {value}", f"wire[{start + 1} + 2 * {place}] = {value} >> 8"]
 
     def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
-        """In one number, or where small integers do not carry it in numbers of 16 bits."""
+        """Put flags in one number, or where small integers do not carry it in numbers of 16 bits."""
         bits = 8 * covers.field.type.size
         every = mask
         for value, _ in conditional:
@@ -116,7 +116,7 @@ class MachineCode(SpelledCode):
         return [f"wire[{place}] = {f'{shown} >> {8 * n}' if n else value}" for n, place in enumerate(places)]
 
     def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
-        """By a pointer of the type; into fields that are not aligned byte by byte."""
+        """Store a number by a pointer of the type; into fields that are not aligned byte by byte."""
         start, size = covers.field.offset, covers.field.type.size
         self.written |= self.bytes_of(covers)
         if start % size == 0 and size in (1, 2, 4):
@@ -137,7 +137,7 @@ class MachineCode(SpelledCode):
     def put_float(
         self, covers: Elements, value: str, divisor: int, unknown: float | None, element: str = ""
     ) -> list[str]:
-        """As a whole number at first: one call makes floats of all of them at the end, since calls are dear.
+        """Put a whole number at first: one call makes floats of all of them at the end, since calls are dear.
 
         A float that is not aligned, or one beside an ``unknown`` that reads as such a number, is made on the side.
         """
@@ -180,7 +180,7 @@ class MachineCode(SpelledCode):
         return ["text = ptr8(_FLOAT)", *(f"wire[{place}] = text[{n}]" for n, place in enumerate(places))]
 
     def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
-        """By the function for it, byte by byte."""
+        """Put a float by the function for it, byte by byte."""
         self.uses.add("put_real")
         self.written |= self.bytes_of(covers)
         place = placed(covers.offset, 1, self.turns(covers, element))
@@ -198,14 +198,14 @@ class MachineCode(SpelledCode):
         return f"def {self._name(about)}", ", ".join(("link", "state", *(f"{value}: int" for value in about)))
 
     def call(self, about: tuple[str, ...]) -> tuple[str, str]:
-        """With the message in place of a link."""
+        """Return the call with the message in place of a link."""
         return f"    {self._name(about)}", ", ".join(("_stand_in(message)", "state", *about))
 
     def _name(self, about: tuple[str, ...]) -> str:
         return f"{self.message}_frame" if about else f"encode_{self.message}"
 
     def tick(self, clock: Block) -> str:
-        """By the address of the block."""
+        """Return the call that ticks a clock, by the address of its block."""
         return f"tick(int(words) + 4 * {clock.base_constant})"
 
     def reach(self, component: str, instance: str) -> str:
@@ -223,14 +223,14 @@ class MachineCode(SpelledCode):
         return words + [f"{name} = int(state.parameters.{name})" for name in self.parameters]
 
     def pointers(self) -> list[str]:
-        """To the payload as numbers of 16 and 32 bits, and the bit of the sign."""
+        """Return the lines of the pointers to the payload as numbers of 16 and 32 bits, and of the sign's bit."""
         lines = [f"wire{bits} = ptr{bits}(wire)" for bits in (16, 32) if f"wire{bits}" in self.uses]
         if "sign" in self.uses:
             lines += ["bit = 1", "sign = bit << 31"]
         return lines
 
     def copied(self, covers: Elements, source: str, length: int) -> list[str]:
-        """By a pointer to the constant."""
+        """Return the lines that copy a text, by a pointer to the constant."""
         self.uses.add("wire")
         at = f"{covers.offset} + place" if covers.offset else "place"
         return [

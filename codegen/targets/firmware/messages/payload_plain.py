@@ -76,12 +76,12 @@ class PlainCode(SpelledCode):
         unknown: float | None,  # noqa: ARG002
         element: str = "",
     ) -> list[str]:
-        """By the function for it."""
+        """Put a float by the function for it."""
         self.uses.add("put_float")
         return [f"put_float(wire, {placed(covers.offset, 1, self.turns(covers, element))}, {value}, {divisor})"]
 
     def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
-        """By the function for it."""
+        """Put a float by the function for it."""
         self.uses.add("put_real")
         place = placed(covers.offset, 1, self.turns(covers, element))
         return [f"put_real(wire, {place}, value, {real_about(covers, factor)})"]
@@ -95,7 +95,7 @@ class PlainCode(SpelledCode):
         return f"def write_{self.message}", ", ".join(("value", "place", "wire", "words", *about, *self.parameters))
 
     def call(self, about: tuple[str, ...]) -> tuple[str, str]:
-        """With the time, and with the parameters that the message reads."""
+        """Return the call with the time, and with the parameters that the message reads."""
         parameters = (f"state.parameters.{name}" for name in self.parameters)
         given = ("time.ticks_ms()", "0", "message.wire", "state.words", *about, *parameters)
         return f"    write_{self.message}", ", ".join(given)
@@ -105,7 +105,7 @@ class PlainCode(SpelledCode):
         return ["", "return wire"]
 
     def tick(self, clock: Block) -> str:
-        """By the place of the block."""
+        """Return the call that ticks a clock, by the place of its block."""
         return f"tick(words, {clock.base_constant})"
 
     def reach(self, component: str, instance: str) -> str:
@@ -114,7 +114,7 @@ class PlainCode(SpelledCode):
         return f"{component} = {self._base(component, instance)}" if several else ""
 
     def copied(self, covers: Elements, source: str, length: int) -> list[str]:
-        """By index: a slice would be made on the heap."""
+        """Return the lines that copy a text by index: a slice would be made on the heap."""
         at = f"{covers.offset} + place" if covers.offset else "place"
         return ["place = 0", f"while place < {length}:", f"    wire[{at}] = {source}[place]", "    place += 1"]
 

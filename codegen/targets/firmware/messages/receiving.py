@@ -25,11 +25,11 @@ from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
 FIELDS = 16
-"""Where the counts of the fields begin."""
+"""The place at which the counts of the fields begin."""
 _OWN = 3
-"""Where the system and the component of the vehicle stand."""
+"""The place of the vehicle's system and component."""
 _GIVEN = 12
-"""Where machine code puts what it makes a whole number of."""
+"""The place to which machine code writes a number that becomes a whole one."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 
@@ -181,7 +181,7 @@ def _any(tests: list[str]) -> str:
 
 
 class _Plain:
-    """What is spelled differently, in plain Python."""
+    """The spelling in plain Python, where it differs."""
 
     def half(self, offset: int) -> str:
         """A half of a number on the wire: an expression."""
@@ -193,7 +193,7 @@ class _Plain:
 
 
 class _Machine(_Plain):
-    """In machine code a half is read at once where it lies at a multiple of two, as most do."""
+    """The spelling in machine code: a half at a multiple of two, as most are, is read at once."""
 
     def half(self, offset: int) -> str:
         return super().half(offset) if offset % 2 else f"halves[{offset // 2}]"
@@ -333,7 +333,7 @@ class _Statements:
         lines = []
         value = "value"
         if halves:
-            # What is within the limits is a number of 30 bits: the halves above its two only have its sign.
+            # A value within the limits is a number of 30 bits: the halves above its two only have its sign.
             top = _bare(halves[1]) if len(halves) > 1 else "value"
             top = f"(({top}) ^ 0x{_TOP:X}) - 0x{_TOP:X}".replace("(value)", "value") if taken.low < 0 else top
             value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")
@@ -345,7 +345,7 @@ class _Statements:
         return [*lines, f"{self._word(word)} = {value}"]
 
     def _extended(self, halves: list[str], count: int) -> Iterator[str]:
-        """As many halves as are kept, the sign in those that the wire does not have."""
+        """Yield as many halves as are kept, the sign in those that the wire does not have."""
         wire = [*(_bare(half) for half in halves), "value" if self._is_long else "value & 0xFFFF"]
         negative = f"value & 0x{_TOP:X} != 0" if self._is_long else "value < 0"
         for at in range(count):

@@ -38,7 +38,7 @@ class SentView:
 
 @dataclass(frozen=True, slots=True)
 class WayView:
-    """How messages are sent that are alike in it: ``sending`` are the statements that send all instances and pages.
+    """A way of sending that messages share: ``sending`` are the statements that send all instances and pages.
 
     ``announcing`` are those for one. ``suffix`` is what the names of both functions end in, ``instances`` and ``pages``
     say whether the second one takes them.

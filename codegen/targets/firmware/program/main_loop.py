@@ -22,7 +22,7 @@ class CallView:
 
 @dataclass(frozen=True, slots=True)
 class JobView:
-    """What is done every ``period_us``: a component is measured, or what nothing measures is checked.
+    """A job that is done every ``period_us``: a component is measured, or quantities that nothing measures are checked.
 
     ``name`` is what texts call it where it fails, ``component`` None where nothing is measured.
     """

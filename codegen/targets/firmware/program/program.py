@@ -24,7 +24,7 @@ _STARTS = {
     True: ("self._in_force = 0  # the action", "self._asked = None  # parameters.changes when it was chosen"),
     False: ("self._reached = None  # the failsafe that has reached the highest level just now",),
 }
-"""What the choice of actions begins with, with and without a priority."""
+"""The first statements of the choice of actions, with and without a priority."""
 _INDENT = " " * 8
 """Of the statements in a method."""
 
@@ -43,7 +43,7 @@ class ActionView:
 
 @dataclass(frozen=True, slots=True)
 class CallOnReceiving:
-    """What is called of the user's vehicle each time that a message has set quantities."""
+    """A method of the user's vehicle that is called each time that a message has set quantities."""
 
     name: str
     message: str
@@ -60,7 +60,7 @@ class AnsweredView:
 
 @dataclass(frozen=True, slots=True)
 class ProgramView:
-    """What the templates of the program need to know. Periods are in us or ms as their names say.
+    """The data for the templates of the program. Periods are in us or ms as their names say.
 
     ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
     ``order`` are the parts of a pass, ``calls`` those with a period of their own. ``connecting`` are the

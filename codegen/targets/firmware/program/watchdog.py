@@ -4,7 +4,7 @@ from codegen.frozen import dataclass
 from codegen.model.program import Program
 
 LOOKS = 4
-"""How often within its timeout the watchdog is fed."""
+"""The number of times within its timeout that the watchdog is fed."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What a program of which a parameter gives the component id looks at to notice who else uses its ids."""
+"""The view with which a program, whose component id is a parameter, notices others that use its ids."""
 
 from collections.abc import Iterator
 

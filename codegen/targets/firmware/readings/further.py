@@ -22,7 +22,7 @@ from codegen.targets.imports import either_import
 
 @dataclass(frozen=True, slots=True)
 class FurtherModuleView:
-    """What connects the inputs, and what takes turns: ``count`` and ``failures`` are the words of these.
+    """The module that connects further inputs and reads them in turns: ``count`` and ``failures`` are words of these.
 
     ``told`` is what is logged.
     """

@@ -14,7 +14,7 @@ from codegen.targets.naming import family_constant, parameter_expression
 
 @dataclass(frozen=True, slots=True)
 class MeasuredView:
-    """How a component's quantity comes from an ADC count, and what is told about its readings.
+    """The conversion of an ADC count to a component's quantity, and the log texts about its readings.
 
     ``formula`` is for people, in its unit, with the names adc, mult and offset, the ``taken`` of which are arguments.
     ``set_up`` are the words of its factors with the expressions of their steps by instance, ``followed`` those that
@@ -44,7 +44,7 @@ class MeasuredView:
 
 @dataclass(frozen=True, slots=True)
 class TellView:
-    """What is logged, as arguments of the generated Python, where a reading has given cause to: a bit of its result."""
+    """A log call, as arguments of the generated Python, for a reading whose result has a bit set."""
 
     bit: int
     text: str

@@ -13,7 +13,7 @@ from codegen.targets.firmware.readings.summing import CLOCK_MASK, begun, summed
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
 
 FIRST, RETURNED, ABOVE, GOOD = 1, 2, 4, 8
-"""What a reading gives cause to tell: bits of what the function returns."""
+"""The events of a reading that can be logged: bits of the function's result."""
 
 
 WAITING = -1000000000

@@ -22,7 +22,7 @@ class SensedCode(PlainCode):
         return f"words[{numbered(place, component, self.instance, self.layout)}]"
 
     def constants(self) -> dict[str, int]:
-        """Those that were spelled, with their places in the array."""
+        """Return the constants that were spelled, with their places in the array."""
         return {
             numbered(self.layout.blocks[owner].constant(word), owner, self.instance, self.layout): self.layout.places(
                 owner, word

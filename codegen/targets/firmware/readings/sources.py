@@ -24,7 +24,7 @@ _CLOCK = "_CLOCK"
 
 @dataclass(frozen=True, slots=True)
 class GivenView:
-    """What one instance of a quantity takes from a sensor: the ``place`` of the output among its values.
+    """The value that one instance of a quantity takes from a sensor: the ``place`` of the output among its values.
 
     ``word`` and ``expires`` are the constants of the words that it has in the state, and ``count`` is what counts on
     with its values, or None.

@@ -35,7 +35,7 @@ FURTHER = {
     "at_least": (2, {"own": "None"}),
     "below": (2, {"own": "None", "floor": "-1073741823", "own_floor": "None"}),
 }
-"""How many arguments such a view has at least, and by name what its further ones are where they are not given."""
+"""The least number of arguments of such a view, and the defaults of its further ones by name."""
 
 OF_THE_PROGRAM = "vehicle"
 """The component that the program itself uses: its attributes are there at once, for a pass is not to make one."""

@@ -29,7 +29,7 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 @dataclass(frozen=True, slots=True)
 class EstimateView:
-    """What is estimated from what is measured: its word, and the curve of each instance.
+    """An estimate from a measured quantity: its word, and the curve of each instance.
 
     ``gone`` is the word that tells whether what it belongs to is gone, where it begins anew with another one.
     """

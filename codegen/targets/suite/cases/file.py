@@ -60,7 +60,7 @@ def _instances(components: Mapping[str, Component]) -> dict[str, int]:
 
 
 def _about(system: System) -> dict[str, int]:
-    """By how many numbers functions are told what a message is about: its instance, and its page."""
+    """Return by message the count of numbers that tell a function its instance and page."""
     counts = {message.name: message_about(message) for message in system.messages}
     return {name: len(told) for name, told in counts.items() if told}
 

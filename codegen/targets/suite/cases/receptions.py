@@ -36,7 +36,7 @@ class ReceptionCase:
 
 
 def reception_cases(system: System) -> Iterator[ReceptionCase]:
-    """Those of all tables."""
+    """Yield the cases of all tables."""
     for table in system.receptions:
         yield from _Cases(table, system).cases()
 
@@ -48,7 +48,7 @@ class _Cases:
         self._table = table
         self._own = system.system_id, system.component_id
         self._plain = {each.label: _plain(each) for each in table.fields}
-        # What a quantity is after this is seen at the next change.
+        # The value of a quantity after this is seen at the next change.
         is_own = table.spec.sender is Sender.OWN_SYSTEM
         self._sender = (self._own[0], self._own[1] % 255 + 1) if is_own else GROUND_STATION
         self._before = [] if table.spec.sender is not Sender.GROUND_STATION else [_heartbeat(self._sender)]
@@ -133,7 +133,7 @@ class _Cases:
 
 
 def _heartbeat(sender: tuple[int, int]) -> dict[str, object]:
-    """That of a ground station: MAV_TYPE_GCS is 6."""
+    """Return the HEARTBEAT of a ground station: MAV_TYPE_GCS is 6."""
     return {"message": "HEARTBEAT", "values": {"type": 6}, "from": list(sender)}
 
 

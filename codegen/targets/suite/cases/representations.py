@@ -11,7 +11,7 @@ from codegen.targets.suite.expected import chosen_instance, expected_fields, nom
 
 
 def representation_cases(message: PopulatedMessage, used: Mapping[str, Quantity]) -> Iterator[MessageCase]:
-    """For each choice of a message the states in which another instance is chosen; ``used`` is what it reads."""
+    """Yield the states in which another instance is chosen, for each choice; ``used`` are the quantities it reads."""
     for choice in message.represents.values():
         if choice.component.instances == 1:
             continue

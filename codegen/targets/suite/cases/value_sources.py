@@ -1,4 +1,4 @@
-"""Which fields are single numbers of the state: the suite holds what arrives against what was set, in units.
+"""Fields that are single numbers of the state: the suite compares the received value with the set one, in units.
 
 It reads the units anew, so only texts are told here: that in which the quantity is kept. That of the field, pymavlink
 knows itself.

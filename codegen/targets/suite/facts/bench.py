@@ -1,4 +1,4 @@
-"""What `codegen bench` has to know of a program to run its parts on a board."""
+"""The facts of a program with which `codegen bench` runs its parts on a board."""
 
 from codegen.model.system import System
 from codegen.targets.naming import message_about

@@ -1,4 +1,4 @@
-"""What the checks of commands compare with: values at the ends of parameters and beyond them, by exact arithmetic."""
+"""Facts for checks of commands: values at the ends of parameters and beyond them, by exact arithmetic."""
 
 import math
 import struct

@@ -1,4 +1,4 @@
-"""What the generated tests know of the components: their quantities, and how one of them is measured."""
+"""Facts about components for the generated tests: their quantities, and how one of them is measured."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -52,7 +52,7 @@ class QuantityFacts:
 
 @dataclass(frozen=True, slots=True)
 class RepresentedFacts:
-    """What makes code set the first instance: a parameter's attribute with its steps.
+    """The parameter with which code sets the first instance: its attribute with its steps.
 
     A ``value`` is believed for so many ``readings``; then it is unknown, and with it what is ``forgotten``: attributes,
     each with something that it can be set to, and with the comparison that says that it is unknown.
@@ -72,7 +72,7 @@ class RepresentedFacts:
 
 @dataclass(frozen=True, slots=True)
 class MeasuredFacts:
-    """How a component's quantity comes from an ADC count: ``count * steps * numerator / denominator``.
+    """The conversion of an ADC count to a component's quantity: ``count * steps * numerator / denominator``.
 
     ``warning_counts`` are, by instance, the smallest counts that are warned about; None where there is none.
     """
@@ -97,7 +97,7 @@ class MeasuredFacts:
 
 @dataclass(frozen=True, slots=True)
 class ReturnsFacts:
-    """What counts that the component has come back, and what begins anew with it: its attribute and with what."""
+    """The count of a component's returns, and the quantities that begin anew with it: attributes and first values."""
 
     gone: str
     below: tuple[int, ...]
@@ -130,7 +130,7 @@ class TrendFacts:
 
 @dataclass(frozen=True, slots=True)
 class EstimateFacts:
-    """What is estimated from what is measured; ``curves`` are, by instance, points of stored steps of both."""
+    """An estimate from a measured quantity; ``curves`` are, by instance, points of stored steps of both."""
 
     attribute: str
     curves: tuple[tuple[tuple[int, int], ...], ...]

@@ -81,7 +81,7 @@ class WatchFacts:
 
 
 def pair_facts(system: System, program: Program) -> tuple[PairFacts, ...]:
-    """Those that the checks of readings are about."""
+    """Return the pairs that the checks of readings are about."""
     return tuple(map(_pair, pairs(system, program)))
 
 

@@ -1,4 +1,4 @@
-"""What the generated checks compare generations and announcements of messages with."""
+"""Facts about generations and announcements of messages for the generated checks."""
 
 from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, price

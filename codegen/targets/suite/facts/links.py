@@ -1,4 +1,4 @@
-"""What the specification says of the links, for the suite to compare with how the board opens them."""
+"""Facts about the links, which the suite compares with how the board opens them."""
 
 from codegen.frozen import dataclass
 from codegen.model.program import BoardLink, LinkKind
@@ -14,7 +14,7 @@ class LinkFacts:
 
 
 def link_facts(system: System) -> tuple[LinkFacts, ...]:
-    """Those of the board, in their order; pins only where the board lets a program choose them."""
+    """Return the links of the board, in their order; pins only where the board lets a program choose them."""
     chooses_pins = system.board is not None and system.board.tells_uart_pins
     return tuple(LinkFacts(link.kind.value, _settings(link, chooses_pins)) for link in system.links)
 

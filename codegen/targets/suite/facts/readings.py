@@ -1,4 +1,4 @@
-"""What the generated tests know of single readings: those that the tests of whole components leave out."""
+"""Facts about single readings that the tests of whole components leave out."""
 
 from collections.abc import Iterator, Mapping
 
@@ -28,7 +28,7 @@ class InputFacts:
 
 @dataclass(frozen=True, slots=True)
 class LastingFacts:
-    """How long ``left`` lasts: ``left * factor`` over a mean that follows the reading within so many ``readings``."""
+    """The time that ``left`` lasts: ``left * factor`` over a mean that follows the reading within so many readings."""
 
     attribute: str
     left: str
@@ -40,7 +40,7 @@ class LastingFacts:
 
 @dataclass(frozen=True, slots=True)
 class SumFacts:
-    """What is summed of a reading, of its products with ``times`` where that is one: ``parts`` are a step of it.
+    """A sum of a reading, or of its products with ``times`` where that is a name; ``parts`` are a step of the sum.
 
     ``is_after``: of the same pass, in which ``times`` is read before it.
     """
@@ -56,7 +56,7 @@ class SumFacts:
 
 @dataclass(frozen=True, slots=True)
 class RestFacts:
-    """What the sum ``after`` leaves of the parameter ``full``, whose step is so many ``steps`` of the sum.
+    """The rest of the parameter ``full`` after the sum ``after``; its step is so many ``steps`` of the sum.
 
     ``share``: the steps that are all of it, where a part of it is told. ``sizes`` are values of the parameter.
     """

@@ -1,4 +1,4 @@
-"""What the generated suite knows of quantities that code sets, and that readings forget together."""
+"""Facts about quantities that code sets, and that readings forget together."""
 
 from codegen.frozen import dataclass
 from codegen.model.quantities.set_together import set_together

@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
+from codegen.claims.parts.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.claims.reading import snake
-from codegen.claims.statements.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word
@@ -22,11 +22,12 @@ from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
 _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
-NUMBER_WORDS: Mapping[str, int] = {word: index for index, word in enumerate(_ORDER, 1)}
+NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
-    r"(?:degrees? celsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
-    r"|grams?|kelvin|celsius|pascals?|teslas?|percent|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
+    r"(?:degrees?\scelsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
+    r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent"
+    r"|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
@@ -36,7 +37,7 @@ _TERM = re.compile(
       |float\(['"]nan['"]\)|0x[fF]{{2,16}})(?!\w))
   | (?P<qualified>(?<![\w.])(?P<of>[A-Z][A-Z0-9_]{{2,60}})(?:\.|::
       |->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
-  | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{3,}}(?![\w-]))
+  | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{2,}}(?![\w-]))
   | (?P<array>\[\s?(?P<inner>{_SCALAR})\s?;\s?(?P<held>\d{{1,4}})\s?\])
   | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32
       |64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
@@ -51,7 +52,7 @@ _TERM = re.compile(
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
-      |millionths?)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
+      |millionths?|tens|hundreds|thousands)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
       |{_SYMBOL})\b)
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
@@ -68,7 +69,15 @@ _PLAIN_NUMBER = re.compile(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _WORD = re.compile(r"\w+")
-_SHARES = {"tenth": 10, "hundredth": 100, "thousandth": 1000, "millionth": 1000000}
+_SHARES: Mapping[str, int | Fraction] = {
+    "tenth": 10,
+    "hundredth": 100,
+    "thousandth": 1000,
+    "millionth": 1000000,
+    "ten": Fraction(1, 10),
+    "hundred": Fraction(1, 100),
+    "thousand": Fraction(1, 1000),
+}
 _COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset((
     "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",
@@ -213,7 +222,7 @@ def _is_unit_word(word: str, before: str) -> bool:
 
 def _of_quantity(found: "re.Match[str]") -> Unit | None:
     """The unit of a number; None where what follows it is none, or bytes."""
-    if found["in"].lower() in ("x", "a", "e", "in", "bytes", "byte", "b", "bits", "bit"):
+    if found["in"] == "a" or found["in"].lower() in ("x", "e", "in", "bytes", "byte", "b", "bits", "bit"):
         return None
     return worded_unit(found["in"])
 
@@ -269,6 +278,8 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     """The symbol of a unit; one that is a word as often has to stand where a unit does."""
     if text[max(start - 1, 0) : start] == "/":
         return None  # what something is divided by, "ft/min", where the unit before it is not known
+    if re.match(r"\w+(?:\.|->)[A-Za-z_]", text[start : start + 40]):
+        return None  # the variable of a member, "g.lat"
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
@@ -289,8 +300,21 @@ def _is_quoted(text: str, start: int, end: int) -> bool:
     return start > 0 and text[start - 1] in "\"'" and text[end : end + 1] in ("'", '"')
 
 
-worded_unit = lru_cache(maxsize=4096)(unit_of_word)
-"""The same words come again and again, and most are no unit."""
+@lru_cache(maxsize=4096)
+def worded_unit(written: str) -> Unit | None:
+    """Return the unit of a word or a symbol, of those that no dialect uses, too: "feet"."""
+    return unit_of_word(written) or _OTHER_UNITS.get(written.lower())
+
+
+_FOOT = Unit("ft", (("m", 1),), Fraction(3048, 10000))
+_INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
+_OTHER_UNITS: Mapping[str, Unit] = {
+    **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
+    **dict.fromkeys(("inches", "inch"), _INCH),
+    **dict.fromkeys(("revolutions per minute",), Unit("rpm", (("deg", 1), ("s", -1)), Fraction(6))),
+    **dict.fromkeys(("per mille", "permille"), Unit("d%", (("%", 1),), Fraction(1, 10))),
+    **dict.fromkeys(("milli-g", "milli g"), Unit("mG", (("m", 1), ("s", -2)), Fraction(196133, 20000000))),
+}
 
 
 def constant_value(written: str) -> int | float | None:
@@ -334,6 +358,8 @@ def _number(written: str) -> Fraction | None:
 
 def _unit(written: str) -> Unit | None:
     """The unit of words: "centi degrees", "metres per second squared", "deg C"."""
+    if (other := _OTHER_UNITS.get(written.lower())) is not None:
+        return other
     text = " ".join(written.replace("-", " ").split())
     text = re.sub(r"\b(nano|micro|milli|centi|deci|hecto|kilo|mega) ", r"\1", text)
     text = re.sub(r"/(?:sec|second)\b", " per second", text)

@@ -1,0 +1,29 @@
+"""The range of a field that the dialect gives: by its attributes, or else in the words of its description."""
+
+import re
+
+from codegen.model.dialect.dialect import WireField
+
+_NUMBER = r"-?\d{1,6}(?:\.\d{1,3})?"
+_WORDS = (
+    re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*(?:,|\.\.+|-|to)\s*(?P<high>{_NUMBER})\s*\]"),
+    re.compile(rf"\((?P<low>{_NUMBER})\s*(?:\.\.+|-|to)\s*(?P<high>{_NUMBER})[^)\d]{{0,12}}\)"),
+    re.compile(rf"(?<![\w.-])(?P<low>{_NUMBER})\s?(?:\.\.+|to|-)\s?(?P<high>{_NUMBER})(?![\w]|\.\d)"),
+    re.compile(
+        r"(?<![\w.-])(?P<low>0)(?::| =| means)[^.;]{2,24}[,;] (?P<high>255|100|254)(?::| =| means) (?:max|best|good"
+        r"|full)"
+    ),
+)
+
+
+def range_of(field: WireField) -> tuple[float, float] | None:
+    """Return the smallest and the greatest number of a field; None where the dialect says none, or several."""
+    stated = (field.definition.minimum, field.definition.maximum)
+    if all(text is not None and re.fullmatch(_NUMBER, text) for text in stated):
+        return float(stated[0] or 0), float(stated[1] or 0)
+    for form in _WORDS:
+        found = list(form.finditer(field.definition.description))
+        if found:
+            low, high = float(found[0]["low"]), float(found[0]["high"])
+            return (low, high) if len(found) == 1 and low < high else None
+    return None

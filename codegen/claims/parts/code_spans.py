@@ -1,0 +1,124 @@
+"""The lines of code in which statements stand, and the blocks of data."""
+
+import re
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+from codegen.claims.parts.aligned import aligned_items, csv_rows
+from codegen.claims.parts.sentence import Sentence, Vocabulary
+from codegen.claims.parts.span import DATA, Span, Topic
+from codegen.claims.parts.terms import read_sentence
+from codegen.claims.reading import Reading
+from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock, PassageKind
+from codegen.model.dialect.dialect import WireMessage
+from codegen.source import Place
+
+_NO_CODE = (
+    *("text", "txt", "plain", "console", "sh", "bash", "shell", "shell-session", "log", "output"),
+    *("markdown", "md", "diff", "csv", "xml", "html", "mermaid"),
+)
+"""Blocks that are no declarations: what programs print, and what is quoted; XML is read as definitions."""
+_FIELDS = re.compile(
+    r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)(?:_t)?|float)\b"
+)
+_KEYED = re.compile(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
+_COMMENT = re.compile(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
+_DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
+_MOST = 20
+"""So many messages that are named before a part are remembered."""
+
+
+def named_in(reading: Reading, code: CodeBlock) -> tuple[WireMessage, ...]:
+    """Return the messages that a block of code names, each once, the last one first."""
+    low = bisect_left(reading.sightings, (code.place.line, ""))
+    high = bisect_left(reading.sightings, (code.last_line + 1, ""))
+    names = dict.fromkeys(name for _, name in reversed(reading.sightings[low:high]))
+    return tuple(reading.messages[name] for name in names)
+
+
+def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    """Yield the lines of a block of code, or the whole of one of data, each with the messages named before it."""
+    near_block = named_in(reading, code)
+    for item in aligned_items(code, words.fields):
+        sentence = read_sentence(item.text, 0, len(item.text), item.codes, words)
+        yield Span(sentence, item.kind, replace(topic, above=near_block or topic.above), item.place_at)
+    heads: tuple[str, ...] = ()
+    for row in csv_rows(code, words.fields):
+        heads = heads or tuple(cell.strip() for cell in row.text.strip("| ").split("|"))
+        sentence = read_sentence(row.text, 0, len(row.text), row.codes, words)
+        yield Span(sentence, row.kind, replace(topic, above=near_block or topic.above), row.place_at, heads=heads)
+    if heads or code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
+        return
+    if code.language in DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
+        span = _block(code, topic, words)
+        if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
+            yield span
+        return
+    first = bisect_left(reading.sightings, (code.place.line, ""))
+    note: list[Line] = []
+    for line in code.lines:
+        last = bisect_left(reading.sightings, (line.place.line + 1, ""))
+        near = [reading.messages[name] for _, name in reading.sightings[max(first, last - _MOST) : last]]
+        own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
+        is_comment = _COMMENT.match(line.text) is not None
+        sentence = _line(line, words)
+        if is_comment:
+            yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True, is_comment=True)
+            has_name = any(term.letter in "FM" for term in sentence.terms.values())
+            note = [] if has_name else [*note, line]
+            continue
+        yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True)
+        if note and line.text.strip():  # what stands above a member is said of it
+            joined = " ".join(_DECLARES.sub("", each.text).replace("*/", "").strip() for each in note)
+            name = re.search(r"\b[A-Za-z_]\w*\s*[?:;=\[]", line.text)
+            if name is not None and len(note) < 4:
+                text = f"{name[0][:-1].strip()}: {joined}"
+                shift = len(text) - len(joined)
+                yield Span(
+                    read_sentence(text, 0, len(text), ((0, shift),), words),
+                    PassageKind.ITEM,
+                    own,
+                    _above(note[0], shift),
+                    code.language,
+                    True,
+                    True,
+                )
+            note = []
+
+
+def _above(line: Line, shift: int) -> Callable[[int], Place]:
+    lead = _DECLARES.match(line.text)
+    start = lead.end() if lead else 0
+    return lambda offset: line.place._replace(column=line.place.column + start + max(offset - shift, 0))
+
+
+def _line(line: Line, words: Vocabulary) -> Sentence:
+    return read_sentence(line.text, 0, len(line.text), ((0, len(line.text)),), words)
+
+
+def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
+    starts: list[int] = []
+    length = 0
+    for line in lines:
+        starts.append(length)
+        length += len(line.text) + 1
+
+    def place_at(offset: int) -> Place:
+        index = max((index for index, start in enumerate(starts) if start <= offset), default=0)
+        place = lines[index].place
+        return place._replace(column=place.column + offset - starts[index])
+
+    return place_at
+
+
+_MAPPING = re.compile(r"\s*(?:$|#|-?\s*[\w.]+:(?:\s|$))")
+_COMMENTED = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
+
+
+def _block(code: CodeBlock, topic: Topic, words: Vocabulary) -> Span:
+    """A block of JSON or YAML as one part: what belongs to a field follows its name."""
+    text = _COMMENTED.sub(lambda found: " " * len(found[0]), code.text)
+    sentence = read_sentence(text, 0, len(text), ((0, len(text)),), words)
+    return Span(sentence, PassageKind.ITEM, topic, _places(code.lines), code.language, is_code=True)

@@ -1,0 +1,129 @@
+"""A part of a document in which statements stand: its terms, and the messages that it may be about."""
+
+import re
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+
+from codegen.claims.parts.sentence import NamedField, Sentence
+from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireMessage
+from codegen.source import Place
+
+DATA = ("json", "json5", "jsonc", "yaml", "yml", "toml")
+_BREAK = re.compile(
+    r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bno)(?<!\bapprox)(?<!\bmax)(?<!\bmin)(?<!\bresp)(?<!\bincl)[.!?;](?=\s|$)"
+)
+_GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
+_DEFINED = re.compile(r"[FP](?:,? (?:and )?[FP])* : ")
+"""A definition list, which is a paragraph for Markdown."""
+_COMPARED = re.compile(
+    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
+)
+_WINDOW = 400
+"""How far a sentence is looked for around a place, in characters."""
+
+
+@lru_cache(maxsize=16)
+def _ends(text: str) -> tuple[int, ...]:
+    """Where the sentences of a text end."""
+    return tuple(found.start() for found in _BREAK.finditer(text))
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """The messages that the surroundings of a part name, each group with the nearest one first."""
+
+    above: tuple[WireMessage, ...]
+    headings: tuple[WireMessage, ...]
+    earlier: tuple[WireMessage, ...]
+    document: tuple[WireMessage, ...]
+
+    @property
+    def around(self) -> tuple[WireMessage, ...]:
+        """All of them, by how near they are."""
+        found = (*self.above, *self.headings, *self.earlier)
+        return tuple({message.name: message for message in reversed(found)}.values())[::-1]
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A passage, a line of code or a block of data: its terms, and the messages that it may be about.
+
+    ``kind`` is that of a passage; ``language`` is that of a block of code, else empty.
+    """
+
+    sentence: Sentence
+    kind: PassageKind
+    topic: Topic
+    place_at: Callable[[int], Place]
+    language: str = ""
+    is_code: bool = False
+    is_comment: bool = False
+    heads: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The short text with the terms as capital letters."""
+        return self.sentence.marked
+
+    def place(self, offset: int) -> Place:
+        """The place of a character of the short text."""
+        return self.place_at(self.sentence.source(offset))
+
+    def bounds(self, offset: int) -> tuple[int, int]:
+        """The sentence around a character of the short text; not farther than a window."""
+        ends = _ends(self.text)
+        place = bisect_left(ends, offset)
+        low = ends[place - 1] + 1 if place else 0
+        high = ends[place] if place < len(ends) else len(self.text)
+        return max(low, offset - _WINDOW), min(high, offset + _WINDOW)
+
+    def end_of(self, offset: int) -> int:
+        """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
+        _, high = self.bounds(offset)
+        is_row = self.kind is PassageKind.ROW or self.is_code
+        if not is_row and self._has_other_subject(offset):
+            return high
+        if is_row or self.kind is PassageKind.ITEM or _DEFINED.match(self.text):
+            return len(self.text)
+        while high < len(self.text) and _GOES_ON.match(self.text, high + 1):
+            _, high = self.bounds(high + 1)
+        return high
+
+    def _has_other_subject(self, offset: int) -> bool:
+        """Whether the sentence around a name is about another one, which a pronoun after it stands for."""
+        low, _ = self.bounds(offset)
+        first = next((at for at, _ in self.sentence.within(low, offset, "F")), None)
+        is_same = first is None or re.fullmatch(
+            r"[F ,/&+]|F(?:(?:, | and | or | to | ?[/&+] ?)F)*", self.text[first:offset]
+        )
+        return not is_same and re.match(r"[^a-zA-Z]*(?:the )?F", self.text[low:offset]) is not None
+
+    def source_text(self, low: int, high: int) -> str:
+        """The words of the source that a part of the short text stands for."""
+        terms = self.sentence.terms
+        return "".join(terms[at].written if at in terms else self.text[at] for at in range(low, high))
+
+    def named(self, low: int, high: int) -> Iterator[tuple[int, str]]:
+        """The messages that are named between two characters, with their offsets; none of a comparison."""
+        for offset, term in self.sentence.within(low, high, "MF"):
+            value = term.value
+            if _COMPARED.search(self.text, max(offset - 20, 0), offset):
+                continue
+            if isinstance(value, str):
+                yield offset, value
+            elif isinstance(value, NamedField) and value.message is not None:
+                yield offset, value.message
+
+
+def is_data(span: Span) -> bool:
+    """Whether it is a block of JSON or YAML."""
+    return span.language in DATA
+
+
+def head_of(span: Span, offset: int) -> str:
+    """The heading of the column in which a character of a row stands."""
+    column = span.text.count("|", 0, offset) - span.text.lstrip().startswith("|")
+    return span.heads[column] if column < len(span.heads) else ""

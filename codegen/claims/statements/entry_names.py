@@ -1,0 +1,98 @@
+"""Entries by their names beside a number: "ENTRY (3)", "3 is ENTRY", "ENTRY, which is 3"."""
+
+import re
+from collections.abc import Iterator
+
+from codegen.claims.parts.span import Span, head_of
+from codegen.claims.reading import Reading
+from codegen.claims.rules import ENTRY_VALUE
+from codegen.claims.statements.fields import number
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
+from codegen.once import once
+
+_NAMED = (
+    re.compile(
+        r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192|[;,)]+ *(?://|#|/\*)) ?|,? (?:(?:which|that|it) )?(?:is|has|equals"
+        r"|as)(?: the)?(?: value| number| bit| code"
+        r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
+        r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
+    ),
+    re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$|, (?:for|as|in|is)\b))"),
+    re.compile(r"(?P<value>N)(?: is| means|:)? (?:an? |the )?[a-z]+(?: [a-z]+){0,4} \((?P<name>V)\)"),
+    re.compile(
+        r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
+        r"|this is"
+        r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)(?! ?(?:\||\+|&|and|plus) ?V)"
+    ),
+)
+_AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
+_VALUE_HEAD = re.compile(
+    r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
+    r"|source|sent|example|meaning|enum|default|is\b",
+    re.IGNORECASE,
+)
+_NUMBER_FIRST = re.compile(r"(?:^|[^V\s,]|\bor|\band),? ?N ?[=:]? ?V,? ?(?:and |or )?$")
+_LIST = 24
+
+
+def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Entries by their names, or by the end of their names, beside a number."""
+    if "V" not in span.text:
+        return
+    values = _entry_values(reading)
+    for form in _NAMED:
+        for found in form.finditer(span.text):
+            if (
+                form is _NAMED[-1]
+                and not _begins_with_number(span, found.start())
+                and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start())
+            ):
+                continue  # "FIRST 1, SECOND 2"
+            name = span.sentence.term(found.start("name")).written
+            yield from _value(reading, span, name, values.get(name), found)
+    if span.is_code and not span.is_comment:
+        comment = re.search(r"(?:#|//|/\*) ?(?:M |(?:[a-z_]+|[FP]): ?)?(?P<name>V)\b", span.text)
+        stated = re.search(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
+        if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
+            name = span.sentence.term(comment.start("name")).written
+            yield from _value(reading, span, name, values.get(name), stated)
+
+
+@once
+def _entry_values(reading: Reading) -> dict[str, int]:
+    """The values of all entries by name."""
+    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+
+
+def _begins_with_number(span: Span, offset: int) -> bool:
+    """Whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
+    return _NUMBER_FIRST.search(span.text, max(offset - _LIST, 0), offset) is not None
+
+
+def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.Match[str]") -> Iterator[Diagnostic]:
+    stated = number(span.sentence.term(found.start("value")))
+    is_bit = span.text[max(found.start("value") - 4, 0) : found.start("value")] == "bit "
+    if is_bit and stated is not None and stated != own and 0 <= stated < 32:
+        stated = 1 << int(stated)
+    before = span.text[max(found.start("value") - 24, 0) : found.start("value")]
+    if (
+        own is None
+        or stated is None
+        or stated == own
+        or re.search(
+            r"\b(?:component|system|(?<!command )id|param\w*|than|after|about|least|most|up to|channel|instance"
+            r"|see|section"
+            r"|chapter|not) ?$|[+*<>-] ?$",
+            before[:-1] if before.endswith(" ") else before,
+        )
+    ):
+        return
+    at = found.start("value")
+    cell = span.text[span.text.rfind("|", 0, at) + 1 : (span.text + "|").index("|", at)].strip()
+    is_apart = "|" in found[0] and cell != "N"
+    if span.kind is PassageKind.ROW and "|" in found[0] and (is_apart or not _VALUE_HEAD.search(head_of(span, at))):
+        return
+    written = span.sentence.term(found.start("value")).written
+    text = f"{name} is {own}, not {written}"
+    yield reading.found(ENTRY_VALUE, span.place(found.start("value")), f"{name} {written}", text)

@@ -1,0 +1,57 @@
+"""Numbers that are said to be several flags of a field together: "`flags` = 514, which is A and B"."""
+
+import re
+from collections.abc import Iterator
+
+from codegen.claims.parts.span import Span
+from codegen.claims.reading import Reading
+from codegen.claims.rules import ENTRY_VALUE, as_sure
+from codegen.claims.statements.fields import number
+from codegen.diagnostics import Diagnostic
+from codegen.model.dialect.dialect import EnumDefinition
+from codegen.once import once
+
+_FLAG = r"V(?: ?\(N\))?"
+_JOIN = r"(?: ?(?:\||\+|,|&|and|plus|with|or)+ ?)+"
+_FLAGS = rf"(?P<flags>{_FLAG}(?:{_JOIN}{_FLAG}){{1,8}})"
+_SUM = (
+    re.compile(
+        rf"(?P<sum>N)(?: ?\(N\))?(?:,? ?(?:=|which is|that is|i\.e\.|is|means|:|\(|for|from))+ ?(?:the )?{_FLAGS}"
+    ),
+    re.compile(
+        rf"{_FLAGS} ?(?:together|in total|,)? ?(?:=|is|are|gives?|makes?|add up to|sum to|i\.e\.) ?(?P<sum>N)\b"
+    ),
+)
+_MORE = re.compile(r" ?(?:\||\+|,|&|and|plus|with) ?(?:[A-Z]|others?|more|some|the)|\.\.\.|[ ,]*(?:etc|among)")
+_LESS = re.compile(r"\b(?:not|except|without|but|minus|unless|instead|if|old|wrong)\b|[-+*|&~/<>] ?$")
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every sum of flags that is not the number beside it."""
+    for form in _SUM:
+        for found in form.finditer(span.text):
+            low, _ = span.bounds(found.start())
+            before = span.text[max(low, found.start() - 30) : found.start()]
+            if _MORE.match(span.text, found.end()) or _LESS.search(before) or "or" in found["flags"]:
+                continue
+            names = [str(term.value) for _, term in span.sentence.within(*found.span("flags"), "V")]
+            flags = _flags(reading)
+            value = number(span.sentence.term(found.start("sum")))
+            enums = {flags[name][0].name for name in names if name in flags}
+            if value is None or len(enums) != 1 or any(name not in flags for name in names):
+                continue
+            total = 0
+            for name in names:
+                total |= flags[name][1]
+            if total != value:
+                written = span.sentence.term(found.start("sum")).written
+                text = f"{' | '.join(names)} is {total}, not {written}"
+                rule = as_sure(ENTRY_VALUE, is_sure=True)
+                yield reading.found(rule, span.place(found.start("sum")), f"{' '.join(names)} {written}", text)
+
+
+@once
+def _flags(reading: Reading) -> dict[str, tuple[EnumDefinition, int]]:
+    """The entries of all bitmasks by name, each with its enum and value."""
+    masks = (enum for enum in reading.enums.values() if all(not e.value & (e.value - 1) for e in enum.entries))
+    return {entry.name: (enum, entry.value) for enum in masks for entry in enum.entries}

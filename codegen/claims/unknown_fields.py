@@ -1,0 +1,119 @@
+"""Names of fields that messages do not have, and that look like one that they have."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from codegen.claims.about import Surroundings, message_about
+from codegen.claims.known_names import SHORT, Names, near_fields, same_field
+from codegen.claims.membership import is_among_fields, owner_of
+from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import is_aside
+from codegen.claims.rules import NO_FIELD
+from codegen.diagnostics import Diagnostic, did_you_mean
+from codegen.load.prose import Passage
+from codegen.model.dialect.dialect import WireMessage
+from codegen.source import Place
+
+_ELSE = re.compile(
+    r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
+    r"|signal|script|module|column|table|key)s?\s+$",
+    re.IGNORECASE,
+)
+_IS_ELSE = re.compile(
+    r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
+)
+_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
+_QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
+_FILES = frozenset(
+    [
+        "msg",
+        "msgid",
+        "id",
+        "name",
+        "payload",
+        "md",
+        "yaml",
+        "yml",
+        "py",
+        "c",
+        "h",
+        "hpp",
+        "cpp",
+        "rs",
+        "ts",
+        "js",
+        "json",
+        "xml",
+        "html",
+        "txt",
+        "csv",
+    ]
+)
+_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]|and\b|or\b))")
+_OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
+
+
+def first(passage: Passage) -> "re.Match[str] | None":
+    """What a row or an item begins with."""
+    return _BEGINNING.match(passage.text)
+
+
+def fields(reading: Reading, passage: Passage, around: Surroundings, names: Names) -> Iterator[Diagnostic]:
+    """Names in code spans that look like a field of the message that the passage is about."""
+    for low, high in passage.codes:
+        name = passage.text[low:high]
+        owner = owner_of(passage.text, low, high, names)
+        if name in names.fields and owner is None:
+            continue
+        is_word = _SNAKE.fullmatch(name) is None
+        message = owner or message_about(reading, passage, around, low, high)
+        if message is None or message.field(name) or (is_word and owner is None and not _is_meant(name, message)):
+            continue
+        if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
+            continue
+        if _IS_ELSE.match(passage.text, high) or is_aside(passage.text[slice(*passage.sentence(low, high))].lower()):
+            continue
+        is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
+        if any(each in passage.text for each in same_field(name, message)) and owner is None:
+            continue  # the other side of a mapping
+        is_listed = is_among_fields(passage, low, high, message)
+        if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
+            yield no_field(reading, passage.place_at(low), message, name)
+
+
+def _is_meant(name: str, message: WireMessage) -> bool:
+    """Whether a plain word in a code span is another word for a field."""
+    return name.isidentifier() and name.islower() and bool(same_field(name, message))
+
+
+def no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:
+    text = f"{message.name} has no field {name}"
+    hint = did_you_mean(name, [field.name for field in message.fields])
+    return reading.found(NO_FIELD, place, f"{message.name} {name}", text, hint)
+
+
+def qualified(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagnostic]:
+    """``MESSAGE.field`` of a known message that has no such field."""
+    for found in _QUALIFIED.finditer(passage.text):
+        message, name = names.messages.get(found["message"]), found["field"]
+        if message is None or message.field(name) or name in _FILES or message.name in names.followed:
+            continue
+        if not is_aside(passage.text[slice(*passage.sentence(*found.span()))].lower()):
+            yield no_field(reading, passage.place_at(found.start("field")), message, name)
+
+
+def members(reading: Reading, passages: Sequence[Passage], around: Surroundings, names: Names) -> Iterator[Diagnostic]:
+    """Rows and items of which most begin with fields of the message that the heading names: the others are none."""
+    message = around.first
+    begun = [(passage, found) for passage in passages if (found := first(passage)) and not found["name"].isupper()]
+    own = [(passage, found) for passage, found in begun if message is not None and message.field(found["name"])]
+    is_table = bool(passages) and _OF_FIELDS.match(passages[0].text) is not None
+    if message is None or len(own) + is_table < 2 or not own or message.name in names.followed:
+        return
+    for passage, found in begun:
+        name = found["name"]
+        is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
+        is_like = len(name) > SHORT and near_fields(name, message)
+        if name not in names.fields and (is_begun or is_like):
+            yield no_field(reading, passage.place_at(found.start("name")), message, name)

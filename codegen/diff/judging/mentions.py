@@ -1,0 +1,97 @@
+"""What two texts refer their numbers to: axes, references of heights, clocks, signs, and single numbers.
+
+Most of two texts may be alike, and still one word decide what each number means: ``true unless`` for ``true if``,
+``positive forward`` for ``positive north``.
+"""
+
+import re
+from collections.abc import Mapping
+
+from codegen.diff.judging.words import stem
+
+_REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
+    "axes": (
+        ("earth", r"\bnorth|\beast(?:wards?)?\b|\bned\b|\benu\b"),
+        ("body", r"\bforwards?\b|\bfrd\b|\bflu\b|\bbody\b|\bnose\b|\bstarboard\b"),
+        ("ned", r"\bned\b"),
+        ("enu", r"\benu\b"),
+        ("frd", r"\bfrd\b"),
+        ("flu", r"\bflu\b"),
+    ),
+    "height": (
+        ("sea", r"\ba?msl\b|sea[- ]level|\bgeoid"),
+        ("ellipsoid", r"ellipsoid|\bwgs ?84\b|\bhae\b"),
+        ("home", r"above home|(?:relative|with respect) to (?:the )?home|above (?:the )?take-?off"),
+        ("terrain", r"above (?:the )?(?:terrain|ground)|\bagl\b"),
+        ("target", r"above (?:the )?target"),
+    ),
+    "pressure": (("qnh", r"\bqnh\b"), ("qne", r"\bqne\b"), ("qfe", r"\bqfe\b")),
+    "clock": (
+        ("utc", r"\butc\b|\bgmt\b|unix|epoch"),
+        ("boot", r"since (?:system )?(?:boot|start)|boot time"),
+        ("local time", r"local time"),
+        ("gps time", r"\bgps (?:time|week)"),
+    ),
+    "airspeed": (
+        ("indicated", r"\bindicated\b|\bias\b"),
+        ("true", r"\btrue (?:air ?)?speed|\btas\b"),
+        ("calibrated", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
+        ("equivalent", r"\bequivalent (?:air ?)?speed|\beas\b"),
+    ),
+}  # fmt: skip
+"""What numbers are measured from, by what of it a text can name; in one text it is one or some of each."""
+
+STATED_LATE = frozenset({"height", "pressure", "airspeed"})
+"""Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""
+
+_DENIED = re.compile(r"\((?:and )?not [^)]*\)|\bnot relative to (?:the )?\w+")
+_NEGATION = re.compile(r"\b(?:not|no|never|unless|except|without|cannot)\b|n't\b")
+_NUMBER = re.compile(r"(?<![\w.])-?(?:0x[0-9a-f]+|\d+(?:\.\d+)?)(?![\w.]*\d)")
+_LIMITS = frozenset(str(2**bits - 1) for bits in (7, 8, 15, 16, 31, 32, 63, 64))
+_UNKNOWN = re.compile(
+    r"\bnot (?:available|known|used|provided|set|supported|measured|applicable|equal)\b|\b(?:do not|don't) use\b"
+)
+_SIGN = re.compile(r"(?<!if this is )(?<!if )(?<!when )\b(positive|negative)\b[:,]?\s*((?:[a-z]+[\s/-]*){1,6})")
+_IDLE = frozenset({"for", "is", "means", "while", "when", "if", "to", "the", "value", "and", "axis", "a", "in"})
+
+
+def references(text: str) -> dict[str, frozenset[str]]:
+    """Return what a text measures from, by the kind of it; ``not relative to north`` is no mention of north."""
+    return _mentioned(_DENIED.sub(" ", text.lower()))
+
+
+def denied_references(text: str) -> dict[str, frozenset[str]]:
+    """Return what a text says that it does not measure from."""
+    return _mentioned(" ".join(found[0] for found in _DENIED.finditer(text.lower())))
+
+
+def _mentioned(text: str) -> dict[str, frozenset[str]]:
+    found = {
+        kind: frozenset(name for name, words in names if re.search(words, text)) for kind, names in _REFERENCES.items()
+    }
+    return {kind: names for kind, names in found.items() if names}
+
+
+def numbers(text: str) -> frozenset[str]:
+    """Return the numbers of a text in one spelling, without the limits of types: those are its value for unknown."""
+    return frozenset(_spelt(number[0]) for number in _NUMBER.finditer(text.lower())) - _LIMITS
+
+
+def _spelt(number: str) -> str:
+    if "x" in number:
+        return str(int(number, 16))
+    return number.rstrip("0").rstrip(".") if "." in number else str(int(number))
+
+
+def negations(text: str) -> int:
+    """Return how often a text denies something, without what it says of values that are unknown or not allowed."""
+    return len(_NEGATION.findall(_UNKNOWN.sub(" ", text.lower())))
+
+
+def signs(text: str) -> dict[str, frozenset[str]]:
+    """Return the words that say what a positive and what a negative number is."""
+    found: dict[str, frozenset[str]] = {}
+    for one in _SIGN.finditer(text.lower()):
+        words = [stem(word) for word in re.findall(r"[a-z]+", one[2]) if word not in _IDLE]
+        found[one[1]] = found.get(one[1], frozenset()) | frozenset(words[:2])
+    return found

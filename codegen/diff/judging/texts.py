@@ -1,0 +1,99 @@
+"""What comes of another text about the same number: nothing, another meaning, or a question for a person."""
+
+from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
+from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs
+from codegen.diff.judging.wording import (
+    Likeness,
+    common_share,
+    other_word,
+    stated_values,
+    text_likeness,
+    without_addresses,
+    words_of,
+)
+
+_LEAST_WORDS = 4
+_LEAST_HALF = 0.45
+"""Of the words of an entry's shorter text: with fewer in both, they may tell of something else."""
+_LEAST_SHARE = 0.4
+"""Of the words of the longer text: with fewer in both, a denial in one of them is of something else."""
+
+
+def other_text(old: str, new: str) -> Judgement:
+    """Return what comes of another text for what keeps its name and its place."""
+    old, new = without_addresses(old), without_addresses(new)
+    values = stated_conflict(stated_values(old), stated_values(new))
+    if values.gravity:
+        return values
+    likeness = text_likeness(old, new)
+    if likeness is Likeness.OPPOSITE:
+        return Judgement(breaks=True, effect="the text says the opposite")
+    found = other_reference(old, new)
+    if found.gravity:
+        return found
+    if likeness is Likeness.DISPUTED:
+        return Judgement(doubt="whether the text says the opposite of what it said")
+    if likeness is Likeness.UNSAID:
+        return HARMLESS
+    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
+
+
+def same_entry(old: str, new: str) -> Judgement:
+    """Return what comes of another text for an entry that keeps its name and its number."""
+    old, new = without_addresses(old), without_addresses(new)
+    found = other_text(old, new)
+    lengths = [len(words_of(text)) for text in (old, new)]
+    if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
+        return Judgement(doubt="the text tells of something else under the same name")
+    return found
+
+
+def other_reference(old: str, new: str) -> Judgement:
+    """Return what comes of another axis, height or clock from which a text says that something is measured."""
+    before, after = references(old), references(new)
+    denied = denied_references(old), denied_references(new)
+    nothing: frozenset[str] = frozenset()
+    for kind in sorted(before.keys() | after.keys()):
+        was, now = before.get(kind, nothing), after.get(kind, nothing)
+        gone, come = was - now, now - was
+        if gone and come:
+            effect = f"what was measured from {_listed(gone)} is measured from {_listed(come)}"
+            return Judgement(breaks=True, effect=effect)
+        turned = (was & denied[1].get(kind, nothing)) | (now & denied[0].get(kind, nothing))
+        if turned:
+            return Judgement(breaks=True, effect=f"one of the texts denies that it is measured from {_listed(turned)}")
+        if (gone or come) and kind in STATED_LATE:
+            return Judgement(doubt=f"whether it was measured from {_listed(gone | come)} all the time")
+    return HARMLESS
+
+
+def _listed(names: frozenset[str]) -> str:
+    return " and ".join(sorted(names))
+
+
+def _other_numbers(old: str, new: str) -> Judgement | None:
+    before, after = numbers(old), numbers(new)
+    gone, come = before - after, after - before
+    if not gone or not come:
+        return None
+    words = [{word for word in words_of(text) if not word.isdigit()} for text in (old, new)]
+    change = f"{', '.join(sorted(gone))} in the text is {', '.join(sorted(come))} now"
+    if words[0] == words[1]:
+        return Judgement(breaks=True, effect=change)
+    return Judgement(doubt=f"whether it is another meaning that {change}")
+
+
+def _other_sense(old: str, new: str) -> Judgement | None:
+    """Return what comes of a text that denies what it said, or says another thing of a sign."""
+    if negations(old) % 2 != negations(new) % 2 and common_share(old, new) >= _LEAST_SHARE:
+        return Judgement(doubt="whether the text denies what it said")
+    before, after = signs(old), signs(new)
+    for sign in before.keys() & after.keys():
+        if before[sign] and after[sign] and before[sign].isdisjoint(after[sign]):
+            return Judgement(doubt=f"whether {sign} numbers still are what they were")
+    return None
+
+
+def _other_word(old: str, new: str) -> Judgement:
+    word = other_word(old, new)
+    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
