@@ -47,8 +47,8 @@ def decoded_with_includes(
     name = _name(kind, inputs, files)
     digest = _digest(name, {}, files)
     known = None if digest is None else kept_object(digest)
-    if digest is not None and known is not None:
-        return cast(_Stated, known), digest
+    if known is not None:
+        return cast(_Stated, known), digest or ""
     new = Report()
     noting, read = files.noting()
     stated = decode(noting, new)

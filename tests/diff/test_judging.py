@@ -13,9 +13,9 @@ from codegen.diff.judging.judging import (
     gravest,
     other_entry,
     other_enum,
-    same_entry,
     stated_conflict,
 )
+from codegen.diff.judging.texts import same_entry
 from codegen.diff.judging.wording import Likeness
 
 BREAK, DOUBT, NOTHING = "break", "doubt", "nothing"
@@ -108,7 +108,7 @@ def test_one_word_in_place_of_another_in_name_and_text_is_another_thing() -> Non
         ("The left wheel turns", "The right wheel turns", BREAK, "the opposite"),
         ("Left: road leads town by river", "Right: counts sheep, wool, goats, cows", DOUBT, "the opposite of"),
         ("The horse walks along there", "The mule walks along there", DOUBT, "'mule' in place of 'horse'"),
-        ("Grass on the northern hill", "Ships sailing across oceans", DOUBT, "something else"),
+        ("Grass on the northern hill slope", "Ships sailing across oceans", DOUBT, "something else"),
         ("Grass on hill", "Ships sailing across oceans", NOTHING, ""),
         ("Ships sailing across oceans", "Grass on hill", NOTHING, ""),
         ("The horse walks", "The horse walks.", NOTHING, ""),
@@ -196,7 +196,6 @@ def test_an_enum_in_place_of_words(text: str, new: Any, expected: str) -> None:
         ({1: "walk", 2: "walk"}, {1: "run", 2: "walk"}, BREAK, "2 is that now"),
         ({1: "turn left"}, {1: "turn right"}, BREAK, "1 was 'turn left' and is 'turn right'"),
         ({1: "walk"}, {1: "sit"}, DOUBT, "whether 1, which was 'walk', is 'sit'"),
-        ({1: "walk"}, {1: ""}, NOTHING, ""),
         ({1: "walk slowly"}, {1: "walk"}, NOTHING, ""),
     ],
 )  # fmt: skip
