@@ -1,4 +1,4 @@
-"""What two texts refer their numbers to: axes, references of heights, clocks, signs, and single numbers.
+"""References of the numbers in two texts: axes, references of heights, clocks, signs, and single numbers.
 
 Most of two texts may be alike, and still one word decide what each number means: ``true unless`` for ``true if``,
 ``positive forward`` for ``positive north``.
@@ -39,7 +39,7 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("equivalent", r"\bequivalent (?:air ?)?speed|\beas\b"),
     ),
 }  # fmt: skip
-"""What numbers are measured from, by what of it a text can name; in one text it is one or some of each."""
+"""References that numbers are measured from, by kind: the name of each, and the words for it."""
 
 STATED_LATE = frozenset({"height", "pressure", "airspeed"})
 """Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""

@@ -1,4 +1,4 @@
-"""What comes of another text about the same number: nothing, another meaning, or a question for a person."""
+"""Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
 from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
 from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs

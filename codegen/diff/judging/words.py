@@ -60,7 +60,7 @@ def stem(word: str) -> str:
 
 
 def is_short_for(one: str, other: str) -> bool:
-    """``temp`` and ``temperature``, ``cfg`` and ``config``."""
+    """``temp`` and ``temperature``, ``nmbr`` and ``number``."""
     short, long = sorted((one, other), key=len)
     if short.isdigit() or long.isdigit() or len(short) < 3 or short[0] != long[0] or excluding(short) & {long}:
         return False
