@@ -28,7 +28,10 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "pressure": (("qnh", r"\bqnh\b"), ("qne", r"\bqne\b"), ("qfe", r"\bqfe\b")),
     "clock": (
         ("utc", r"\butc\b|\bgmt\b|unix|epoch"),
-        ("boot", r"since (?:system )?(?:boot|start)|boot time"),
+        ("boot", r"since (?:the )?(?:system |vehicle )?(?:was )?(?:boot|start|power)|boot time"),
+        ("arming", r"since (?:the )?(?:vehicle )?(?:was )?(?:last )?arm"),
+        ("take-off", r"since (?:the )?take-?off"),
+        ("the last message", r"since (?:the )?(?:previous|last) (?:message|report)"),
         ("local time", r"local time"),
         ("gps time", r"\bgps (?:time|week)"),
     ),
@@ -37,6 +40,28 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("true", r"\btrue (?:air ?)?speed|\btas\b"),
         ("calibrated", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
         ("equivalent", r"\bequivalent (?:air ?)?speed|\beas\b"),
+    ),
+    "statistic": (
+        ("a mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
+        ("a peak", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
+        ("a moment", r"\binstantaneous|\bmomentary"),
+    ),
+    "origin": (
+        ("what was asked for", r"\bcommanded|\brequested|\bdesired|\bas set by"),
+        ("what was measured", r"\bmeasured|\bread back|\bactual\b|\bfeedback|\bencoder"),
+    ),
+    "amount": (
+        ("what is left", r"\bremaining|\bfree\b|\bunused\b"),
+        ("what is used", r"\bin use\b|\bconsumed|\boccupied|\balready used"),
+    ),
+    "signal": (("raw values", r"\braw\b|\bunfiltered"), ("filtered values", r"(?<!un)\bfiltered|\bsmoothed")),
+    "speed": (("the shaft", r"\bshaft|\bmechanical"), ("the field", r"\belectrical (?:rotation|speed|rpm)|\berpm\b")),
+    "first number": (("0", r"\bzero[- ]based|\b0-based"), ("1", r"\bone[- ]based|\b1-based")),
+    "observer": (
+        ("behind", r"\bobserver behind|\bseen from behind|\bviewed from behind"),
+        ("in front", r"\bobserver in front|\bseen from (?:the )?front|\bviewed from (?:the )?front"),
+        ("above", r"\bseen from above|\bviewed from above"),
+        ("below", r"\bseen from below|\bviewed from below"),
     ),
 }  # fmt: skip
 """References that numbers are measured from, by kind: the name of each, and the words for it."""
