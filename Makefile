@@ -8,6 +8,7 @@ STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
 MICROPYTHON32 := $(VENV)/.micropython32
 RESULTS := build/results
+FURTHER := $(filter-out generated/common/tests,$(wildcard generated/*/tests))
 NPM ?= $(or $(shell command -v npm),$(abspath $(BIN))/npm)
 VALGRIND ?= valgrind
 BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
@@ -29,13 +30,13 @@ test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	ended() { wait "$$1"; code=$$?; cat "$$2"; return $$code; }; \
 	$(BIN)/mypy > $(RESULTS)/mypy.txt 2>&1 & types=$$!; \
-	( code=0; for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
+	( code=0; for tests in $(FURTHER); do name="$$(basename "$$(dirname "$$tests")")"; \
 		$(BIN)/python -m pytest -p no:xdist --junit-xml=$(RESULTS)/$$name.xml "$$tests" || code=1; done; exit $$code \
 	) > $(RESULTS)/further.txt 2>&1 & further=$$!; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
-	step "pytest $(wildcard generated/*/tests)" ended $$further $(RESULTS)/further.txt; \
+	step "pytest $(FURTHER)" ended $$further $(RESULTS)/further.txt; \
 	step "mypy" ended $$types $(RESULTS)/mypy.txt; \
 	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \

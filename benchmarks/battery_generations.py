@@ -16,7 +16,7 @@ from pathlib import Path
 from codegen.diagnostics import Report
 from codegen.model.scenario import Scenario, Swap
 from codegen.model.system import System
-from codegen.project.systems import output_folder, read_scenarios, read_systems, scenarios_path
+from codegen.project.systems import folders_of, read_scenarios, read_systems, scenarios_path
 from codegen.sim.address import Address
 from codegen.sim.process import Runtime, find_interpreter
 from codegen.sim.program import simulated_programs
@@ -39,7 +39,7 @@ def measured(scenario: Scenario, system: System, value: int, port: int) -> Rates
         raise SystemExit("micropython is not installed: make build does it")
     chosen = replace(scenario, parameters={**scenario.parameters, PARAMETER: float(value)}, beside=())
     chosen = replace(chosen, events=tuple(event for event in chosen.events if not isinstance(event, Swap)))
-    folders = {"": output_folder(system)}
+    folders = {"": folders_of(system)}
     simulation = Simulation(
         scenario=chosen,
         duration_ms=chosen.duration_ms,

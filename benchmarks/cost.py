@@ -16,6 +16,7 @@ from pathlib import Path
 
 import measure
 from figure import Figure
+from whole_program import module_folders
 
 COMPARES = """Instructions of one round, counted by valgrind's callgrind with MicroPython's unix port on x86-64, without
 those of the loop around it: the lowest of five layouts of MicroPython's table of names, which differ by up to 5 %.
@@ -164,7 +165,7 @@ def modules_of(script: str, folder: Path) -> list[Path]:
     if script in BUILT:
         generated = folder / script / "generated"
         measure.project(BUILT[script], generated.parent)
-    return [generated / "firmware", generated / "mocks"]
+    return module_folders(generated, "firmware", "mocks")
 
 
 def instructions(

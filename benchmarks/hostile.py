@@ -24,6 +24,7 @@ import quality_results
 from pymavlink.dialects.v10 import common as common_1
 from pymavlink.dialects.v20 import common as common_2
 from pymavlink.generator.mavcrc import x25crc
+from whole_program import module_folders
 
 CODEC = ("HEARTBEAT", "SYS_STATUS", "PARAM_VALUE", "TIMESYNC", "BATTERY_STATUS", "STATUSTEXT", "LOGGING_DATA", "PING")
 """The messages that the codec receives: truncated and long ones, text, and words of 64 bits."""
@@ -254,7 +255,7 @@ def codec_faults(made: Path, stream: Stream, folder: Path, form: str) -> list[st
 
 def rover_faults(generated: Path, stream: Stream, folder: Path, form: str, port: str) -> list[str]:
     """Return what is wrong with the program in the folder of a build."""
-    modules = tuple(generated / name for name in ("tests", "firmware", "mocks"))
+    modules = tuple(module_folders(generated, "tests", "firmware", "mocks"))
     answer = _ran("hostile_rover.py", modules, stream, folder, port)
     if "raised" in answer:
         return [f"it raised: {answer['raised']}"]

@@ -16,6 +16,7 @@ import cost
 import measure
 import results
 from loop_plan import Counted, Plan
+from whole_program import module_folders
 
 from codegen.diagnostics import Report
 from codegen.loop.costs import FILE
@@ -173,7 +174,7 @@ def counted_rows(folder: Path) -> list[Row]:
         system = system_of(project)
         assert system.program is not None
         plan = rover_plan(system, whole=name == "rover")
-        rows += rows_of(name, plan, [project / "generated" / each for each in ("firmware", "mocks")], folder)
+        rows += rows_of(name, plan, module_folders(project / "generated", "firmware", "mocks"), folder)
     return rows
 
 
@@ -181,7 +182,7 @@ def sensor_costs(folder: Path) -> dict[Part, float]:
     """Return what sensors take, as cost_sources.py counts them."""
     project = folder / "sensors"
     measure.project(PROJECTS / "sensors", project)
-    modules = [project / "generated" / each for each in ("firmware", "mocks")]
+    modules = module_folders(project / "generated", "firmware", "mocks")
     costs, _ = cost.instructions("cost_sources.py", 0, modules, folder)
     sensors = len(system_of(project).polled)
     nothing, one = costs["nothing"], costs["no_sensor"]

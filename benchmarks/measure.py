@@ -24,6 +24,7 @@ from typing import Any
 import results
 from figure import Figure, table
 from results import HERE, ROOT
+from whole_program import whole_program
 
 TOOLS = Path(sys.executable).parent
 
@@ -144,21 +145,21 @@ def project(source: Path, folder: Path, changes: Mapping[str, Iterable[tuple[str
 
 
 def rover(folder: Path, machine_code: bool = True) -> Path:
-    """Build the rover in a folder of its own; return the folder of what was generated."""
+    """Build the rover in a folder of its own; return the folder of its program, whole."""
     if not machine_code:
         return without_machine_code(ROOT, folder)
     rover_specs(folder)
     said([tool("codegen"), "build"], cwd=folder)
-    return folder / "generated"
+    return whole_program(folder / "generated", folder / "whole")
 
 
 def without_machine_code(source: Path, folder: Path) -> Path:
-    """Build a project in a folder of its own, with plain Python only; return the folder of what was generated."""
+    """Build a project in a folder of its own, with plain Python only; return the folder of its program, whole."""
     shutil.copytree(source / "specs", folder / "specs")
     with (folder / "specs" / "codegen.yaml").open("a", encoding="utf-8") as file:
         file.write("machine_code: false\n")
     said([tool("codegen"), "build"], cwd=folder)
-    return folder / "generated"
+    return whole_program(folder / "generated", folder / "whole")
 
 
 @dataclass(frozen=True)

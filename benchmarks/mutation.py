@@ -25,9 +25,14 @@ from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
 from quality_results import left_by, store
+from whole_program import module_folders, whole_program
 
-PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
-"""By program the folder with its firmware and its tests; what they read of the project lies above."""
+PROGRAMS = {
+    "rover": ("generated", ""),
+    "smart_battery": ("generated", "smart_battery"),
+    "boat": ("examples/boat/generated", ""),
+}
+"""By program the output folder of its project, and its name there; what its tests read of the project lies above."""
 LONGEST = 6
 """The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again.
 
@@ -51,8 +56,11 @@ def main() -> int:
     )
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
-    firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
-    texts = {path.name: path.read_text() for path in sorted(firmware.glob("*.py")) if arguments.only in path.stem}
+    texts = {
+        name: text
+        for name, text in firmware_of(arguments.program).items()
+        if arguments.only in name.removesuffix(".py")
+    }
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
     equivalent = listed(texts, arguments.program)
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
@@ -90,6 +98,13 @@ def main() -> int:
     return 1 if score < arguments.least else 0
 
 
+def firmware_of(program: str) -> dict[str, str]:
+    """Return the modules of the firmware of a program by the names of their files, in their order."""
+    output, name = PROGRAMS[program]
+    paths = [path for folder in module_folders(ROOT / output, "firmware", program=name) for path in folder.glob("*.py")]
+    return {path.name: path.read_text(encoding="utf-8") for path in sorted(paths, key=lambda path: path.name)}
+
+
 @contextmanager
 def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
     """Copies of the project."""
@@ -99,11 +114,14 @@ def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
         for number in range(count):
             copy = folder / str(number)
             root = ROOT / "examples/boat" if program == "boat" else ROOT
-            for name in ("specs", "generated"):
-                shutil.copytree(root / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(root / "specs", copy / "specs")
             for module in root.glob("*.py"):
                 shutil.copy(module, copy)
-            copies.put(copy / "generated" / ("smart_battery" if program == "smart_battery" else ""))
+            output, further = PROGRAMS[program]
+            whole = whole_program(ROOT / output, copy / "generated" / further, further)
+            if (ROOT / output / further / "receiver").exists():  # which the suite tests, too
+                shutil.copytree(ROOT / output / further / "receiver", whole / "receiver")
+            copies.put(whole)
         yield copies
     finally:
         shutil.rmtree(folder, ignore_errors=True)

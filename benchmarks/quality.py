@@ -17,12 +17,16 @@ from collections.abc import Sequence
 import quality_results
 from quality_results import Found
 from results import ROOT
+from whole_program import module_folders
+
+from codegen.model.program_folders import COMMON, SHARED_PARTS
 
 PAGE = ROOT / "docs" / "quality.md"
 FOLDERS = ("codegen", "templates", "tests")
 """Of which the lines are counted; documents that tests read, and what was generated, are none of them."""
 CODE = (".py", ".j2", ".in", ".css", ".js", ".html")
-PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery"}
+PROGRAMS = {"rover": "", "smart_battery": "smart_battery"}
+"""By how a program is called its name in the project."""
 
 
 def main() -> int:
@@ -35,6 +39,7 @@ def main() -> int:
         quality_results.store("counts", "generated", generated())
         quality_results.store("counts", "criteria", criteria())
         quality_results.store("counts", "lines", {folder: lines(folder) for folder in FOLDERS})
+        quality_results.store("counts", "programs", programs())
     PAGE.write_text(page(quality_results.read()), encoding="utf-8")
     print(f"{PAGE.relative_to(ROOT)} written")
     return 0
@@ -55,10 +60,11 @@ def tests() -> Found:
 def generated() -> Found:
     """Return how many cases and checks the generated suite of each program has."""
     found = {}
-    for program, folder in PROGRAMS.items():
-        suite = ROOT / folder / "tests"
-        cases = json.loads((suite / "cases.json").read_text(encoding="utf-8"))["messages"]
-        checks = sum(_checks(path.read_text(encoding="utf-8")) for path in suite.glob("*_checks.py"))
+    for program, name in PROGRAMS.items():
+        own, common = module_folders(ROOT / "generated", "tests", program=name)
+        cases = json.loads((own / "cases.json").read_text(encoding="utf-8"))["messages"]
+        scripts = [*own.glob("*_checks.py"), *common.glob("*_checks.py")]
+        checks = sum(_checks(path.read_text(encoding="utf-8")) for path in scripts)
         found[program] = {"cases": len(cases), "checks": checks}
     return found
 
@@ -103,6 +109,15 @@ def _shown_by(kinds: set[bool], *, has_limit: bool) -> str:
         frozenset(): "no test on a host",
     }
     return words[frozenset(kinds)] + (", and in part on a bench" if has_limit else "")
+
+
+def programs() -> Found:
+    """Return how many modules, and lines in them, the programs of the rover's project have for themselves and alike."""
+    found = {}
+    for program, folder in (*PROGRAMS.items(), (COMMON, COMMON)):
+        paths = [path for part in SHARED_PARTS for path in (ROOT / "generated" / folder / part).glob("*.py")]
+        found[program] = {"modules": len(paths), "lines": sum(path.read_bytes().count(b"\n") for path in paths)}
+    return found
 
 
 def lines(folder: str) -> int:
@@ -170,6 +185,11 @@ Python, as bytes and as datagrams (`benchmarks/hostile.py`): each frame among th
 `make quality` counted the lines of code, with comments and empty ones, of these folders.
 
 {lines}
+
+The rover and its smart battery are two programs of one project. What they have alike is written once
+([files.md](files.md#several-programs)): without that there would be {shared:,} lines more in `generated/`.
+
+{programs}
 """
 
 
@@ -205,6 +225,12 @@ def page(found: dict[str, dict[str, Found]]) -> str:
             ],
         ),
         lines=_table(("folder", "lines"), [(f"`{name}/`", number) for name, number in counts["lines"].items()]),
+        shared=counts["programs"][COMMON]["lines"] * (len(PROGRAMS) - 1),
+        programs=_table(
+            ("program", "modules of its own", "lines"),
+            [(name, each["modules"], each["lines"]) for name, each in counts["programs"].items() if name != COMMON]
+            + [("what both have alike", counts["programs"][COMMON]["modules"], counts["programs"][COMMON]["lines"])],
+        ),
     )
 
 

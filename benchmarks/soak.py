@@ -17,6 +17,7 @@ import time
 from pathlib import Path
 
 import measure
+from whole_program import module_folders
 
 SCRIPT = measure.HERE / "micropython" / "soak_stations.py"
 SETTLED_HOURS = 2
@@ -48,7 +49,7 @@ def main() -> int:
 
 def soaked(interpreter: str, hours: int, arguments: argparse.Namespace) -> bool:
     """Run so many hours, tell about each day, and return whether nothing was wrong."""
-    folders = [str(arguments.firmware / name) for name in ("tests", "firmware", "mocks")]
+    folders = map(str, module_folders(arguments.firmware, "tests", "firmware", "mocks"))
     environment = {**os.environ, "MICROPYPATH": os.pathsep.join((*folders, ".frozen"))}
     command = [measure.tool(interpreter), "-X", "heapsize=16m", str(SCRIPT)]
     command += [str(number) for number in (hours, SETTLED_HOURS, arguments.seed, arguments.hour)]

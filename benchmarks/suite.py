@@ -22,7 +22,14 @@ def main() -> int:
     parser.add_argument("--whole", action="store_true")
     arguments = parser.parse_args()
     # The suite needs no plugin: importing those that are installed would take a second. Settings name one of them.
-    command = [sys.executable, "-m", "pytest", "-p", "pytest_timeout", f"{PROGRAMS[arguments.program]}/tests"]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-p",
+        "pytest_timeout",
+        os.path.join(*PROGRAMS[arguments.program], "tests"),
+    ]
     command += [] if arguments.whole else ["-m", "not days"]
     done = subprocess.run(command, cwd=ROOT, env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}, check=False)
     used = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -20,6 +20,7 @@ from hypothesis import settings
 from codegen.tool.cache import cache_folder
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "benchmarks"))  # where a generated program is put together
 
 # Thousands of small projects are written and removed: in memory, where there is plenty, no disk is waited for.
 IN_MEMORY, PLENTY = Path("/dev/shm"), 8_000_000_000  # noqa: S108  where Linux keeps a file system in memory

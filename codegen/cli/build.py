@@ -47,11 +47,11 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.project.output import stated_output
 
     started = time.time()
-    output = stated_output(project) if is_plain(arguments) else None
-    kept = stamp.unchanged(project, output) if output is not None and arguments.mpy is None else None
-    if output is not None and kept is not None:
+    stated = stated_output(project) if is_plain(arguments) else None
+    kept = stamp.unchanged(project, stated) if stated is not None and arguments.mpy is None else None
+    if stated is not None and kept is not None:
         print(up_to_date(kept), file=sys.stderr)
-        return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project, output))
+        return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project, stated))
     from codegen.cli.output import emit
     from codegen.cli.progress import working
     from codegen.commands.build import board_folder, compile_systems, render_systems, what_is_made
@@ -64,14 +64,14 @@ def run(arguments: argparse.Namespace) -> int:
         system = systems[0] if systems else None
         check_scenarios(project, systems, report)
         now("rendering what is generated")
-        rendered = {} if system is None or report.has_errors else render_systems(systems)
-    if system is None or report.has_errors:
+        output = None if system is None or report.has_errors else render_systems(systems)
+    if system is None or output is None:
         return emit(None, "", arguments, report)
     folder = output_folder(system)
-    code = emit(rendered, folder, arguments, report)
+    code = emit(output.files, folder, arguments, report, output.vacated)
     read, beside = files_read(systems), folders_read(systems)
-    if folder == output and not list(report):
-        stamp.keep(project, started, read, folder, rendered, beside)
+    if folder == stated and not list(report):
+        stamp.keep(project, started, read, folder, output.files, beside)
     if arguments.mpy is not None and not code:
         compiled = Report()
         with working(f"compiling the firmware for {arguments.mpy}"):

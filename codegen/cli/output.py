@@ -55,15 +55,19 @@ def is_plain(arguments: argparse.Namespace) -> bool:
 
 
 def emit(
-    rendered: Mapping[str, str | bytes] | None, folder: str, arguments: argparse.Namespace, report: "Report"
+    rendered: Mapping[str, str | bytes] | None,
+    folder: str,
+    arguments: argparse.Namespace,
+    report: "Report",
+    vacated: frozenset[str] = frozenset(),
 ) -> int:
     """Do with ``rendered`` what the options ask for, print the findings, and return the exit code.
 
-    Without ``rendered``, or after errors, there are only the findings.
+    Without ``rendered``, or after errors, there are only the findings. ``vacated`` is as plan_output() has it.
     """
     from codegen.cli.findings import print_findings
 
-    plan = None if rendered is None or report.has_errors else _plan(rendered, folder, arguments, report)
+    plan = None if rendered is None or report.has_errors else _plan(rendered, folder, arguments, report, vacated)
     if plan is None or arguments.check or arguments.diff or arguments.dry_run:
         print_findings(report, arguments.format)
         return report.exit_code if plan is None else _show(arguments, plan, report)
@@ -87,13 +91,17 @@ def up_to_date(count: int) -> str:
 
 
 def _plan(
-    rendered: Mapping[str, str | bytes], folder: str, arguments: argparse.Namespace, report: "Report"
+    rendered: Mapping[str, str | bytes],
+    folder: str,
+    arguments: argparse.Namespace,
+    report: "Report",
+    vacated: frozenset[str],
 ) -> "Plan | None":
     """The comparison with the disk; None if the folder cannot be used, which is then reported."""
     from codegen.emit.findings import report_refusals, report_stale, report_strays
     from codegen.emit.plan import plan_output
 
-    plan = plan_output(rendered, folder, report, force=arguments.force, clean=arguments.clean)
+    plan = plan_output(rendered, folder, report, force=arguments.force, clean=arguments.clean, vacated=vacated)
     if plan is None:
         return None
     if arguments.check:

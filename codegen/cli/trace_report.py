@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.cli.progress import working
+from codegen.commands.build import shared_modules
 from codegen.commands.trace import Refused, chosen_criteria, read_trace, read_trace_lock
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
@@ -31,7 +32,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
 
     report = Report()
     with working("reading documents and tests"):
-        trace = read_trace(systems, report)
+        trace = read_trace(systems, report, shared=shared_modules(systems))
     lock = read_trace_lock(project, report)
     suspect = suspects(trace, lock)  # links that only results tell cannot be accepted, as accept knows no results
     trace, results = with_results(arguments.results, trace, systems, report)

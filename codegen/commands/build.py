@@ -1,24 +1,28 @@
 """Builds from systems: the files of the output folder, compiled modules for boards, and a summary of both."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from codegen.commands.trace import documents_of, generated_tests, read_trace_lock, rows
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
+from codegen.model.program_folders import ProgramFolders
 from codegen.model.system import System
 from codegen.project.of_systems import of_systems
-from codegen.project.systems import output_folder, project_folder
+from codegen.project.systems import folders_of, output_folder, project_folder
 from codegen.source import shown_path
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.targets.origin import united
+from codegen.targets.shared_files import Output, laid_out
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import trace_findings
 from codegen.trace.graph import linked
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.page import render_trace
+from codegen.trace.rows import placed
 from codegen.trace.view import trace_view
 
 
@@ -30,25 +34,35 @@ def render_system(system: System) -> dict[str, str]:
     return files
 
 
-def render_systems(systems: Sequence[System]) -> dict[str, str]:
-    """Every output file of a project: those of a further program lie below the folder of its name.
+def render_systems(systems: Sequence[System]) -> Output:
+    """Every output file of a project, those of further programs and what all programs share included.
 
-    A program whose own files and those of its base that it uses are as they were is not rendered again.
+    A further program whose own files and those of its base that it uses are as they were is not rendered again.
     """
-    files = {
-        os.path.join(system.spec.program, path): text
-        for system in systems
-        for path, text in (of_systems(render_system, system) if system.spec.program else render_system(system)).items()
-    }
-    return files if not systems or systems[0].spec.program else files | _trace_page(systems)
+    output = laid_out(
+        {
+            system.spec.program: of_systems(render_system, system) if system.spec.program else render_system(system)
+            for system in systems
+        }
+    )
+    if not systems or systems[0].spec.program:
+        return output
+    return replace(output, files={**output.files, **_trace_page(systems, output.shared)})
 
 
-def _trace_page(systems: Sequence[System]) -> dict[str, str]:
+def shared_modules(systems: Sequence[System]) -> Mapping[str, str]:
+    """Return where the modules of firmware lie that programs share, as ``Output.shared`` has it."""
+    if len(systems) < 2:
+        return {}
+    return laid_out({system.spec.program: render_firmware(system) for system in systems}).shared
+
+
+def _trace_page(systems: Sequence[System], shared: Mapping[str, str]) -> dict[str, str]:
     """The page of the requirements: like all output a function of the specification, so without tests by hand.
 
     What is wrong with the lock, codegen trace tells.
     """
-    trace = linked(documents_of(systems), rows(systems), generated_tests(systems))
+    trace = linked(documents_of(systems), placed(rows(systems), shared), generated_tests(systems))
     lock = read_trace_lock(systems[0].spec.project.place.file, Report())
     coverage = coverage_of(trace, reviews(trace, lock), suspects(trace, lock), None)
     findings = Report()
@@ -60,12 +74,19 @@ def _trace_page(systems: Sequence[System]) -> dict[str, str]:
 
 def stale_firmware(system: System) -> list[str]:
     """The modules of the firmware, by file name, that a build would change or add in the output folder."""
-    folder = output_folder(system)
+    folders = folders_of(system)
     return [
-        os.path.basename(path)
-        for path, text in render_firmware(system).items()
-        if DISK.read_bytes(os.path.join(folder, path), Report()) != text.encode()
+        os.path.basename(path) for path, text in render_firmware(system).items() if not _is_written(text, path, folders)
     ]
+
+
+def _is_written(text: str, path: str, folders: ProgramFolders) -> bool:
+    """Return whether a module is on the disk as it is rendered; the header of one that is common tells more sources."""
+    place = folders.find(path)
+    found = None if place is None else DISK.read_bytes(place, Report())
+    if found is None or place == os.path.join(folders.own, path):
+        return found == text.encode()
+    return united([found.decode("utf-8", "replace"), text]) is not None
 
 
 def compile_systems(systems: Iterable[System], architecture: str, report: Report) -> dict[str, str | bytes]:

@@ -8,6 +8,7 @@ from codegen.frozen import dataclass
 
 if TYPE_CHECKING:
     from codegen.diagnostics import Report
+    from codegen.model.program_folders import ProgramFolders
     from codegen.model.scenario import Scenario
     from codegen.model.system import System
     from codegen.sim.address import LinkEnd
@@ -66,7 +67,7 @@ def read_project(given: str, project: str, report: "Report") -> "tuple[tuple[Sys
 def prepare(wanted: Wanted, systems: "Sequence[System]", scenarios: "dict[str, Scenario]") -> Prepared | Unusable:
     """Return the simulation of a scenario, with the programs of a project that take part in it."""
     from codegen.commands.build import stale_firmware
-    from codegen.project.systems import output_folder
+    from codegen.project.systems import folders_of
     from codegen.sim.address import AddressError, parse_address
     from codegen.sim.process import Runtime, find_interpreter
     from codegen.sim.program import simulated_programs
@@ -77,12 +78,12 @@ def prepare(wanted: Wanted, systems: "Sequence[System]", scenarios: "dict[str, S
         return scenario
     names = {"", *(beside.program for beside in scenario.beside)}
     cast = [system for system in systems if system.spec.program in names]
-    folders = {system.spec.program: output_folder(system) for system in cast}
-    for folder in folders.values():
-        if not _is_generated(folder):
+    folders = {system.spec.program: folders_of(system) for system in cast}
+    for each in folders.values():
+        if not _is_generated(each):
             from codegen.source import shown_path
 
-            return Unusable(f"there is no firmware in {shown_path(folder)}: run codegen build first")
+            return Unusable(f"there is no firmware in {shown_path(each.own)}: run codegen build first")
     runtime = Runtime(wanted.runtime)
     interpreter = find_interpreter(runtime)
     if interpreter is None:
@@ -188,10 +189,9 @@ def _file_and_name(given: str) -> tuple[str | None, str | None]:
     return (given, None) if is_file else (None, given)
 
 
-def _is_generated(folder: str) -> bool:
-    """Return whether an output folder has a firmware and the mocks."""
-    parts = (("firmware", "main.py"), ("mocks", "sim.py"))
-    return all(os.path.isfile(os.path.join(folder, *part)) for part in parts)
+def _is_generated(folders: "ProgramFolders") -> bool:
+    """Return whether a program has a firmware and the mocks."""
+    return all(folders.find(*path) for path in (("firmware", "main.py"), ("mocks", "sim.py")))
 
 
 def _own_code(scenario: "Scenario", system: "System") -> str | None:

@@ -1,7 +1,8 @@
 """Reads the trace of a project: its criteria, rows of tables, symbols and tests, and the reviewed texts."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from codegen.decode.marked_tests import read_tests_below
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from codegen.trace.graph import Row, Test, Trace
 from codegen.project.systems import project_folder
 
+NOTHING_SHARED: Mapping[str, str] = MappingProxyType({})
+
 
 @dataclass(frozen=True, slots=True)
 class Refused:
@@ -29,16 +32,20 @@ class Refused:
     why: str
 
 
-def read_trace(systems: Sequence[System], report: Report, files: Files = DISK) -> "Trace":
+def read_trace(
+    systems: Sequence[System], report: Report, files: Files = DISK, shared: Mapping[str, str] = NOTHING_SHARED
+) -> "Trace":
     """Return what criteria, tables, symbols and tests of a project have to do with one another.
 
-    A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
+    ``shared`` says where modules lie that programs share. A finding is about a file of tests that says nothing, or
+    about a folder of tests that lies outside of the project.
     """
     from codegen.trace.graph import hand_written, linked
+    from codegen.trace.rows import placed
 
     marked = _marked_tests(systems, files, report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
-    return linked(documents_of(systems), rows(systems), tests)
+    return linked(documents_of(systems), placed(rows(systems), shared), tests)
 
 
 def generated_tests(systems: Iterable[System]) -> "Iterator[Test]":

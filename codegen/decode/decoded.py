@@ -46,9 +46,9 @@ def decoded_with_includes(
     """
     name = _name(kind, inputs, files)
     digest = _digest(name, {}, files)
-    known = kept_object(digest) if digest else None
+    known = None if digest is None else kept_object(digest)
     if known is not None:
-        return cast(_Stated, known), digest
+        return cast(_Stated, known), digest or ""
     new = Report()
     noting, read = files.noting()
     stated = decode(noting, new)
@@ -65,7 +65,7 @@ def with_files_read(inputs: object, find: Callable[[Files], _Stated], seen: dict
     """
     name = _name("found", inputs, files)
     digest = _digest(name, seen, files)
-    known = kept_object(digest) if digest else None
+    known = None if digest is None else kept_object(digest)
     if known is not None:
         return cast(_Stated, known)
     noting, read = files.noting()
@@ -80,18 +80,18 @@ def _name(kind: str, inputs: object, files: Files) -> str:
     return entry("files", tool_digest(), kind, pickled(inputs), shipped)
 
 
-def _digest(name: str, seen: dict[str, str], files: Files) -> str:
-    """The name of what was made of the noted files, if all of them are as they were; else nothing."""
+def _digest(name: str, seen: dict[str, str], files: Files) -> str | None:
+    """The name of what was made of the noted files, if all of them are as they were; else None."""
     noted = kept(name)
     if noted is None:
-        return ""
+        return None
     for path, found in json.loads(noted).items():
         if path in seen:
             files.note({path: seen[path]})
         else:
             seen[path] = files.found_at(path)
         if seen[path] != found:
-            return ""
+            return None
     return entry(name, noted)
 
 

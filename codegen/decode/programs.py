@@ -9,6 +9,7 @@ from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
 from codegen.load.files import Files
+from codegen.model.program_folders import COMMON, SHARED_PARTS
 from codegen.model.spec.spec import ProgramProject, Project
 from codegen.source import Place, shown_path
 
@@ -24,7 +25,7 @@ BAD_PROGRAM_LIST = Rule(
 )
 
 _DEVICES = "con|prn|aux|nul|com[0-9]|lpt[0-9]"
-OUTPUT_FOLDERS = ("firmware", "mocks", "tests", "docs", "schemas", "receiver")
+OUTPUT_FOLDERS = (*SHARED_PARTS, "docs", "schemas", "receiver", COMMON)
 """The folders of the output that a program cannot be called like."""
 SPECIFICATION_FOLDERS = ("messages", "receives", "dialects", "requirements")
 """The folders beside a project file in which files of the specification lie."""

@@ -2,7 +2,7 @@
 
 import os
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from enum import Enum
 
 from codegen.diagnostics import Report, Rule
@@ -48,7 +48,7 @@ class Plan:
 
     ``files`` are in the order of their paths and end with the manifest, unless it is unchanged. ``strays`` are paths
     that neither the manifest nor the rendering knows; ``leftovers`` are unfinished files of an interrupted build.
-    ``manifest`` is the one on the disk.
+    ``manifest`` is the one on the disk. ``vacated`` are paths of which nothing may be left, as plan_output() has them.
     """
 
     folder: str
@@ -58,6 +58,7 @@ class Plan:
     leftovers: tuple[str, ...]
     force: bool
     clean: bool
+    vacated: frozenset[str] = frozenset()
 
     def place(self, path: str) -> Place:
         """The place of a file as diagnostics show it."""
@@ -75,14 +76,23 @@ class Plan:
 
     @property
     def removals(self) -> tuple[PlannedFile, ...]:
-        """The files to remove: none without ``clean``, and those that were edited by hand only with ``force`` too."""
-        return tuple(file for file in self.files if _is_removed(file.change, self.force, self.clean))
+        """The files to remove: without ``clean`` vacated ones alone, edited ones only with ``force`` too."""
+        return tuple(file for file in self.files if _is_removed(file, self.force, self.clean, self.vacated))
 
 
 def plan_output(
-    rendered: Mapping[str, str | bytes], folder: str, report: Report, *, force: bool = False, clean: bool = False
+    rendered: Mapping[str, str | bytes],
+    folder: str,
+    report: Report,
+    *,
+    force: bool = False,
+    clean: bool = False,
+    vacated: frozenset[str] = frozenset(),
 ) -> Plan | None:
     """Compare ``rendered`` (relative posix path -> text, or bytes) with ``folder``; None if the folder cannot be used.
+
+    ``vacated`` are paths that something has moved away from, or may have: what an earlier build has left there would be
+    taken for a file of the program, and is removed without ``clean``, too.
 
     Whatever is in the way is reported, all of it; nothing is written here. ValueError for paths that no target may
     render: absolute, with ``..``, the manifest's own, or one that is the folder of another.
@@ -101,12 +111,13 @@ def plan_output(
         file = _planned(folder, path, text, manifest.written(path), report)
         if file is not None:
             files.append(file)
-    new = _next_manifest(files, manifest, force, clean).text().encode("utf-8")
+    removed = {file.path for file in files if _is_removed(file, force, clean, vacated)}
+    new = _next_manifest(files, manifest, removed).text().encode("utf-8")
     if content is None or with_lf(content) != new:
         change = Change.NEW if content is None else Change.FOREIGN if read is None else Change.CHANGED
         files.append(PlannedFile(MANIFEST, change, content, new))
     strays, leftovers = other_files(folder, {*rendered, *manifest.paths, MANIFEST})
-    return Plan(folder, tuple(files), manifest, strays, leftovers, force, clean)
+    return Plan(folder, tuple(files), manifest, strays, leftovers, force, clean, vacated)
 
 
 def _planned(
@@ -161,17 +172,19 @@ def _content(folder: str, path: str, report: Report, *, is_wanted: bool = True) 
     return None, is_wanted
 
 
-def _is_removed(change: Change, force: bool, clean: bool) -> bool:
-    return clean and (change is Change.ORPHAN or (change is Change.EDITED_ORPHAN and force))
+def _is_removed(file: PlannedFile, force: bool, clean: bool, vacated: frozenset[str]) -> bool:
+    if not (clean or file.path in vacated):
+        return False
+    return file.change is Change.ORPHAN or (file.change is Change.EDITED_ORPHAN and force)
 
 
-def _next_manifest(files: Iterable[PlannedFile], manifest: Manifest, force: bool, clean: bool) -> Manifest:
+def _next_manifest(files: Iterable[PlannedFile], manifest: Manifest, removed: Container[str]) -> Manifest:
     """The manifest once the plan is carried out: orphans that stay on the disk stay recorded."""
     generated, orphans = {}, {}
     for file in files:
         if file.new is not None:
             generated[file.path] = sha256(file.new)
-        elif not _is_removed(file.change, force, clean):
+        elif file.path not in removed:
             found = sha256(file.old or b"")
             written = manifest.written(file.path)
             orphans[file.path] = found if found in written else written[0]

@@ -14,6 +14,7 @@ from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.files import DISK, Files
 from codegen.model.dialect.dialect import Dialect
+from codegen.model.program_folders import ProgramFolders, is_one_of_several, program_folders
 from codegen.model.scenario import Scenario
 from codegen.model.spec.spec import Spec
 from codegen.model.system import System
@@ -144,3 +145,10 @@ def folders_read(systems: Iterable[System]) -> list[str]:
 def output_folder(system: System) -> str:
     """The absolute path of the folder that the output goes to."""
     return os.path.normpath(os.path.join(system.spec.folder, system.spec.project.output))
+
+
+def folders_of(system: System) -> ProgramFolders:
+    """Return the folders that the output of a program lies in, as absolute paths."""
+    own, name = output_folder(system), system.spec.program
+    output = os.path.dirname(own) if name else own
+    return program_folders(output, name, has_common=is_one_of_several(system.spec))

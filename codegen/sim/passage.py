@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from contextlib import AbstractContextManager, ExitStack
 from typing import TYPE_CHECKING
 
+from codegen.model.program_folders import ProgramFolders
 from codegen.model.scenario import Stretch
 from codegen.sim.address import free_port
 from codegen.sim.flash import code_folder, flash_folder
@@ -21,7 +22,6 @@ from codegen.source import shown_path
 if TYPE_CHECKING:
     from codegen.sim.run import Simulation
 
-SCRIPT = "sim.py"
 _SHORT_MS = 100
 _MOST_SHORT_RUNS = 5
 
@@ -97,9 +97,9 @@ class Passage:
         self.process = FirmwareProcess(
             simulation.runtime,
             simulation.interpreter,
-            [program.firmware, program.mocks, *self._code],
+            [*program.paths, *self._code],
             self._flash,
-            os.path.join(program.mocks, SCRIPT),
+            program.script,
             self._settings,
             takes_turns=until_ms is not None,
         )
@@ -126,7 +126,7 @@ class Passage:
         elif not self.waits and now_s - self._heard_s > silence_s:
             problem = f"the firmware does not let time pass any more ({silence_s:g} s without a sign of it)"
             self.interrupt(watch)  # it says where it stands
-            where = _place(self.recording.traceback, self._program.mocks)
+            where = _place(self.recording.traceback, self._program.folders)
             self.recording.problem = problem + where
 
     def interrupt(self, watch: Watch) -> None:
@@ -180,7 +180,7 @@ class Passage:
             return
         if code or recording.reason != "over":
             complaints = recording.traceback or list(process.complaints)
-            recording.problem = _problem(code, complaints, self._program.mocks)
+            recording.problem = _problem(code, complaints, self._program.folders)
             recording.add(Kind.STOPPED, recording.problem)
             for line in complaints:
                 recording.add(Kind.CONSOLE, line)
@@ -191,7 +191,7 @@ class Passage:
         self._board = None
 
 
-def _problem(code: int, complaints: list[str], mocks: str) -> str:
+def _problem(code: int, complaints: list[str], folders: ProgramFolders) -> str:
     """Return why the firmware ended, from its exit code and its traceback, or what it wrote to stderr."""
     if code == 0:
         return "the firmware's main() returned"
@@ -199,11 +199,12 @@ def _problem(code: int, complaints: list[str], mocks: str) -> str:
         return f"the firmware was ended by a signal: {signal.strsignal(-code)}"
     lines = [line.strip() for line in complaints if line.strip()]
     what = lines[-1] if lines else f"exit code {code}"
-    return f"the firmware stopped: {what}{_place(lines, mocks)}"
+    return f"the firmware stopped: {what}{_place(lines, folders)}"
 
 
-def _place(traceback: Iterable[str], mocks: str) -> str:
+def _place(traceback: Iterable[str], folders: ProgramFolders) -> str:
     """`` (rover.py:4)``: where a traceback ends in the program, not in what stands in for its board; or nothing."""
     places = re.findall(r'File "(.+?)", line (\d+)', "\n".join(traceback))
-    places = [each for each in places if os.path.dirname(each[0]) != mocks] or places
+    mocks = folders.of("mocks")
+    places = [each for each in places if os.path.dirname(each[0]) not in mocks] or places
     return f" ({shown_path(places[-1][0])}:{places[-1][1]})" if places else ""

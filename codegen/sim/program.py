@@ -1,5 +1,6 @@
 """One program as a simulation runs it: where it lies, what it finds, and what is recorded of it."""
 
+import errno
 import hashlib
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -8,6 +9,7 @@ from typing import Any
 
 from codegen.frozen import dataclass
 from codegen.loop.load import TrafficLoad, traffic_load
+from codegen.model.program_folders import ProgramFolders
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
 from codegen.sim.address import LinkEnd
@@ -18,13 +20,17 @@ from codegen.sim.told import Telling
 MODULE = "app"
 """The module of the user's code where no other is named."""
 
+SCRIPT = "sim.py"
+"""The mock that runs the firmware of a simulation."""
+
 
 @dataclass(frozen=True, slots=True)
 class SimulatedProgram:
     """A program that runs: ``name`` is what it is called, ``key`` its name in the scenario, None for the vehicle's own.
 
-    ``files`` and ``chunk`` are those of its storage, in which ``parameters`` are before it starts. ``stretches`` are
-    its boards, one after the other. ``code`` is the file with the user's code, which the program imports as ``module``.
+    Its modules lie in ``folders``. ``files`` and ``chunk`` are those of its storage, in which ``parameters`` are before
+    it starts. ``stretches`` are its boards, one after the other. ``code`` is the file with the user's code, which the
+    program imports as ``module``.
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
     ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
@@ -34,8 +40,7 @@ class SimulatedProgram:
 
     name: str
     key: str | None
-    firmware: str
-    mocks: str
+    folders: ProgramFolders
     stretches: tuple[Stretch, ...]
     seed: int = 1
     files: tuple[str, ...] = ()
@@ -54,6 +59,21 @@ class SimulatedProgram:
     load: TrafficLoad | str = ""
     restart_cause: int | None = None
     ends: Mapping[str, LinkEnd] = field(default_factory=dict)
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The folders of its modules, in the order in which they are looked for."""
+        return self.folders.of("firmware", "mocks")
+
+    @property
+    def script(self) -> str:
+        """The file that is started. OSError if it is not there."""
+        path = self.folders.find("mocks", SCRIPT)
+        if path is None:
+            raise FileNotFoundError(
+                errno.ENOENT, os.strerror(errno.ENOENT), os.path.join(self.folders.own, "mocks", SCRIPT)
+            )
+        return path
 
     @property
     def folder(self) -> str:
@@ -81,9 +101,9 @@ class SimulatedProgram:
 
 
 def simulated_programs(
-    scenario: Scenario, systems: Sequence[System], folders: Mapping[str, str], code: str | None
+    scenario: Scenario, systems: Sequence[System], folders: Mapping[str, ProgramFolders], code: str | None
 ) -> tuple[SimulatedProgram, ...]:
-    """The programs of a scenario, the vehicle's own first; ``folders`` are their output folders by their name.
+    """The programs of a scenario, the vehicle's own first; ``folders`` are where each lies, by its name.
 
     ``systems`` are the programs of the project, the vehicle's own first; ``code`` is the file with the user's code.
     """
@@ -101,7 +121,7 @@ def _program(
     key: str | None,
     scenario: Scenario,
     parameters: Mapping[str, float],
-    folder: str,
+    folders: ProgramFolders,
     code: str | None,
 ) -> SimulatedProgram:
     program = system.program
@@ -109,8 +129,7 @@ def _program(
     return SimulatedProgram(
         name=key or system.spec.project.project,
         key=key,
-        firmware=os.path.join(folder, "firmware"),
-        mocks=os.path.join(folder, "mocks"),
+        folders=folders,
         stretches=scenario.stretches(key),
         seed=scenario.seed if key is None else scenario.seed + _number(key),
         files=() if storage is None else tuple(storage.files),

@@ -2,7 +2,8 @@
 
 import hashlib
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -108,6 +109,26 @@ def _wrapped(sources: tuple[str, ...]) -> str:
         else:
             lines[-1] += f", {source}" if lines[-1] else source
     return "\n#   ".join(lines)
+
+
+_HEADED = re.compile(r"# Generated from (.+?): do not edit\.\n# Inputs: (\w+)\n(.*)", re.DOTALL)
+
+
+def united(texts: Sequence[str]) -> str | None:
+    """Return the one file in place of several that differ in nothing but their headers; None where they do."""
+    if len(set(texts)) == 1:
+        return texts[0]
+    found = [_HEADED.fullmatch(text) for text in texts]
+    headers = [each for each in found if each is not None]
+    if len(headers) < len(texts) or len({each[3] for each in headers}) > 1:
+        return None
+    sources = dict.fromkeys(source for each in headers for source in _unwrapped(each[1]))
+    digest = hashlib.sha256("".join(each[2] for each in headers).encode()).hexdigest()[:16]
+    return headed(headers[0][3], Origin(tuple(sources), digest))
+
+
+def _unwrapped(text: str) -> list[str]:
+    return text.replace("\n#  ", "").split(", ")
 
 
 def copied_files(folder: str) -> dict[str, str]:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 036fab8ca1d71778
+# Inputs: 45a36aed6854cc4b
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -12,7 +12,7 @@ import re
 import time
 
 import pytest
-from interpreters import CASES, HERE, run_under
+from interpreters import CASES, HERE, path_of, run_under
 from selection import selected
 
 
@@ -46,7 +46,7 @@ def modules():
     from oracle import dialects  # noqa: PLC0415  most tests need none of it, and it takes a while
 
     cases = json.loads(CASES.read_text(encoding="utf-8"))
-    classes = (HERE.parent / "firmware" / "messages.py").read_text(encoding="utf-8")
+    classes = path_of("firmware", "messages.py").read_text(encoding="utf-8")
     names = {case["message"] for case in cases["messages"]} | set(re.findall(r'^    NAME = "(\w+)"$', classes, re.M))
     return dialects(cases["dialect"], names, HERE)
 

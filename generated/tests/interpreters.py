@@ -1,6 +1,6 @@
-# Generated from templates/tests/interpreters.py: do not edit.
-# Inputs: 064abdb7f44d35a7
-"""Runs scripts of this folder with the firmware and the mocks, under CPython or MicroPython."""
+# Generated from templates/tests/interpreters.py.j2: do not edit.
+# Inputs: 1365537ddc9ba27b
+"""Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
 import os
@@ -11,8 +11,20 @@ from functools import cache
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PATHS = [str(HERE.parent / "firmware"), str(HERE.parent / "mocks"), str(HERE)]
+FOLDERS = [HERE.parent, HERE.parents[0] / "common"]  # of this program, and of what all have alike
+PATHS = [str(folder / part) for part in ("firmware", "mocks", "tests") for folder in FOLDERS]
 CASES = HERE / "cases.json"
+sys.path.append(str(FOLDERS[-1] / "tests"))  # pytest knows the folder of the tests only
+
+
+def path_of(*names):
+    """Return where a file of the program lies, such as `"firmware", "messages.py"`."""
+    return next(path for folder in FOLDERS if (path := folder.joinpath(*names)).exists())
+
+
+def files(pattern):
+    """Return the files of the program by a pattern such as `firmware/*.py`, in the order of their names."""
+    return sorted((path for folder in FOLDERS for path in folder.glob(pattern)), key=lambda path: path.name)
 
 
 def micropython():
@@ -25,29 +37,30 @@ def micropython():
 
 @cache
 def _lists_of(script):
-    """Return the lists of a script of this folder by name, as they are written there: it is not run."""
-    statements = ast.parse((HERE / script).read_text()).body
+    """Return the lists of a script by name, as they are written there: it is not run."""
+    statements = ast.parse(path_of("tests", script).read_text()).body
     found = [each for each in statements if isinstance(each, ast.Assign) and isinstance(each.value, ast.Tuple)]
     return {ast.unparse(each.targets[0]): each.value.elts for each in found}
 
 
 def checks_of(script, listed="CHECKS"):
-    """Return the entries of a list in a script of this folder, as they are written there; none where it has no such."""
+    """Return the entries of a list in a script, as they are written there; none where it has no such."""
     return _lists_of(script).get(listed, ())
 
 
 def started(interpreter, script, *arguments, heap="2m"):
-    """Return command and environment of a script of this folder, with the firmware and the mocks on its path.
+    """Return command and environment of a script, with the firmware and the mocks on its path.
 
     `heap` is what MicroPython gets: a script that holds all cases at once needs more than others.
     """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
     program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
-    return [*program, str(HERE / script), *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
+    program.append(str(path_of("tests", script)))
+    return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
 
 
 def run_under(interpreter, script, *arguments, heap="2m"):
-    """Run a script of this folder as started() says; return what it printed."""
+    """Run a script as started() says; return what it printed."""
     command, environment = started(interpreter, script, *arguments, heap=heap)
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

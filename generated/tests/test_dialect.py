@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 679a1180fc840e65
+# Inputs: 82128e4758470eb5
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -14,7 +14,7 @@ import struct
 from functools import cache
 
 import pytest
-from interpreters import CASES, HERE
+from interpreters import CASES, files
 from oracle import message_class
 from pymavlink.generator.mavcrc import x25crc
 
@@ -158,7 +158,7 @@ def distance(one, other):
 
 def constants():
     """Return file, name and number of each constant of the firmware: `NAME = 5`, or with const()."""
-    for path in sorted((HERE.parent / "firmware").glob("*.py")):
+    for path in files("firmware/*.py"):
         for name, number in CONSTANT.findall(path.read_text(encoding="utf-8")):
             yield path.name, name, int(number, 0)
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/receiver/test_receiver.py: do not edit.
-# Inputs: d8ed85a9ab26c6f5
+# Inputs: c4ae6ddfc1e18f37
 """The receiver gives back what the firmware's cases were made of, within one unit of the wire, on both interpreters."""
 
 import json
@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from interpreters import HERE, micropython
+from interpreters import HERE, micropython, path_of
 from oracle import dialects
 from test_frames import DATA, encoded
 
@@ -48,7 +48,7 @@ def results(request, frames, tmp_path_factory):
     path.write_text("".join(f"{case['message']} {frame}\n" for case, _, frame in frames))
     folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
     program = micropython() if request.param == "micropython" else sys.executable
-    command = [program, str(HERE / "receiver_run.py"), str(HERE / "receiver_facts.json"), str(path)]
+    command = [program, str(path_of("tests", "receiver_run.py")), str(HERE / "receiver_facts.json"), str(path)]
     environment = {**os.environ, "MICROPYPATH": folder, "PYTHONPATH": folder}
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -10,7 +10,7 @@ import re
 import time
 
 import pytest
-from interpreters import CASES, HERE, run_under
+from interpreters import CASES, HERE, path_of, run_under
 from selection import selected
 
 
@@ -44,7 +44,7 @@ def modules():
     from oracle import dialects  # noqa: PLC0415  most tests need none of it, and it takes a while
 
     cases = json.loads(CASES.read_text(encoding="utf-8"))
-    classes = (HERE.parent / "firmware" / "messages.py").read_text(encoding="utf-8")
+    classes = path_of("firmware", "messages.py").read_text(encoding="utf-8")
     names = {case["message"] for case in cases["messages"]} | set(re.findall(r'^    NAME = "(\w+)"$', classes, re.M))
     return dialects(cases["dialect"], names, HERE)
 

@@ -12,7 +12,7 @@ import struct
 from functools import cache
 
 import pytest
-from interpreters import CASES, HERE
+from interpreters import CASES, files
 from oracle import message_class
 from pymavlink.generator.mavcrc import x25crc
 
@@ -156,7 +156,7 @@ def distance(one, other):
 
 def constants():
     """Return file, name and number of each constant of the firmware: `NAME = 5`, or with const()."""
-    for path in sorted((HERE.parent / "firmware").glob("*.py")):
+    for path in files("firmware/*.py"):
         for name, number in CONSTANT.findall(path.read_text(encoding="utf-8")):
             yield path.name, name, int(number, 0)
 

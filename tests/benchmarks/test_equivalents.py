@@ -7,28 +7,26 @@ import pytest
 import yaml
 from equivalents import Fault, fault_of, is_listed, listed
 from mutants import mutants_of
-from mutation import PROGRAMS
+from mutation import PROGRAMS, firmware_of
 from results import ROOT
 
 ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
 
 
-def faults(paths: list[Path], names: list[str]) -> set[Fault]:
-    texts = {name: path.read_text(encoding="utf-8") for name, path in zip(names, paths, strict=True)}
+def faults(texts: dict[str, str]) -> set[Fault]:
     found = {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
     return found | {fault._replace(within="") for fault in found}
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_every_entry_of_a_firmware_is_a_fault_there(program: str) -> None:
-    paths = sorted((ROOT / PROGRAMS[program] / "firmware").glob("*.py"))
-    texts = {path.name: path.read_text(encoding="utf-8") for path in paths}
-    assert {fault for fault in listed(texts, program) if fault.module in texts} <= faults(paths, list(texts))
+    texts = firmware_of(program)
+    assert {fault for fault in listed(texts, program) if fault.module in texts} <= faults(texts)
 
 
 def test_every_entry_of_the_generator_is_a_fault_there() -> None:
     names = sorted({entry["module"] for entry in ENTRIES if "/" in entry["module"]})
-    known = faults([ROOT / name for name in names], names)
+    known = faults({name: (ROOT / name).read_text(encoding="utf-8") for name in names})
     assert {fault for fault in listed({}) if "/" in fault.module} <= known
 
 

@@ -8,6 +8,7 @@ import loop
 import pytest
 import results
 from loop_plan import Plan
+from whole_program import module_folders
 
 from codegen.loop.costs import measured_costs
 from codegen.loop.parts import Part, Work
@@ -25,7 +26,7 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, tuple[int,
     plan = Plan(system, system.program)
     plan.count_passes()
     plan.count_messages()
-    modules = [results.ROOT / "generated" / name for name in ("firmware", "mocks")]
+    modules = module_folders(results.ROOT / "generated", "firmware", "mocks")
     rows = {row.name: row for row in loop.rows_of("rover", plan, modules, tmp_path_factory.mktemp("loop"))}
     costs = measured_costs()
     found = {name: (row.instructions, costs.instructions(row.work)) for name, row in rows.items()}

@@ -1,11 +1,11 @@
 """The soak finds nothing in the shipped firmware, and what is wrong in a changed one; `make soak` goes on for days."""
 
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 ROOT = Path(__file__).resolve().parents[2]
 HOUR_S = 660
@@ -39,8 +39,7 @@ def test_nothing_is_wrong() -> None:
 @pytest.mark.parametrize(("file", "old", "new", "said"), CHANGES)
 def test_what_is_wrong_is_found(tmp_path: Path, file: str, old: str, new: str, said: str) -> None:
     """Answers that do not come, rates that drift, numbers that are left out, stations without a place."""
-    for folder in ("firmware", "mocks", "tests"):
-        shutil.copytree(ROOT / "generated" / folder, tmp_path / folder)
+    whole_program(ROOT / "generated", tmp_path)
     text = (tmp_path / "firmware" / file).read_text()
     assert text.count(old) == 1
     (tmp_path / "firmware" / file).write_text(text.replace(old, new))

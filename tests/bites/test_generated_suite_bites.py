@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import run_suite, scripts_of, suite_is_green
+from whole_program import whole_program
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -211,11 +212,7 @@ WRONG_BEHAVIOUR = [
 def copy_of_generated(folder: Path) -> Path:
     """Copy what the suite needs of the committed output."""
     shutil.copytree(ROOT / "specs" / "dialects", folder / "specs" / "dialects")  # the suite makes pymavlink's from them
-    for name in ("firmware", "mocks", "tests"):
-        shutil.copytree(
-            ROOT / "generated" / name, folder / "generated" / name, ignore=shutil.ignore_patterns("__pycache__")
-        )
-    return folder / "generated"
+    return whole_program(ROOT / "generated", folder / "generated")
 
 
 @pytest.mark.parametrize("part", [FRAMES, BEHAVIOUR])
@@ -238,7 +235,7 @@ def test_the_suite_fails(part, file, old, new, tmp_path):
 
 def mutation(file: str, old: str, new: str) -> str:
     """The text of a file of the firmware with one change."""
-    text = (ROOT / "generated" / "firmware" / file).read_text()
+    text = SCRIPTS.path_of("firmware", file).read_text()
     assert old in text, f"{old!r} is not in {file}"
     return text.replace(old, new, 1)
 

@@ -1,12 +1,12 @@
 """The checks of a program share a process: one that ends it, or hangs, fails, and hides none of the others."""
 
 import json
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 ODD = """
@@ -47,9 +47,7 @@ CHECKS = ((passes,), (fails,), (ends,), (hangs,), (is_here,), (ends_in_company,)
 @pytest.fixture(scope="module")
 def tests(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The suite of the rover with a script of odd checks, and one that cannot be imported."""
-    folder = tmp_path_factory.mktemp("grouped")
-    for name in ("firmware", "mocks", "tests"):
-        shutil.copytree(GENERATED / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+    folder = whole_program(GENERATED, tmp_path_factory.mktemp("grouped"))
     (folder / "tests" / "odd_checks.py").write_text(ODD)
     (folder / "tests" / "broken_checks.py").write_text("import no_such_module\n")
     return folder / "tests"

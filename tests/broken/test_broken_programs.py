@@ -21,6 +21,7 @@ FAILSAFE = (
 CASES = [
     Case("bad-program-list", "codegen.yaml", LIST, "  firmware: §smart_battery/codegen.yaml", "folder firmware already"),
     Case("bad-program-list", "codegen.yaml", LIST, "  receiver: §smart_battery/codegen.yaml", "folder receiver already"),
+    Case("bad-program-list", "codegen.yaml", LIST, "  common: §smart_battery/codegen.yaml", "folder common already"),
     Case("bad-program-list", "codegen.yaml", LIST, "  aux: §smart_battery/codegen.yaml", "for a device"),
     Case("bad-program-list", "codegen.yaml", LIST, "  Smart-Battery: §smart_battery/codegen.yaml", "no name"),
     Case("bad-program-list", "codegen.yaml", LIST, "  twin: §codegen.yaml", "a folder of its own"),

@@ -6,12 +6,13 @@ from pathlib import Path
 import pytest
 
 from codegen.decode import decoded, marked_tests
-from codegen.decode.decoded import with_files_read
+from codegen.decode.decoded import decoded_with_includes, with_files_read
 from codegen.decode.marked_tests import read_tests_below
-from codegen.diagnostics import Report
+from codegen.diagnostics import Report, Rule, Severity
 from codegen.findings import catalogue
 from codegen.findings.catalogue import rule_catalogue, rule_ids
 from codegen.load.files import DISK, Files, asked_once
+from codegen.source import Place
 from codegen.tool import cache
 
 
@@ -80,6 +81,49 @@ def test_it_is_asked_again_for_other_inputs_by_another_codegen_and_with_other_di
     assert ask.count == 4
 
 
+WARNING = Rule("odd-word", "A word is odd.", Severity.WARNING)
+
+
+def decoding(made: str | None, *, is_odd: bool) -> tuple[Callable[[Report], str | None], list[Report]]:
+    """A decoder that returns ``made`` and may have something to report, and where it was asked to report it."""
+    asked: list[Report] = []
+
+    def decode(report: Report) -> str | None:
+        asked.append(report)
+        if is_odd:
+            report.add(WARNING, Place("file", 1, 1), "odd")
+        return made
+
+    return decode, asked
+
+
+@pytest.mark.parametrize(
+    ("made", "is_odd", "times"), [("good", False, 1), ("good", True, 2), (None, False, 2), (None, True, 2)]
+)
+def test_what_is_decoded_is_kept_where_there_is_nothing_to_report(made: str | None, is_odd: bool, times: int) -> None:
+    """Else it would be told in the first run alone; both ways of decoding hand it to whoever asks."""
+    decode, asked = decoding(made, is_odd=is_odd)
+    for _ in range(2):
+        report, other = Report(), Report()
+        assert decoded.decoded("kind", "content", "path", decode, report) == made
+        stated, digest = decoded_with_includes("kind", "input", lambda _, new: decode(new), DISK, other)
+        assert stated == made
+        assert bool(digest) is (made is not None and not is_odd)
+        assert [finding.message for finding in (*report, *other)] == ["odd"] * (2 * is_odd)
+        later_run()
+    assert len(asked) == 2 * times
+
+
+def test_what_is_decoded_is_that_of_the_kind_the_content_and_the_path() -> None:
+    """Places name the path, and a file can be read as several kinds."""
+    ways = [("kind", "content", "path"), ("other", "content", "path"), ("kind", "other", "path"),
+            ("kind", "content", "other")]  # fmt: skip
+    for _ in range(2):
+        made = [decoded.decoded(*way, lambda _, way=way: way, Report()) for way in ways]
+        assert made == ways
+        later_run()
+
+
 def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) -> None:
     """Two documents are compared with one dialect, which is read once: an edit of it concerns both."""
     file = tmp_path / "file"
@@ -92,6 +136,19 @@ def test_files_that_were_read_for_somebody_else_count_as_well(tmp_path: Path) ->
         file.write_text(text)
         assert texts() == ([text], [text])
         later_run()
+
+
+def test_what_was_compared_before_counts_for_whoever_notes(tmp_path: Path) -> None:
+    """A file that ``seen`` has is not read again, and is one that the answer depends on all the same."""
+    file = tmp_path / "file"
+    file.write_text("1")
+    ask, seen = Asked(file), dict[str, str]()
+    for _ in range(3):
+        noting, read = DISK.noting()
+        assert with_files_read("one", ask, seen, noting) == ["1"]
+        assert str(file) in read
+        later_run()
+    assert ask.count == 1
 
 
 def test_who_notes_inside_of_another_note_notes_for_both(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from codegen.commands import document_findings
 from codegen.diagnostics import Report, Rule
 from codegen.findings.catalogue import rule_catalogue
 from codegen.source import Place
+from codegen.targets.shared_files import Output
 
 
 @dataclass
@@ -50,8 +51,8 @@ class Pipeline:
     def read_trace_lock(self, _project_file: str, _report: Report) -> None:
         """There is no lock file."""
 
-    def render_systems(self, _systems: object) -> dict[str, str]:
-        return self.files
+    def render_systems(self, _systems: object) -> Output:
+        return Output(self.files, {}, frozenset())
 
     def files_read(self, _systems: object) -> set[str]:
         return set()

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from whole_program import module_folders
 
 from codegen.cli import main
 
@@ -53,7 +54,7 @@ def test_the_program_runs_from_its_image(project: Path, capsys: pytest.CaptureFi
     assert f"mpremote romfs deploy {image}" in capsys.readouterr().err
     script.write_text(STARTED)
     command = [str(Path(sys.executable).parent / "micropython"), str(script), str(image)]
-    paths = {"MICROPYPATH": os.pathsep.join([".frozen", str(project / "generated" / "mocks")])}
+    paths = {"MICROPYPATH": os.pathsep.join([".frozen", *map(str, module_folders(project / "generated", "mocks"))])}
     done = subprocess.run(command, env={**os.environ, **paths}, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     listed, said = done.stdout.splitlines()[0], done.stdout.splitlines()[-1]

@@ -33,6 +33,17 @@ def test_short_texts_are_whole_and_long_ones_end_behind_a_word() -> None:
     assert difference("a" * 300, "b" * 300) == ("a" * 236 + " ...", "b" * 236 + " ...")
 
 
+def test_what_is_just_short_enough_is_whole() -> None:
+    """Texts of 70 characters; changes with eight words between them, which both would show."""
+    text = "word " * 13 + "words"
+    assert len(text) == 70
+    assert difference(text, text.replace("words", "other")) == (text, text.replace("words", "other"))
+    assert difference(text + "x", "x" + text)[0] != text + "x"
+    one, two = (difference(LONG, LONG.replace("word10 ", "x ").replace(f"word{at} ", "y "))[0] for at in (19, 20))
+    assert one == f"... {' '.join(f'word{number}' for number in range(6, 24))} ..."
+    assert "word14 ... word16" in str(two)
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_what_differs_always_differs_in_what_is_shown(seed: int) -> None:
     """Whatever is changed: both excerpts differ, are short, and consist of whole words."""

@@ -7,12 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from codegen.answers.fixed import FixedAnswer
 from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
 from codegen.diff.reach import traces, with_reach
 from codegen.diff.report.review import Review, as_finding, fails, review
+from codegen.diff.system.population import population_changes
 from codegen.diff.system.system import compare_systems
 from codegen.findings.text import finding_text
+from codegen.model.answers.answer import Answer
 from codegen.model.system import System
 from codegen.project.systems import read_systems
 
@@ -143,3 +146,61 @@ def test_a_rate_s_default_stands_below_its_stream(project: Path, before: tuple[S
     assert [each.first.rule.id for each in stream.following] == ["parameter-default-changed"]
     assert not any(group.first.rule.id == "parameter-default-changed" for group in found.groups)
     assert "firmware/telemetry.py: build_battery_status" in stream.following[0].reach.symbols
+
+
+NAN = float("nan")
+"""What a float field carries that is unknown; it is not equal to itself."""
+
+
+def fixed(value: float, meaning: str = "", *, is_unknown: bool = False) -> Callable[[Answer], Answer]:
+    return lambda answer: FixedAnswer(answer.covers, (value,), meaning or str(value), is_unknown)
+
+
+def as_it_is(answer: Answer) -> Answer:
+    return answer
+
+
+TOLD = "whether it still tells receivers of the same thing"
+
+
+@pytest.mark.parametrize(
+    ("field", "before_it", "after_it", "weight", "said"),
+    [
+        ("current", as_it_is, fixed(5.5), "silent", "always 5.5, which receivers take for what is so now"),
+        ("current", as_it_is, fixed(NAN, is_unknown=True), "breaking", "receivers hear nothing of it any more"),
+        ("current", fixed(5.5), as_it_is, "harmless", ""),
+        ("current", fixed(NAN, is_unknown=True), as_it_is, "harmless", ""),
+        ("current", fixed(5.5), fixed(6.5), "person", "whether 6.5 is what receivers are to be told in place of 5.5"),
+        ("current", fixed(5.5), fixed(5.5, "five and a half"), "harmless", ""),
+        ("current", fixed(NAN), fixed(NAN, "no number"), "harmless", ""),
+        ("current", fixed(NAN, is_unknown=True), fixed(NAN), "harmless", ""),
+        ("current", fixed(5.5), fixed(NAN), "person", "whether nan is what receivers are to be told in place of 5.5"),
+        ("current", fixed(NAN), fixed(5.5), "person", "whether 5.5 is what receivers are to be told in place of nan"),
+        ("current", as_it_is, "voltage", "person", TOLD),
+        ("temperature", as_it_is, fixed(32767), "breaking", "receivers hear nothing of it any more"),
+        ("id", as_it_is, fixed(1), "silent", "always 1, which receivers take for what is so now"),
+    ],
+)
+def test_what_an_element_carries_from_now_on(
+    field: str,
+    before_it: Callable[[Answer], Answer],
+    after_it: Callable[[Answer], Answer] | str,
+    weight: str,
+    said: str,
+    before: tuple[System, ...],
+) -> None:
+    """A number that stands still is taken for what is so; one that comes, or means the same, harms nobody."""
+    system = before[0]
+    message = next(each for each in system.messages if each.name == "BATTERY_STATUS_V2")
+    answers = {answer.covers.label: answer for answer in message.answers}
+
+    def changed(answer: Answer, edit: Callable[[Answer], Answer] | str) -> Answer:
+        return replace(answers[edit], covers=answer.covers) if isinstance(edit, str) else edit(answer)
+
+    sides = []
+    for edit in (before_it, after_it):
+        edited = replace(message, answers=tuple({**answers, field: changed(answers[field], edit)}.values()))
+        sides.append(replace(system, messages=tuple(edited if one is message else one for one in system.messages)))
+    (found,) = population_changes(*sides)
+    assert (found.subject, found.weight) == (f"BATTERY_STATUS_V2.{field}", weight)
+    assert (found.effect or found.doubt) == said

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = """
@@ -45,7 +46,7 @@ def firmware(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("earlier")
     done = built(folder, BATT_VOLT_MULT="{BATT_DIVIDER: 2}", SYSID_THISMAV="{SYS_ID: 1}")
     assert done.returncode == 0, done.stdout + done.stderr
-    return folder / "generated" / "firmware"
+    return whole_program(folder / "generated", folder / "whole") / "firmware"
 
 
 @pytest.mark.parametrize("interpreter", ["python", "micropython"])

@@ -67,7 +67,7 @@ def test_fields_that_modules_write_are_those_that_a_dialect_has_to_have() -> Non
 
 def test_modules_have_the_places_of_fields_that_pymavlink_has() -> None:
     """As they stand in the rover's firmware."""
-    service = PROGRAM.parents[2] / "generated" / "firmware" / "parameter_service.py"
+    service = PROGRAM.parents[2] / "generated" / "common" / "firmware" / "parameter_service.py"
     found = dict(re.findall(r"_PARAM_VALUE_(\w+)_AT = const\((\d+)\)", service.read_text("utf-8")))
     message = common.MAVLink_param_value_message(b"ABCDEFGHIJKLMNOP", 0.0, 9, 0x0201, 0x0403)
     payload = message.pack(common.MAVLink(None))[10:]

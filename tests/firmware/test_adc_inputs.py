@@ -4,17 +4,18 @@ The firmware of the rover runs on MicroPython with its mocks, in one process for
 """
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
 
 SCRIPT = """
-import json, sys
-sys.path[:0] = ["generated/firmware", "generated/mocks"]
+import json
 import mock_time
 mock_time.install()
 import machine
@@ -82,7 +83,8 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
     script = tmp_path_factory.mktemp("faults") / "faults.py"
     script.write_text(SCRIPT)
     command = [str(Path(sys.executable).with_name("micropython")), str(script)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    path = {"MICROPYPATH": os.pathsep.join(map(str, module_folders(ROOT / "generated", "firmware", "mocks")))}
+    done = subprocess.run(command, env={**os.environ, **path}, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     found: dict[str, list[str]] = json.loads(done.stdout)
     return found

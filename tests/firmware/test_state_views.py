@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
-FIRMWARE = Path(__file__).resolve().parents[2] / "generated" / "firmware"
+PATHS = module_folders(Path(__file__).resolve().parents[2] / "generated", "firmware", "mocks")
 SCRIPT = """
 import json
 import sys
@@ -38,8 +39,9 @@ print(json.dumps([made, seen, failed, hasattr(battery, "hot"), hasattr(battery, 
 def test_attributes_are_made_when_they_are_used(interpreter: str) -> None:
     """By the first who reads or sets one, for all instances; nothing else is one, and other names stay plain."""
     command = [str(Path(sys.executable).parent / interpreter), "-c", SCRIPT]
-    environment = {**os.environ, "PYTHONPATH": str(FIRMWARE.with_name("mocks")), "PYTHONDONTWRITEBYTECODE": "1"}
-    done = subprocess.run(command, cwd=FIRMWARE, env=environment, capture_output=True, text=True, check=True)
+    path = os.pathsep.join(map(str, PATHS))
+    environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     made, seen, failed, is_known, is_guessed, limited, told = json.loads(done.stdout)
     assert made == [False, False, False, True, True, True, False, False]
     assert seen == [12500, False, 7, None, 12500]

@@ -1,13 +1,13 @@
 """A sample of the hostile bytes that `make fuzz` lets arrive, and what it says where something is wrong."""
 
 import random
-import shutil
 from pathlib import Path
 
 import hostile
 import measure
 import pytest
 from pymavlink.dialects.v20 import common
+from whole_program import whole_program
 
 FRAME = bytes(common.MAVLink_ping_message(1, 7, 0, 0).pack(common.MAVLink(None, srcSystem=255)))
 KNOWN = {4: 237}
@@ -32,8 +32,7 @@ CHANGES = [
 @pytest.mark.parametrize(("file", "old", "new", "port", "said"), CHANGES)
 def test_what_is_wrong_is_found(tmp_path: Path, file: str, old: str, new: str, port: str, said: str) -> None:
     """Frames that are lost, too much work for a pass, exceptions."""
-    for folder in ("firmware", "mocks", "tests"):
-        shutil.copytree(measure.ROOT / "generated" / folder, tmp_path / folder)
+    whole_program(measure.ROOT / "generated", tmp_path)
     text = (tmp_path / "firmware" / file).read_text()
     assert text.count(old) == 1
     (tmp_path / "firmware" / file).write_text(text.replace(old, new))

@@ -33,15 +33,15 @@ print(json.dumps(found))
 
 def test_what_takes_long_is_listed_as_long() -> None:
     """No check that every edit runs goes through more than five seconds, or moves the clock so often."""
-    tests = ROVER / "tests"
-    checks_of = scripts_of(tests).checks_of
+    scripts = scripts_of(ROVER / "tests")
+    checks_of = scripts.checks_of
     asked = []
-    for path in sorted(tests.glob("*_checks.py")):
+    for path in scripts.files("tests/*_checks.py"):
         long = {check.id for check in checks_of(path.name, "LONG")}
         names = [entry.elts[0].id for entry in checks_of(path.name)]
         assert long <= set(names), path.name
         asked += [f"{path.stem} {name}" for name in names if name not in long and path.stem != "steady_checks"]
-    path = os.pathsep.join(str(ROVER / name) for name in ("firmware", "mocks", "tests"))
+    path = os.pathsep.join(scripts.PATHS)
     done = subprocess.run(
         [sys.executable, "-c", COUNTING, "9", *asked],
         capture_output=True, text=True, check=True, env={**os.environ, "PYTHONPATH": path},

@@ -93,7 +93,7 @@ def test_what_mypy_says_is_shown(checkout: Path) -> None:
 @pytest.mark.parametrize("failing", ["", "one", "two"])
 def test_suites_of_further_programs_run_beside_the_others(checkout: Path, failing: str) -> None:
     """Each of them, also where another one fails; which is shown, and fails the whole."""
-    for name in ("one", "two"):
+    for name in ("one", "two", "common"):  # in the last one lies what they share, and no test
         (checkout / "generated" / name / "tests").mkdir(parents=True)
     suites = [
         f"python -m pytest -p no:xdist --junit-xml=build/results/{name}.xml generated/{name}/tests"

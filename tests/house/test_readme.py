@@ -33,7 +33,7 @@ def test_example_prints_what_the_readme_shows(tmp_path):
     """The program runs under MicroPython, its output is the README's, and pymavlink decodes the frame."""
     script = tmp_path / "example.py"
     script.write_text(block("python", "MockBoard"))
-    environment = {**os.environ, "MICROPYPATH": "generated/firmware:generated/mocks"}
+    environment = {**os.environ, "MICROPYPATH": re.findall(r"(?m)^path=(.+)$", block("sh", "MICROPYPATH"))[0]}
     command = [str(BIN / "micropython"), str(script)]
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True)
     assert done.stdout == block("text", "9549 mV")

@@ -17,6 +17,7 @@ from codegen.load.markdown import parse_markdown
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "specs" / "requirements"
+SUITE, COMMON = ROOT / "generated" / "tests", ROOT / "generated" / "common" / "tests"
 DOCUMENT = FOLDER / "ADR-00018-battery-protocol-statements.md"
 
 ROW = re.compile(r"\| (\d+) \| ((?:RFC|Page) \d.*?) \| (.+) \| (met|answered): (.+) \|")
@@ -77,8 +78,9 @@ def has(target: str, name: str) -> bool:
         return name.startswith("test_") and any(getattr(node, "name", None) == name for node in module.body)
     lists = [node for node in module.body if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "CHECKS"]
     run = {node.id for listed in lists for node in ast.walk(listed) if isinstance(node, ast.Name)}
-    callers = "\n".join(caller.read_text() for caller in path.parent.glob("test_*.py"))
-    is_run = f'"{path.name}"' in callers or (path.name.endswith("_checks.py") and '"*_checks.py"' in callers)
+    folders = [path.parent, *([SUITE] if path.parent == COMMON else [])]
+    callers = "\n".join(caller.read_text() for folder in folders for caller in folder.glob("test_*.py"))
+    is_run = f'"{path.name}"' in callers or (path.name.endswith("_checks.py") and '*_checks.py"' in callers)
     return is_run and name in run
 
 
@@ -116,7 +118,7 @@ def targets_of_tests() -> list[tuple[str, str]]:
         ("| 2 | RFC 15", "| 3 | RFC 15", "not numbered on: 3"),
         ("met: FR-00072.1, [test_layout], ", "met: FR-00072.77, [test_layout], ", "no such criterion: FR-00072.77"),
         ("[test_layout]: ../../tests/", "[test_layout]: ../../test/", "test_overlay_frames.py has no test_layout"),
-        ("[told_besides]", "[told_always]", "generated/tests/announcement_checks.py has no told_always"),
+        ("[told_besides]", "[told_always]", "generated/common/tests/announcement_checks.py has no told_always"),
         ("[systems_are_apart], ", "", "named nowhere: systems_are_apart"),
         ("[told_besides]: ", "[told_never]: ", "no file for told_besides"),
         ("[SYS_STATUS.current_battery-unknown]", "[SYS_STATUS.current-unknown]", "has no SYS_STATUS.current-unknown"),

@@ -55,7 +55,7 @@ def slot_of(budget: LoopBudget, words: str) -> Slot:
 def test_jobs_are_those_of_the_generated_program(specs: Path) -> None:
     """In their order, with their names and periods, of each program of a project."""
     systems = systems_of(specs)
-    files = render_systems(systems)
+    files = render_systems(systems).files
     for system in systems:
         program = system.program
         assert program is not None
@@ -75,7 +75,7 @@ def test_what_a_pass_does_is_what_the_firmware_has() -> None:
         systems = systems_of(specs)
         system = systems[1 if folder else 0]
         assert system.program is not None
-        vehicle = render_systems(systems)[f"{folder}firmware/vehicle.py"]
+        vehicle = render_systems(systems).files[f"{folder}firmware/vehicle.py"]
         assert re.findall(r"MESSAGES = (\d+)", vehicle) == [str(messages_of_a_pass(system.program))] == [str(messages)]
         assert (
             re.findall(r"_JOBS = const\((\d+)\)", vehicle)

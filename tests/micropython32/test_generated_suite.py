@@ -18,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = ("day", "heap", "station", "generation", "announcement", "return", "link", "stop")
 """Simulated days, for which it would take minutes, and what counts nothing that 32 bits would not hold."""
 NO_NETWORK = "datagrams_over_the_loopback"  # this MicroPython has none
-SCRIPTS = sorted(path.name.removesuffix("_checks.py") for path in (ROOT / "generated" / "tests").glob("*_checks.py"))
+CHECKS = scripts_of(ROOT / "generated" / "tests").files("tests/*_checks.py")
+SCRIPTS = [path.name.removesuffix("_checks.py") for path in CHECKS]
 
 
 @pytest.fixture(scope="module")

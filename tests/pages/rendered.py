@@ -47,7 +47,7 @@ def programs_of(folder: Path) -> list[Program]:
     report = Report()
     systems = read_systems(str(folder / "codegen.yaml"), report)
     assert not report.has_errors, [finding.message for finding in report]
-    files = render_systems(systems)
+    files = render_systems(systems).files
     return [
         Program(
             system,

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from generated_suite import suite_is_green
 from test_smart_battery import run
+from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
 CHECKED = 9
@@ -19,7 +20,7 @@ POLICY = "represents: {battery: {parameter: BATT_SYS_STATUS}}"
 
 def check(generated: Path, interpreter: str, cells: int) -> None:
     """Run the checks on the rover's program in a folder."""
-    folders = [str(generated / name) for name in ("firmware", "mocks", "tests")]
+    folders = map(str, module_folders(generated, "firmware", "mocks", "tests"))
     outcomes = json.loads(run(interpreter, folders, "protocol_checks.py", str(cells), seconds=200))
     assert len(outcomes) == CHECKED
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}

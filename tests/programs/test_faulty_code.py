@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(sys.executable).parent
@@ -38,7 +39,7 @@ def outcome(folder: Path, code: str | None, interpreter: str) -> list[object]:
     if code is not None:
         (folder / "rover.py").write_text(code)
     (folder / "script.py").write_text(SCRIPT)
-    paths = [str(ROOT / "generated" / name) for name in ("firmware", "mocks", "tests")]
+    paths = map(str, module_folders(ROOT / "generated", "firmware", "mocks", "tests"))
     path = os.pathsep.join([str(folder), *paths, *([".frozen"] if interpreter == "micropython" else [])])
     done = subprocess.run(
         [str(BIN / interpreter), str(folder / "script.py")],

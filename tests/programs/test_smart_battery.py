@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
-BATTERY = ROOT / "generated" / "smart_battery"
-PATHS = [str(BATTERY / name) for name in ("firmware", "mocks", "tests")]
+PATHS = [*map(str, module_folders(ROOT / "generated", "firmware", "mocks", "tests", program="smart_battery"))]
 
 
 def run(interpreter, folders, script, *arguments, given="", seconds=100):

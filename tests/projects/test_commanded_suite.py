@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from generated_suite import suite_is_green
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -93,3 +94,15 @@ def test_they_are_evidence_for_what_the_commands_cite(boat: Path) -> None:
         assert f"[{interpreter}-command-cancelled_ends-FR-301.6]" in listed
         assert f"[{interpreter}-command-modes_are_entered-FR-301.9]" in listed
         assert f"[{interpreter}-command-ends_are_done-FR-301.2-FR-301.3]" in listed
+
+
+def test_a_vehicle_whose_commands_are_all_short(tmp_path):
+    """Its program answers with the results that commands have, and has nothing of those that take long."""
+    shutil.copytree(HERE / "commanded" / "specs", tmp_path / "specs")
+    commands = tmp_path / "specs" / "commands.yaml"
+    assert "    long: true\n" in commands.read_text()
+    commands.write_text(commands.read_text().replace("    long: true\n", ""))
+    built = subprocess.run([str(BIN / "codegen"), "build"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert built.returncode == 0, built.stdout + built.stderr
+    assert not (tmp_path / "generated" / "firmware" / "long_commands.py").exists()
+    suite_is_green(tmp_path, "generated/tests", only="test_program and micropython-command")

@@ -12,6 +12,8 @@ from pathlib import Path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from codegen.model.program_folders import program_folders
+
 GENERATED = Path(sys.argv[1])
 LARGEST = 2**30 - 1
 FACTS = json.loads((GENERATED / "tests" / "receiver_facts.json").read_text())
@@ -23,7 +25,7 @@ time.ticks_diff = lambda later, earlier: later - earlier
 def loaded(folders, *names):
     """Modules of some folders, after which no other module of theirs is in the way."""
     before, path = set(sys.modules), list(sys.path)
-    sys.path[:0] = [str(GENERATED / folder) for folder in folders]
+    sys.path[:0] = program_folders(str(GENERATED)).of(*folders)
     modules = [importlib.import_module(name) for name in names]
     sys.path[:] = path
     for name in set(sys.modules) - before:

@@ -1,6 +1,7 @@
 """A third battery, or one more cell, is one edit of board.yaml: everything else follows."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import generated_suite
 import pytest
 from test_change_goes_everywhere import ROOT, apply, run
+from whole_program import module_folders
 
 ANYWHERE = "arming or instance or monitor or good_count or broken_board or order_within or partial_writes"
 SECOND = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
@@ -32,9 +34,9 @@ def parameters_of(project: Path) -> dict[str, float]:
     """Name and default of every parameter, as the firmware itself tells them."""
     script = "import json; from parameters import Parameters; p = Parameters(); "
     script += "print(json.dumps({name: p.get(name) for name in p.names()}))"
-    command = [sys.executable, "-c", script]
-    firmware = project / "generated" / "firmware"
-    done = subprocess.run(command, cwd=firmware, capture_output=True, text=True, check=True)
+    path = os.pathsep.join(map(str, module_folders(project / "generated", "firmware")))
+    command, environment = [sys.executable, "-c", script], {**os.environ, "PYTHONPATH": path}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     told: dict[str, float] = json.loads(done.stdout)
     return told
 

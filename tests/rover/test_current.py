@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 from pymavlink.dialects.v20 import common
+from whole_program import module_folders
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -29,7 +30,7 @@ HALF = Fraction(1, 2)
 @pytest.fixture(scope="module", params=["python", "micropython", "micropython32"])
 def told(request: pytest.FixtureRequest) -> Any:
     """Return the output of the story on an interpreter."""
-    folders = [str(GENERATED / name) for name in ("firmware", "mocks", "tests")]
+    folders = [*map(str, module_folders(GENERATED, "firmware", "mocks", "tests"))]
     paths = {"PYTHONPATH": os.pathsep.join(folders), "MICROPYPATH": os.pathsep.join([".frozen", *folders])}
     command = [str(BIN / request.param), str(HERE / "current_story.py")]
     done = subprocess.run(command, env={**os.environ, **paths}, capture_output=True, text=True, check=False)

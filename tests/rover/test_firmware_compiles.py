@@ -6,11 +6,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
-FIRMWARE = Path(__file__).resolve().parents[2] / "generated" / "firmware"
+FIRMWARE = module_folders(Path(__file__).resolve().parents[2] / "generated", "firmware")
+MODULES = sorted((path for folder in FIRMWARE for path in folder.glob("*.py")), key=lambda path: path.name)
 
 
-@pytest.mark.parametrize("path", sorted(FIRMWARE.glob("*.py")), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.name)
 def test_compiles_for_boards(path, tmp_path):
     """As native code for RP2040 and RP2350 (armv6m); and as plain bytecode, except what asks for native code."""
     for options in (["-march=armv6m"], []):

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from pymavlink import mavutil
+from whole_program import module_folders
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
@@ -44,7 +45,7 @@ def test_ten_seconds_of_telemetry_arrive(tmp_path):
     try:
         port = ground.port.getsockname()[1]
         (tmp_path / "rover.py").write_text(ROVER)
-        path = os.pathsep.join([str(GENERATED / "firmware"), str(GENERATED / "mocks")])
+        path = os.pathsep.join(map(str, module_folders(GENERATED, "firmware", "mocks")))
         command = [str(Path(sys.executable).with_name("micropython")), str(tmp_path / "rover.py"), str(port)]
         subprocess.run(command, check=True, env={**os.environ, "MICROPYPATH": path}, timeout=60)
         received = []

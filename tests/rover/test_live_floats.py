@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 from codegen.diagnostics import Report
 from codegen.project.systems import read_systems
@@ -80,10 +81,11 @@ print(is_plain, allocated, more, link.sequence, link.tx_errors)
 @pytest.mark.parametrize("form", ["viper", "plain"])
 def test_new_messages_allocate_nothing(form: str, tmp_path: Path) -> None:
     """Unknown, limits and numbers of more than 24 bits, each battery; in machine code and in plain Python."""
-    hidden = ("__pycache__",) if form == "viper" else ("__pycache__", "*_viper.py")
-    shutil.copytree(GENERATED / "firmware", tmp_path / "firmware", ignore=shutil.ignore_patterns(*hidden))
+    whole_program(GENERATED, tmp_path)
+    for path in (tmp_path / "firmware").glob("*_viper.py") if form == "plain" else ():
+        path.unlink()
     (tmp_path / "script.py").write_text(SCRIPT)
-    path = os.pathsep.join([str(tmp_path / "firmware"), str(GENERATED / "mocks")])
+    path = os.pathsep.join([str(tmp_path / "firmware"), str(tmp_path / "mocks")])
     command = [str(Path(sys.executable).with_name("micropython")), str(tmp_path / "script.py")]
     environment = {**os.environ, "MICROPYPATH": path}
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False, timeout=60)

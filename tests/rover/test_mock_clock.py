@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from whole_program import module_folders
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
@@ -30,7 +31,7 @@ def test_firmware_imported_before_the_mocks(interpreter, tmp_path):
     """A fresh reading goes out, and an old one does not: state and telemetry look at the same clock."""
     script = tmp_path / "script.py"
     script.write_text(SCRIPT)
-    path = os.pathsep.join([str(GENERATED / "firmware"), str(GENERATED / "mocks")])
+    path = os.pathsep.join(map(str, module_folders(GENERATED, "firmware", "mocks")))
     program = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
     environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": path}
     command = [program, str(script)]

@@ -1,12 +1,12 @@
 """The whole way from a reading to the bytes on the wire allocates nothing, not even for a moment."""
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 
@@ -90,10 +90,11 @@ for function in (build_and_send, sample, stream):
 def counts(request, tmp_path_factory):
     """Return the output of the script, lists of numbers: with all modules in machine code, and in plain Python."""
     folder = tmp_path_factory.mktemp(request.param)
-    hidden = ("__pycache__", "*_viper.py") if request.param == "plain" else ("__pycache__",)
-    shutil.copytree(GENERATED / "firmware", folder / "firmware", ignore=shutil.ignore_patterns(*hidden))
+    whole_program(GENERATED, folder)
+    for path in (folder / "firmware").glob("*_viper.py") if request.param == "plain" else ():
+        path.unlink()
     (folder / "script.py").write_text(SCRIPT)
-    path = os.pathsep.join([str(folder / "firmware"), str(GENERATED / "mocks")])
+    path = os.pathsep.join([str(folder / "firmware"), str(folder / "mocks")])
     command = [str(Path(sys.executable).with_name("micropython")), str(folder / "script.py")]
     done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "MICROPYPATH": path}, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from whole_program import module_folders
 
 pytestmark = pytest.mark.draft("battery_upstream")
 
@@ -28,7 +29,7 @@ Step = list[tuple[str, Any]]
 @pytest.fixture(scope="module")
 def wire() -> ModuleType:
     """pymavlink's module of the three messages."""
-    path = GENERATED / "tests" / "oracle.py"
+    path = next(path for folder in module_folders(GENERATED, "tests") for path in folder.glob("oracle.py"))
     specification = importlib.util.spec_from_file_location("picture_oracle", path)
     assert specification is not None
     assert specification.loader is not None
@@ -41,7 +42,7 @@ def wire() -> ModuleType:
 
 def printed(script: str, given: str, names: tuple[str, ...], interpreter: str = "python") -> str:
     """Return the output of a script beside this file, with generated folders on its path."""
-    folders = [str(GENERATED / name) for name in names]
+    folders = [*map(str, module_folders(GENERATED, *names))]
     paths = {"PYTHONPATH": os.pathsep.join(folders), "MICROPYPATH": os.pathsep.join([".frozen", *folders])}
     command = [str(BIN / interpreter), str(HERE / script)]
     done = subprocess.run(

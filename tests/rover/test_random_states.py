@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from pymavlink.dialects.v10 import common as v10
 from pymavlink.dialects.v20 import common as v20
+from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"
@@ -182,7 +183,7 @@ def test_frames_equal_pymavlinks(interpreter, tmp_path):
     (tmp_path / "script.py").write_text(SCRIPT)
     micropython = [str(Path(sys.executable).with_name("micropython")), "-X", "heapsize=8m"]  # for all states at once
     program = [sys.executable] if interpreter == "cpython" else micropython
-    path = os.pathsep.join([str(GENERATED / "firmware"), str(GENERATED / "mocks")])
+    path = os.pathsep.join(map(str, module_folders(GENERATED, "firmware", "mocks")))
     environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": path}
     command = [*program, str(tmp_path / "script.py"), str(tmp_path / "states.json")]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)

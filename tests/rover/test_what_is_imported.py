@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from pymavlink.dialects.v20 import common
+from whole_program import module_folders
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 ANSWERED = (
@@ -51,7 +52,7 @@ print(" ".join(sys.modules))
 def test_names_of_fields_are_not_read() -> None:
     """Not by the vehicle that has started, reported and answered: services and telemetry know the places of fields."""
     link = common.MAVLink(None, srcSystem=255, srcComponent=190)
-    path = os.pathsep.join([str(GENERATED / "firmware"), str(GENERATED / "mocks")])
+    path = os.pathsep.join(map(str, module_folders(GENERATED, "firmware", "mocks")))
     done = subprocess.run(
         [sys.executable, "-B", "-c", SCRIPT],
         input="\n".join(message.pack(link).hex() for message in ANSWERED),

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from whole_program import whole_program
 
 from codegen.cli import main
 
@@ -47,8 +48,7 @@ def station() -> Iterator[Station]:
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project folder, which is the working directory."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
-    for part in ("firmware", "mocks"):
-        shutil.copytree(ROOT / "generated" / part, tmp_path / "generated" / part)
+    whole_program(ROOT / "generated", tmp_path / "generated")
     for file in STANDIN.glob("*.py"):
         shutil.copy(file, tmp_path / "generated" / "firmware")
     monkeypatch.chdir(tmp_path)

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from codegen.diagnostics import Report
+from codegen.model.program_folders import ProgramFolders
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import Course, Point, Scenario
 from codegen.project.systems import read_system
@@ -45,7 +46,7 @@ def program(played: Scenario, folder: str = "", key: str | None = None, **rest: 
         "guards": guards(SYSTEM),
     }
     return SimulatedProgram(
-        key=key, firmware=f"{folder}/firmware", mocks=f"{folder}/mocks", stretches=played.stretches(key),
+        key=key, folders=ProgramFolders(folder), stretches=played.stretches(key),
         **values | rest,
     )  # fmt: skip
 

@@ -142,8 +142,8 @@ def test_a_turn_ends_where_it_has_to(project: Path, tmp_path: Path) -> None:
     interpreter = find_interpreter(Runtime.MICROPYTHON)
     assert interpreter is not None
     process = FirmwareProcess(
-        Runtime.MICROPYTHON, interpreter, [played_program.firmware, played_program.mocks], str(flash),
-        f"{played_program.mocks}/sim.py", str(settings), takes_turns=True,
+        Runtime.MICROPYTHON, interpreter, played_program.paths, str(flash),
+        played_program.script, str(settings), takes_turns=True,
     )  # fmt: skip
     try:
         ends = []

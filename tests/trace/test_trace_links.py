@@ -149,7 +149,7 @@ def test_reports_mark_what_is_suspect(changed: Project, capsys: pytest.CaptureFi
 
 def test_the_page_of_a_build_marks_rows(changed: Project) -> None:
     """It knows the lock and nothing of tests by hand."""
-    text = render_systems(read_systems(changed.file, Report()))["docs/trace.html"]
+    text = render_systems(read_systems(changed.file, Report())).files["docs/trace.html"]
     assert text.count('<span class="bad">suspect</span>') == len(ALL) - 1
     assert "test_beats" not in text
 

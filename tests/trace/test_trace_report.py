@@ -110,7 +110,7 @@ def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     """It says what was reviewed, but knows of no test by hand, no result and no path of this machine."""
     project.run("accept", "--all", "--reason", "x")
     systems = read_systems(project.file, Report())
-    first, second = (render_systems(systems)["docs/trace.html"] for _ in range(2))
+    first, second = (render_systems(systems).files["docs/trace.html"] for _ in range(2))
     assert first == second
     assert "test_seven" not in first
     assert "trace-uncovered" not in first
@@ -119,7 +119,7 @@ def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     assert str(project.folder) not in first
     assert str(project.lock) in files_read(systems)
     project.tests.unlink()
-    assert render_systems(systems)["docs/trace.html"] == first
+    assert render_systems(systems).files["docs/trace.html"] == first
 
 
 def test_markdown(project: Project, capsys: pytest.CaptureFixture[str]) -> None:

@@ -27,7 +27,8 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
     report = Report()
     systems = read_systems(str(folder / "specs" / "codegen.yaml"), report)
     assert not report.has_errors
-    return read_trace(systems, report), render_systems(systems)
+    output = render_systems(systems)
+    return read_trace(systems, report, shared=output.shared), dict(output.files)
 
 
 def names_of(text: str) -> set[str]:

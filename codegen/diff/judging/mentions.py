@@ -1,4 +1,4 @@
-"""What two texts refer their numbers to: axes, references of heights, clocks, signs, and single numbers.
+"""References of the numbers in two texts: axes, references of heights, clocks, signs, and single numbers.
 
 Most of two texts may be alike, and still one word decide what each number means: ``true unless`` for ``true if``,
 ``positive forward`` for ``positive north``.
@@ -28,7 +28,10 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "pressure": (("qnh", r"\bqnh\b"), ("qne", r"\bqne\b"), ("qfe", r"\bqfe\b")),
     "clock": (
         ("utc", r"\butc\b|\bgmt\b|unix|epoch"),
-        ("boot", r"since (?:system )?(?:boot|start)|boot time"),
+        ("boot", r"since (?:the )?(?:system |vehicle )?(?:was )?(?:boot|start|power)|boot time"),
+        ("arming", r"since (?:the )?(?:vehicle )?(?:was )?(?:last )?arm"),
+        ("take-off", r"since (?:the )?take-?off"),
+        ("the last message", r"since (?:the )?(?:previous|last) (?:message|report)"),
         ("local time", r"local time"),
         ("gps time", r"\bgps (?:time|week)"),
     ),
@@ -38,8 +41,30 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("calibrated", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
         ("equivalent", r"\bequivalent (?:air ?)?speed|\beas\b"),
     ),
+    "statistic": (
+        ("a mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
+        ("a peak", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
+        ("a moment", r"\binstantaneous|\bmomentary"),
+    ),
+    "origin": (
+        ("what was asked for", r"\bcommanded|\brequested|\bdesired|\bas set by"),
+        ("what was measured", r"\bmeasured|\bread back|\bactual\b|\bfeedback|\bencoder"),
+    ),
+    "amount": (
+        ("what is left", r"\bremaining|\bfree\b|\bunused\b"),
+        ("what is used", r"\bin use\b|\bconsumed|\boccupied|\balready used"),
+    ),
+    "signal": (("raw values", r"\braw\b|\bunfiltered"), ("filtered values", r"(?<!un)\bfiltered|\bsmoothed")),
+    "speed": (("the shaft", r"\bshaft|\bmechanical"), ("the field", r"\belectrical (?:rotation|speed|rpm)|\berpm\b")),
+    "first number": (("0", r"\bzero[- ]based|\b0-based"), ("1", r"\bone[- ]based|\b1-based")),
+    "observer": (
+        ("behind", r"\bobserver behind|\bseen from behind|\bviewed from behind"),
+        ("in front", r"\bobserver in front|\bseen from (?:the )?front|\bviewed from (?:the )?front"),
+        ("above", r"\bseen from above|\bviewed from above"),
+        ("below", r"\bseen from below|\bviewed from below"),
+    ),
 }  # fmt: skip
-"""What numbers are measured from, by what of it a text can name; in one text it is one or some of each."""
+"""References that numbers are measured from, by kind: the name of each, and the words for it."""
 
 STATED_LATE = frozenset({"height", "pressure", "airspeed"})
 """Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""

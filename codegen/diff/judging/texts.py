@@ -1,4 +1,4 @@
-"""What comes of another text about the same number: nothing, another meaning, or a question for a person."""
+"""Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
 from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
 from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs
@@ -15,6 +15,8 @@ from codegen.diff.judging.wording import (
 _LEAST_WORDS = 4
 _LEAST_HALF = 0.45
 """Of the words of an entry's shorter text: with fewer in both, they may tell of something else."""
+_SENTENCE = 3
+"""Words of a sentence that was added, which may deny something of its own."""
 _LEAST_SHARE = 0.4
 """Of the words of the longer text: with fewer in both, a denial in one of them is of something else."""
 
@@ -85,7 +87,9 @@ def _other_numbers(old: str, new: str) -> Judgement | None:
 
 def _other_sense(old: str, new: str) -> Judgement | None:
     """Return what comes of a text that denies what it said, or says another thing of a sign."""
-    if negations(old) % 2 != negations(new) % 2 and common_share(old, new) >= _LEAST_SHARE:
+    added = words_of(new) - words_of(old)
+    is_longer = words_of(old) <= words_of(new) and len(added) >= _SENTENCE
+    if negations(old) % 2 != negations(new) % 2 and common_share(old, new) >= _LEAST_SHARE and not is_longer:
         return Judgement(doubt="whether the text denies what it said")
     before, after = signs(old), signs(new)
     for sign in before.keys() & after.keys():

@@ -117,6 +117,12 @@ def common_share(old: str, new: str, of: Callable[[int, int], int] = max) -> flo
     return (len(before) - len(gone)) / max(of(len(before), len(after)), 1)
 
 
+def is_reworded(old: str | None, new: str | None) -> bool:
+    """Return whether a text has other words, beyond their spelling: whether they mean the same a person can tell."""
+    before, after = (words_of(without_addresses(text or "")) for text in (old, new))
+    return any(_unmatched(sorted(before - after), sorted(after - before)))
+
+
 def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
     """Return whether both name and text have one word in place of another, and it is the same one in both."""
     of_names = _unmatched(*(_names(name) for name in names))
@@ -247,7 +253,8 @@ _LONG = 8
 """Letters of a word in which two that changed places make no other word."""
 _LONGEST = 20
 _STATED = re.compile(
-    r"(?<![\w.])(-?\d+|NaN\b)\s*(?:[:=]|means\b|is\b|to\b|for\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)", re.IGNORECASE
+    r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?\s*(?:[:=]|means\b|is\b|to\b|for\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)",
+    re.IGNORECASE,
 )
 
 

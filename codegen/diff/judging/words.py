@@ -60,11 +60,12 @@ def stem(word: str) -> str:
 
 
 def is_short_for(one: str, other: str) -> bool:
-    """``temp`` and ``temperature``, ``cfg`` and ``config``."""
+    """``temp`` and ``temperature``, ``nmbr`` and ``number``."""
     short, long = sorted((one, other), key=len)
     if short.isdigit() or long.isdigit() or len(short) < 3 or short[0] != long[0] or excluding(short) & {long}:
         return False
-    return long.startswith(short) or (len(short) < 5 and _VOWELS.sub("", long).startswith(_VOWELS.sub("", short)))
+    is_without_vowels = len(short) < 5 and _VOWELS.sub("", short) == short
+    return long.startswith(short) or (is_without_vowels and _VOWELS.sub("", long).startswith(short))
 
 
 def is_slip(one: str, other: str) -> bool:

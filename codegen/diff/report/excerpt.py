@@ -49,12 +49,9 @@ def _runs(olds: Sequence[str], news: Sequence[str]) -> list[tuple[int, int, int,
 
 
 def _excerpt(words: Sequence[str], runs: Sequence[tuple[int, ...]]) -> str:
-    parts = []
-    last = 0
-    for first, behind in runs:
-        begin, last = max(0, first - _AROUND), min(len(words), behind + _AROUND)
-        parts.append(("" if begin == 0 else "... ") + " ".join(words[begin:last]))
-    return _limited(" ".join([*parts, *([] if last == len(words) else ["..."])]))
+    spans = [(max(0, first - _AROUND), min(len(words), behind + _AROUND)) for first, behind in runs]
+    parts = [("" if begin == 0 else "... ") + " ".join(words[begin:end]) for begin, end in spans]
+    return _limited(" ".join([*parts, *([] if spans[-1][1] == len(words) else ["..."])]))
 
 
 def _limited(text: str) -> str:

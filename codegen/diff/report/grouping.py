@@ -4,6 +4,8 @@ from collections.abc import Iterable, Sequence
 
 from codegen.diagnostics import Severity, shortened_list
 from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, Weight, joined
+from codegen.diff.dialect.wire_rules import DESCRIPTION
+from codegen.diff.judging.wording import is_reworded
 from codegen.diff.system.behaviour_rules import TOLD
 from codegen.findings.fingerprint import fingerprint
 from codegen.frozen import dataclass
@@ -138,9 +140,16 @@ def counted(groups: Sequence[Group]) -> str:
         otherwise = sum(group.count for group in groups if group.waived is None and group.first.rule in TOLD)
         alters = "alters" if otherwise == 1 else "alter"
         words = [f"{otherwise} {alters} what is told"] if otherwise else ["none of them breaks anybody"]
+    reworded = sum(group.count for group in groups if group.waived is None and _is_reworded(group.first))
+    if reworded:
+        words.append(f"{reworded} {'describes' if reworded == 1 else 'describe'} it in other words, to be read")
     if found.waived:
         words.append(f"{found.waived} waived")
     return f"{found.changes} {'change' if found.changes == 1 else 'changes'}: {', '.join(words)}"
+
+
+def _is_reworded(change: Change) -> bool:
+    return change.rule is DESCRIPTION and is_reworded(change.old, change.new)
 
 
 def line_text(place: Place) -> str:

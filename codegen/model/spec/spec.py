@@ -55,7 +55,8 @@ class Project(Written):
     )
     programs: Mapping[str, str] = described(
         "Further programs from the same specification by name, each with the path of its own project file; what is "
-        "generated for one goes to the folder of that name below the output.",
+        "generated for one goes to the folder of that name below the output, and what all of them have alike to the "
+        "folder common.",
         default_factory=dict,
     )
     system_id: int = described("MAVLink system id of the vehicle, 1 to 255.", default=1)

@@ -72,7 +72,13 @@ def resolve_program(
     modes = resolve_modes(spec, components, index, report)
     takes_long = any(command.spec.long for command in own)
     takes_keys = access is not None and bool(access.spec.setup)
-    uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes), takes_keys=takes_keys)
+    uses = Uses(
+        takes_time=takes_time,
+        has_commands=bool(own),
+        takes_long=takes_long,
+        has_modes=bool(modes),
+        takes_keys=takes_keys,
+    )
     services = service_messages(spec, dialect, report, uses)
     absences = resolve_absences(dialect, component_id, received | ({"SET_MODE"} if modes else frozenset()))
     cited: dict[str, Citation] = {}

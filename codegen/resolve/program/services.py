@@ -68,11 +68,12 @@ CANCELLED = "MAV_RESULT_CANCELLED"
 class Uses:
     """The features of the program that need more of the dialect.
 
-    A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared; a link brings
-    the key of others.
+    A table has the time since 1970, which SYSTEM_TIME can say; the vehicle has commands of its own; one of them takes
+    long; modes are declared; a link brings the key of others.
     """
 
     takes_time: bool = False
+    has_commands: bool = False
     takes_long: bool = False
     has_modes: bool = False
     takes_keys: bool = False
@@ -120,8 +121,10 @@ def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report, uses:
 
 def _entries(dialect: Dialect, uses: Uses) -> Iterator[tuple[str, str]]:
     yield from SERVICE_ENTRIES.items()
-    if uses.takes_long:
-        yield "MAV_RESULT", f"IN_PROGRESS{' CANCELLED' if _entry_of(dialect, CANCELLED) else ''}"
+    if uses.has_commands:
+        yield "MAV_RESULT", "IN_PROGRESS"
+    if uses.takes_long and _entry_of(dialect, CANCELLED):
+        yield "MAV_RESULT", "CANCELLED"
     if uses.has_modes:
         yield "MAV_CMD", "DO_SET_MODE"
         yield "MAV_MODE_FLAG", "CUSTOM_MODE_ENABLED"

@@ -2,6 +2,7 @@
 
 from codegen.frozen import dataclass
 from codegen.model.code.clock import CLOCK
+from codegen.model.program_folders import COMMON, is_one_of_several
 from codegen.model.system import System
 from codegen.render.rendered import rendered
 from codegen.targets.firmware.messages.streams import StreamView, stream_views
@@ -9,7 +10,7 @@ from codegen.targets.firmware.program.parameters import ParameterView, parameter
 from codegen.targets.firmware.readings.board import BoardView, ReaderView, board_view, plain_readers
 from codegen.targets.firmware.words import aged_words, word_layout
 from codegen.targets.naming import parameter_attribute
-from codegen.targets.origin import Origin, copied_files, headed, origin_of
+from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text
 from codegen.targets.suite.behaviour import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.suite.cases.file import cases_text
 from codegen.targets.suite.facts.components import ComponentFacts, component_facts
@@ -19,6 +20,7 @@ from codegen.targets.suite.receptions import render_reception_suite
 from codegen.targets.suite.sources import render_source_suite
 from codegen.targets.suite.withheld import KnownWord, WithheldMessage, known_words, withheld_messages
 
+_INTERPRETERS = "tests/interpreters.py"
 RENDERED = ("behaviour.py", "test_frames.py")
 
 
@@ -47,6 +49,18 @@ class SuiteView:
     ageing: dict[str, tuple[str, ...]]
     aged: int
     clocked: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FoldersView:
+    """The folders in which the suite finds the firmware, the mocks and itself.
+
+    ``common`` is the folder of what all programs of the project have alike, empty where there is one program. It lies
+    in the parent of number ``above`` of the suite: 0 is that which the suite lies in.
+    """
+
+    common: str
+    above: int
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -81,6 +95,9 @@ def render_suite(system: System) -> dict[str, str]:
         expiring={component.name: _readers(component.name, system) for component in components},
         clocked=_readers(CLOCK, system),
     )
+    common = COMMON if is_one_of_several(system.spec) else ""
+    folders = rendered(f"{_INTERPRETERS}.j2", FoldersView(common, above=1 if system.spec.program else 0))
+    files[_INTERPRETERS] = headed(folders, origin_of_text(f"templates/{_INTERPRETERS}.j2", folders))
     if not readings:
         del files["tests/single_readings.py"]
     for name in RENDERED:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 0c46192697465173
+# Inputs: 0a9726123dcff5af
 """The checks of the program, in one run of each interpreter; a test is named by its check and criteria.
 
 Those that a script lists as LONG simulate minutes or days: `-m "not days"` leaves them out, and they have another run.
@@ -7,7 +7,7 @@ Those that a script lists as LONG simulate minutes or days: `-m "not days"` leav
 
 import pytest
 from grouped import outcomes
-from interpreters import HERE, checks_of
+from interpreters import checks_of, files
 from program_facts import CRITERIA
 from selection import selected
 
@@ -18,7 +18,7 @@ LONG_LIMIT_S = 120  # for all that are long
 
 def _checks():
     """Return script and name of each check, the criteria that it shows, and whether it is long."""
-    for script in sorted(path.name.removesuffix("_checks.py") for path in HERE.glob("*_checks.py")):
+    for script in (path.name.removesuffix("_checks.py") for path in files("tests/*_checks.py")):
         long = {check.id for check in checks_of(f"{script}_checks.py", "LONG")}
         for check, *aspects in (entry.elts for entry in checks_of(f"{script}_checks.py")):
             criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]

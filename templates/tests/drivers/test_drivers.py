@@ -4,12 +4,12 @@ A test is named by its script and check.
 """
 
 import pytest
-from interpreters import HERE, checks_of
+from interpreters import checks_of, files
 
 
 def _cases():
     for interpreter in ("cpython", "micropython"):
-        for path in sorted(HERE.glob("*_driver.py")):
+        for path in files("tests/*_driver.py"):
             for name in (check.id for check in checks_of(path.name)):
                 case = f"{interpreter}-{path.name.removesuffix('_driver.py')}-{name}"
                 yield pytest.param(interpreter, path.name, name, id=case)

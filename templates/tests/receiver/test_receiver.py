@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 import pytest
-from interpreters import HERE, micropython
+from interpreters import HERE, micropython, path_of
 from oracle import dialects
 from test_frames import DATA, encoded
 
@@ -46,7 +46,7 @@ def results(request, frames, tmp_path_factory):
     path.write_text("".join(f"{case['message']} {frame}\n" for case, _, frame in frames))
     folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
     program = micropython() if request.param == "micropython" else sys.executable
-    command = [program, str(HERE / "receiver_run.py"), str(HERE / "receiver_facts.json"), str(path)]
+    command = [program, str(path_of("tests", "receiver_run.py")), str(HERE / "receiver_facts.json"), str(path)]
     environment = {**os.environ, "MICROPYPATH": folder, "PYTHONPATH": folder}
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
