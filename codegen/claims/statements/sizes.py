@@ -26,7 +26,7 @@ _BYTES = re.compile(
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
     r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
-    r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|cells|integers|T\b)|[.-]\d)"
+    r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|integers|T\b)|[.-]\d)"
     r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
 )
 _LENGTHS = re.compile(

@@ -12,9 +12,9 @@ from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
 from codegen.claims.size import SIGNATURE, size_hint, sizes_of
-from codegen.claims.statements import field_sizes
+from codegen.claims.statements.columns import field_sizes
+from codegen.claims.statements.columns.rows import Row, field_of, row_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.rows import Row, field_of, row_of
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic, Rule

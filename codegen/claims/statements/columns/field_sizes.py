@@ -7,8 +7,8 @@ from functools import partial
 
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, as_sure
+from codegen.claims.statements.columns.rows import Row, field_of
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.rows import Row, field_of
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 

@@ -1,0 +1,1 @@
+"""Columns of tables: the rows with their messages and fields, and the sizes of fields."""
