@@ -56,6 +56,38 @@ RIGHT = {
     "denied enum": "COMMAND_ACK is read.\n\n0 accepted, 1 failed. These are not MAV_RESULT values.",
     "own argument": "# `push(lat, lon)`\n\nSends GLOBAL_POSITION_INT. `lat` and `lon` are plain degrees as float.",
 }
+NUMBERED = {
+    "position": table("Message | Field | Position", "HEARTBEAT | custom_mode | 4", "HEARTBEAT | type | 1"),
+    "bytes on the wire": table(
+        "Message | Field | Bytes on the wire", "HEARTBEAT | custom_mode | 4", "ATTITUDE | roll | 4"
+    ),
+    "rows": table("No. | Message | Step", "1 | HEARTBEAT | wait", "2 | ATTITUDE | compare"),
+    "short": "HEARTBEAT (2 bytes short) is dropped.",
+}
+DOUBTFUL = {
+    "number": table("Message | Number", "HEARTBEAT | 12", "ATTITUDE | 120"),
+    "size": table("Message | Topic | Size", "HEARTBEAT | state | 120", "ATTITUDE | pose | 60"),
+    "entries": table("# | Type", "1 | MAV_TYPE_GROUND_ROVER", "3 | MAV_TYPE_GCS"),
+    "mapping": "```python\nPRIORITY = {\n    MAV_TYPE_GROUND_ROVER: 3,\n    MAV_TYPE_QUADROTOR: 1,\n}\n```",
+    "counted": "MAV_TYPE_GROUND_ROVER: 3 vehicles.",
+    "amount": "There are 3 MAV_TYPE_GROUND_ROVER in it.",
+    "own list": "MAV_TYPE_GROUND_ROVER is 3 in our list.",
+    "source": "HEARTBEAT [3] is described elsewhere.",
+}
+"""Numbers that may be of anything, and that nothing beside them bears out."""
+BORNE_OUT = {
+    "number": table("Message | Number", "HEARTBEAT | 0", "ATTITUDE | 120"),
+    "message id": table("Message | Message ID", "HEARTBEAT | 12", "ATTITUDE | 120"),
+    "size": table("Message | Topic | Size", "HEARTBEAT | state | 9", "ATTITUDE | pose | 60"),
+    "payload": table("Message | Topic | Payload", "HEARTBEAT | state | 120", "ATTITUDE | pose | 60"),
+    "entries": table("# | Type", "10 | MAV_TYPE_GROUND_ROVER", "3 | MAV_TYPE_GCS"),
+    "values": table("Value | Type", "1 | MAV_TYPE_GROUND_ROVER", "3 | MAV_TYPE_GCS"),
+    "mapping": "```python\nTYPES = {\n    MAV_TYPE_GROUND_ROVER: 10,\n    MAV_TYPE_QUADROTOR: 1,\n}\n```",
+    "position": table("Message | Field | Position", "HEARTBEAT | custom_mode | 0", "HEARTBEAT | type | 1"),
+    "list": "- 10 MAV_TYPE_GROUND_ROVER\n- 3 MAV_TYPE_GCS",
+    "alone": "MAV_TYPE_GROUND_ROVER is 3 in the dialect.",
+}
+"""The same where others of their kind, or a heading, say that they are what they seem."""
 WRONG = {
     "size": table("Message | Field | Size", "HEARTBEAT | custom_mode | 2", "HEARTBEAT | base_mode | 1"),
     "width": table("Message | Field | Width", "HEARTBEAT | custom_mode | 24", "ATTITUDE | roll | 32"),
@@ -81,6 +113,11 @@ WRONG = {
 }
 
 
+@pytest.mark.parametrize("name", NUMBERED)
+def test_a_number_that_counts_or_orders_is_no_claim(name: str, check: Check) -> None:
+    assert [each.message for each in check(f"MAVLink.\n\n{NUMBERED[name]}\n")] == []
+
+
 @pytest.mark.parametrize("name", RIGHT)
 def test_a_number_that_is_of_something_else_is_no_claim(name: str, check: Check) -> None:
     assert [each.message for each in check(f"MAVLink.\n\n{RIGHT[name]}\n")] == []
@@ -94,3 +131,13 @@ def test_the_twin_that_is_a_claim_is_found(name: str, check: Check) -> None:
 def test_the_size_of_a_field_is_never_certainly_that_of_its_message(check: Check) -> None:
     assert not any(finding.is_error for finding in check(WRONG["size"]))
     assert all("custom_mode has 4 bytes, not 2" in finding.message for finding in check(WRONG["size"]))
+
+
+@pytest.mark.parametrize("name", DOUBTFUL)
+def test_what_nothing_bears_out_is_not_certain(name: str, check: Check) -> None:
+    assert not any(finding.is_error for finding in check(f"MAVLink.\n\n{DOUBTFUL[name]}\n"))
+
+
+@pytest.mark.parametrize("name", BORNE_OUT)
+def test_what_others_of_its_kind_bear_out_is_certain(name: str, check: Check) -> None:
+    assert any(finding.is_error for finding in check(f"MAVLink.\n\n{BORNE_OUT[name]}\n"))

@@ -101,7 +101,7 @@ def _of_span(reading: Reading, span: Span, at: int, finding: Diagnostic) -> Evid
     if finding.rule.id == ENTRY_VALUE.id:
         if entry and is_borne_out(reading, span, name, field):
             return Evidence.LIST
-        return of_entry(span, at, entry or name, finding.rule.id)
+        return of_entry(reading, span, at, entry or name, finding.rule.id)
     if field is not None and (_COMPARED.search(span.text, low, clause) or _OWN.search(span.text, low, clause)):
         return Evidence.WORDS
     if field is not None:

@@ -3,6 +3,12 @@
 import re
 
 from codegen.claims.enclosing import is_of_type
+from codegen.claims.evidence.borne_out import (
+    is_amount_of_entries,
+    is_column_of_entries,
+    is_counted,
+    is_mapping_of_entries,
+)
 from codegen.claims.evidence.heads import is_headed
 from codegen.claims.evidence.kinds import Evidence
 from codegen.claims.evidence.tied import around, closed, is_alone, is_beside, is_clause, message_of, near
@@ -18,6 +24,8 @@ from codegen.once import once
 
 def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> Evidence:
     """Return that of what is said of a whole message: its id, CRC_EXTRA, size."""
+    if not span.is_code and span.text.endswith("M [", 0, at):
+        return Evidence.WORDS  # "NAME [3]" may refer to a list of sources
     named = [offset for offset, term in span.sentence.within(*near(at), "MF") if message_of(term.value) == name]
     if span.kind is PassageKind.ROW:
         alone = [offset for offset in named if is_alone(span, offset)]
@@ -67,18 +75,22 @@ _ENTRY_OF_TABLE = re.compile(r"[\s{(\[]*(?:[N\d_]+[\s,:]*){1,6}[\s})\],]*(?://|/
 """A line of a table of numbers, with the name behind it."""
 
 
-def of_entry(span: Span, at: int, name: str, rule: str) -> Evidence:
+def of_entry(reading: Reading, span: Span, at: int, name: str, rule: str) -> Evidence:
     """Return that of the number of an entry."""
     terms = [(offset, term) for offset, term in span.sentence.within(*near(at), "VCM") if term.written == name]
     if span.kind is PassageKind.ROW:
         values = [offset for offset, _ in terms if is_alone(span, offset)]
         entries = [offset for offset, _ in span.sentence.within(*near(at), "V")]
         if values and len(entries) == 1 and (at in entries or is_headed(span, at, rule)):
-            return Evidence.COLUMN
+            return Evidence.COLUMN if is_column_of_entries(reading, span, at) else Evidence.WORDS
+    if not is_mapping_of_entries(reading, span):
+        return Evidence.WORDS
     numbers = [offset for offset, _ in span.sentence.within(*near(at), "N")]
     places = [at] if at in numbers else numbers
     for offset, _ in terms:
         for number in places:
+            if is_counted(span, number) or is_amount_of_entries(reading, span, number, offset):
+                continue
             if is_beside(span, offset, number):
                 return _kind_of(span, min(offset, number), at)
     return Evidence.WORDS

@@ -21,7 +21,8 @@ from codegen.model.price import HEAD_V1, HEAD_V2
 _BYTES = re.compile(
     r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message"
     r"|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|air|M))|for each|behind|before|more|at the"
-    r"|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra))"
+    r"|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra"
+    r"|short|too|off|missing|lost|dropped))"
 )
 _LENGTH = re.compile(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"

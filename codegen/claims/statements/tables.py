@@ -47,6 +47,8 @@ _UNKNOWN = re.compile(
     r"|if))?|value if unknown"
 )
 _NOT_PAYLOAD = re.compile(r"frame|packet|wire")
+_NAMED = re.compile(r"message|msg|\bids?\b|crc|payload|frame|extension|mavlink|v[12]\b")
+"""A heading that says what its numbers are; "#" and "Size" may be of something else, unless half of them are right."""
 _ENOUGH = 2
 
 
@@ -75,15 +77,21 @@ def _messages(reading: Reading, rows: Sequence[Row], column: int, head: str) -> 
             (row, at, message.id if rule is MESSAGE_ID else message.crc_extra, message) for row, message, at in told
         ]
         right = sum(number(row.span.sentence.term(at)) == own for row, at, own, _ in facts)
-        for row, at, own, message in facts if not is_of_fields or 2 * right >= len(facts) else ():
-            yield from _other(reading, row, at, own, rule, message, what)
+        counted = [number(row.span.sentence.term(at)) for row, at, _, _ in facts]
+        if right == 0 and len(facts) > 1 and counted in ([*range(len(facts))], [*range(1, len(facts) + 1)]):
+            return  # the rows are numbered
+        is_sure = 2 * right >= len(facts) or _NAMED.search(head) is not None
+        for row, at, own, message in facts if not is_of_fields or is_sure else ():
+            yield from _other(reading, row, at, own, as_sure(rule, is_sure=is_sure), message, what)
     elif not is_of_fields and (sizes := _sizes(head, told)):
+        right = sum(number(row.span.sentence.term(at)) in sizes(message) for row, message, at in told)
+        rule = as_sure(SIZE, is_sure=2 * right >= len(told) or _NAMED.search(head) is not None)
         for row, message, at in told:
             value, written = number(row.span.sentence.term(at)), row.span.sentence.term(at).written
             if value not in sizes(message):
                 text = f"{message.name} {sizes_of(message)}, not {written}"
                 yield reading.found(
-                    SIZE, row.span.place(at), f"{message.name} {head} {written}", text, size_hint(message, reading)
+                    rule, row.span.place(at), f"{message.name} {head} {written}", text, size_hint(message, reading)
                 )
 
 
@@ -212,6 +220,7 @@ def _fields(reading: Reading, rows: Sequence[Row], column: int, head: str) -> It
     if _EXTENSION.fullmatch(head):
         yield from _extensions(reading, rows, column)
     is_offset, is_sentinel = _OFFSET.fullmatch(head) is not None, _UNKNOWN.fullmatch(head) is not None
+    is_place = is_offset and ("offset" in head or _is_borne_out(reading, rows, column))
     for row in rows if is_offset or is_sentinel else ():
         one = field_of(reading, row)
         if one is None or column >= len(row.cells):
@@ -222,13 +231,22 @@ def _fields(reading: Reading, rows: Sequence[Row], column: int, head: str) -> It
         if found is None or value is None:
             continue
         written, place = row.span.sentence.term(found.start("value")).written, row.span.place(found.start("value"))
-        if is_offset and one.is_wrong(partial(_begins_at, offset=value)):
+        if is_offset and is_place and one.is_wrong(partial(_begins_at, offset=value)):
             text = f"{one.name} begins at byte {one.field.offset}, not {written}"
             yield reading.found(OFFSET, place, f"{one.name} at {written}", text)
         known = unknown_values(one.field)
         if is_sentinel and known is not None and one.is_wrong(partial(is_unknown, value=float(value))):
             text = f"{one.name} is unknown when it is {known[1]}, not {written}"
             yield reading.found(SENTINEL, place, f"{one.name} {written}", text)
+
+
+def _is_borne_out(reading: Reading, rows: Sequence[Row], column: int) -> bool:
+    """Return whether half of the numbers of a column, "Position" or "At", are places on the wire."""
+    places = [
+        (one, row, at) for row in rows if (one := field_of(reading, row)) and (at := row.number(column)) is not None
+    ]
+    right = sum(number(row.span.sentence.term(at)) == one.field.offset for one, row, at in places)
+    return 2 * right >= len(places) > 0
 
 
 _LENGTH = re.compile(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")

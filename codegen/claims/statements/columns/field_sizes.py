@@ -27,12 +27,12 @@ def is_of_fields(reading: Reading, rows: Sequence[Row], column: int, head: str) 
     A heading with "payload" or "frame" is about the message, and so is a column before that of the fields, unless it
     has several numbers for one message.
     """
-    if _OF_MESSAGE.search(head):
-        return False
     named = [row for row in rows if (one := field_of(reading, row)) and row.message in (one.message, None)]
     places = [place for row in named if (place := row.field_column()) is not None]
     if _HALF * len(places) < len(rows) or not places:
         return False
+    if _OF_MESSAGE.search(head):
+        return _is_mostly_of_fields(reading, named, column)
     if column > min(places):
         return True
     numbers: dict[str, set[int | float | Fraction | None]] = {}
@@ -41,6 +41,17 @@ def is_of_fields(reading: Reading, rows: Sequence[Row], column: int, head: str) 
         if row.message is not None and at is not None:
             numbers.setdefault(row.message.name, set()).add(number(row.span.sentence.term(at)))
     return any(len(each) > 1 for each in numbers.values())
+
+
+def _is_mostly_of_fields(reading: Reading, rows: Sequence[Row], column: int) -> bool:
+    """Return whether more than half of the numbers of a column are the sizes of the fields of their rows."""
+    found = []
+    for row in rows:
+        one, at = field_of(reading, row), row.number(column)
+        value = number(row.span.sentence.term(at)) if at is not None else None
+        if one is not None and value is not None:
+            found.append(value == one.field.size and value != one.message.length)
+    return _HALF * sum(found) > len(found)
 
 
 def check(reading: Reading, rows: Sequence[Row], column: int, head: str, *, is_length: bool) -> Iterator[Diagnostic]:
