@@ -175,7 +175,9 @@ def test_what_does_not_lie_beside_is_what_pymavlink_ships(write: Write) -> None:
     ]
 
 
-@pytest.mark.parametrize("command", [("codec", "--dialect", "a.xml", "--out", "m"), ("diff", "a.xml", "common")])
+@pytest.mark.parametrize(
+    "command", [("codec", "--dialect", "a.xml", "--messages", "all", "--out", "m"), ("diff", "a.xml", "common")]
+)
 @pytest.mark.parametrize("included", ["{}/passwd", "../passwd"])
 def test_a_dialect_alone_includes_nothing_from_elsewhere(command, included, tmp_path, monkeypatch, capsys):
     """It may be somebody else's: what lies outside of its folder and the working directory is not read, nor quoted."""
