@@ -8,7 +8,7 @@ from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.files import DISK, Files
-from codegen.load.shipped import dialect_path
+from codegen.load.shipped import dialect_path, shipped_folders
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.resolve.dialect.dialect import resolve_dialect
 from codegen.source import Place
@@ -35,7 +35,10 @@ CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing 
 
 
 def read_codec_dialect(written: str, report: Report) -> Dialect | None:
-    """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic."""
+    """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic.
+
+    What a file includes is somebody else's word: it is read from its own folder, the working directory and below.
+    """
     place = Place(os.path.abspath(written))
     is_file = written.lower().endswith(".xml")
     path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, DISK, report, is_file=is_file)
@@ -47,7 +50,8 @@ def read_codec_dialect(written: str, report: Report) -> Dialect | None:
         files = decode_dialect_files(path, noting, found)
         return resolve_dialect(name, files, (), found) if files else None
 
-    dialect, _ = decoded_with_includes("codec", path, read, DISK, report)
+    files = DISK.confined((os.path.dirname(path), os.getcwd(), *shipped_folders(DISK)))
+    dialect, _ = decoded_with_includes("codec", path, read, files, report)
     return dialect
 
 

@@ -118,7 +118,7 @@ class Files:
         """Return whether a file or a folder of the disk lies where nothing may be read; then a finding says so."""
         if self.bounds is None or self.is_in_tree(path) or not self.bounds.are_left_by(path):
             return False
-        hint = "if it is meant, list its folder in codegen.yaml: outside: [...]"
+        hint = "if it is meant, list its folder in codegen.yaml (outside: [...]), or be in a folder above both"
         report.add(OUTSIDE_PROJECT, place, f"{shown_path(path)} lies outside of the project", hint)
         return True
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from codegen.cli import main
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
@@ -172,3 +173,20 @@ def test_what_does_not_lie_beside_is_what_pymavlink_ships(write: Write) -> None:
         "other.xml:2:3 file-not-found",
         "other.xml:3:3 file-not-found",
     ]
+
+
+@pytest.mark.parametrize(
+    "command", [("codec", "--dialect", "a.xml", "--messages", "all", "--out", "m"), ("diff", "a.xml", "common")]
+)
+@pytest.mark.parametrize("included", ["{}/passwd", "../passwd"])
+def test_a_dialect_alone_includes_nothing_from_elsewhere(command, included, tmp_path, monkeypatch, capsys):
+    """It may be somebody else's: what lies outside of its folder and the working directory is not read, nor quoted."""
+    (tmp_path / "passwd").write_text("<mavlink><secret></mavlink>")
+    folder = tmp_path / "here"
+    folder.mkdir()
+    (folder / "a.xml").write_text(f"<mavlink><include>{included.format(tmp_path)}</include></mavlink>")
+    monkeypatch.chdir(folder)
+    assert main(list(command)) in (1, 2)
+    out = "".join(capsys.readouterr())
+    assert "a.xml:1:10: error outside-project: " in out
+    assert "secret" not in out
