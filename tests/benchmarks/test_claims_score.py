@@ -18,8 +18,9 @@ FOUND = {
     "seen-9": 50,
     "seen-10": 42,
     "seen-11": 38,
+    "seen-12": 25,
 }
-WRONG = {"seen-6": 1, "seen-7": 5}
+WRONG = {"seen-6": 1, "seen-7": 5, "seen-12": 7}
 SURE = {
     "seen-1": 36,
     "seen-2": 122,
@@ -32,6 +33,7 @@ SURE = {
     "seen-9": 20,
     "seen-10": 17,
     "seen-11": 20,
+    "seen-12": 15,
 }
 
 

@@ -59,13 +59,13 @@ def other_reference(old: str, new: str) -> Judgement:
         was, now = before.get(kind, nothing), after.get(kind, nothing)
         gone, come = was - now, now - was
         if gone and come:
-            effect = f"what was measured from {_listed(gone)} is measured from {_listed(come)}"
+            effect = f"the text tells of {_listed(come)} where it told of {_listed(gone)}"
             return Judgement(breaks=True, effect=effect)
         turned = (was & denied[1].get(kind, nothing)) | (now & denied[0].get(kind, nothing))
         if turned:
-            return Judgement(breaks=True, effect=f"one of the texts denies that it is measured from {_listed(turned)}")
+            return Judgement(breaks=True, effect=f"one of the texts says that {_listed(turned)} is not meant")
         if (gone or come) and kind in STATED_LATE:
-            return Judgement(doubt=f"whether it was measured from {_listed(gone | come)} all the time")
+            return Judgement(doubt=f"whether {_listed(gone | come)} was meant all the time")
     return HARMLESS
 
 
