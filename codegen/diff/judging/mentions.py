@@ -6,6 +6,7 @@ Most of two texts may be alike, and still one word decide what each number means
 
 import re
 from collections.abc import Mapping
+from functools import cache
 
 from codegen.diff.judging.words import stem
 
@@ -91,10 +92,24 @@ def denied_references(text: str) -> dict[str, frozenset[str]]:
 
 
 def _mentioned(text: str) -> dict[str, frozenset[str]]:
-    found = {
-        kind: frozenset(name for name, words in names if re.search(words, text)) for kind, names in _REFERENCES.items()
+    if not text or not _any_of(None).search(text):
+        return {}
+    return {
+        kind: frozenset(name for name, words in names if re.search(words, text))
+        for kind, names in _REFERENCES.items()
+        if _any_of(kind).search(text)
     }
-    return {kind: names for kind, names in found.items() if names}
+
+
+@cache
+def _any_of(kind: str | None) -> re.Pattern[str]:
+    """Return what finds any words of a kind, or of all kinds: most texts have none, and are looked at once.
+
+    All of them begin where a word does, which is asked first: with each of them it takes three times as long.
+    """
+    kinds = _REFERENCES if kind is None else (kind,)
+    found = (words.removeprefix(r"\b") for each in kinds for _, words in _REFERENCES[each])
+    return re.compile(rf"\b(?:{'|'.join(found)})")
 
 
 def numbers(text: str) -> frozenset[str]:

@@ -200,9 +200,10 @@ def names_of(text: str, names: Iterable[str]) -> bool:
     return any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in names)
 
 
-def words_of(text: str) -> set[str]:
+@cache
+def words_of(text: str) -> frozenset[str]:
     """The words of a text that carry something, in one spelling."""
-    return {stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE}
+    return frozenset(stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE)
 
 
 def without_addresses(text: str) -> str:
