@@ -8,7 +8,7 @@ from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect.files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.files import DISK, Files
-from codegen.load.shipped import dialect_path, shipped_folders
+from codegen.load.shipped import dialect_path, files_beside
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.resolve.dialect.dialect import resolve_dialect
 from codegen.source import Place
@@ -35,10 +35,7 @@ CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing 
 
 
 def read_codec_dialect(written: str, report: Report) -> Dialect | None:
-    """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic.
-
-    What a file includes is somebody else's word: it is read from its own folder, the working directory and below.
-    """
+    """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic."""
     place = Place(os.path.abspath(written))
     is_file = written.lower().endswith(".xml")
     path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, DISK, report, is_file=is_file)
@@ -50,8 +47,7 @@ def read_codec_dialect(written: str, report: Report) -> Dialect | None:
         files = decode_dialect_files(path, noting, found)
         return resolve_dialect(name, files, (), found) if files else None
 
-    files = DISK.confined((os.path.dirname(path), os.getcwd(), *shipped_folders(DISK)))
-    dialect, _ = decoded_with_includes("codec", path, read, files, report)
+    dialect, _ = decoded_with_includes("codec", path, read, files_beside(path, DISK), report)
     return dialect
 
 

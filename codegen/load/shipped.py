@@ -30,6 +30,14 @@ def shipped_folders(files: Files) -> tuple[str, ...]:
     return tuple({os.path.dirname(path) for path in _shipped(files).values()})
 
 
+def files_beside(path: str, files: Files) -> Files:
+    """Return the files that a dialect without a project may include, which may be somebody else's.
+
+    They lie in its own folder, in the working directory, below these, or are shipped.
+    """
+    return files.confined((os.path.dirname(path), os.getcwd(), *shipped_folders(files)))
+
+
 def dialect_path(
     written: str, folder: str, unknown: Rule, place: Place, files: Files, report: Report, *, is_file: bool
 ) -> str | None:

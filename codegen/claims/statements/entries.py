@@ -44,7 +44,6 @@ _NOT = ruled_out.words(
 _RESPECTIVELY = re.compile(r"(?:N(?:, N)*,? and|N,) $")
 """Before the last of several values: "2 and 4 are horizontal and vertical velocity"."""
 _FEWEST = 2
-_ANY_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*")
 _CONSTANT = re.compile(
     r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int"
     r"|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"

@@ -23,7 +23,6 @@ _SUBJECT = re.compile(
     r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?"
     r"|comes?|stands?|takes?|uses)\b"
 )
-_THE = re.compile(r"\b(?:the|its|field|fields|both|of|in|M['\u2019]?s|and|or) $")
 
 
 _FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
@@ -125,11 +124,6 @@ def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:
     """The fields of a group with their messages; those that no message has are left out."""
     found = [(offset, about(reading, said.span, offset)) for offset in said.names]
     return [(offset, one) for offset, one in found if one is not None]
-
-
-def last_about(reading: Reading, said: Said) -> About | None:
-    """The field that stands nearest to what is said."""
-    return about(reading, said.span, said.names[-1])
 
 
 def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField], bool]) -> About | None:

@@ -163,14 +163,15 @@ def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) 
         moved = next((other for other, said in new.items() if text_likeness(words, said) is Likeness.SAME), None)
         if moved is not None and moved in old and text_likeness(old[moved], new[moved]) is not Likeness.SAME:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
-        if _is_alike(words, new[number]) and _is_same(words, new[number]):
+        is_same = _is_same(words, new[number])
+        if is_same and _is_alike(words, new[number]):
             continue
         moved = next((other for other, said in new.items() if other != number and _is_alike(words, said)), None)
         if moved is not None:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
         if text_likeness(words, new[number]) is Likeness.OPPOSITE:
             return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}")
-        if not _is_same(words, new[number]):
+        if not is_same:
             return Judgement(doubt=f"whether {number}, which was {words!r}, is {new[number]!r}")
     return HARMLESS
 

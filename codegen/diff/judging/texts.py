@@ -23,7 +23,20 @@ _LEAST_SHARE = 0.4
 
 def other_text(old: str, new: str) -> Judgement:
     """Return what comes of another text for what keeps its name and its place."""
+    return _of_words(without_addresses(old), without_addresses(new))
+
+
+def same_entry(old: str, new: str) -> Judgement:
+    """Return what comes of another text for an entry that keeps its name and its number."""
     old, new = without_addresses(old), without_addresses(new)
+    found = _of_words(old, new)
+    lengths = [len(words_of(text)) for text in (old, new)]
+    if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
+        return Judgement(doubt="the text tells of something else under the same name")
+    return found
+
+
+def _of_words(old: str, new: str) -> Judgement:
     values = stated_conflict(stated_values(old), stated_values(new))
     if values.gravity:
         return values
@@ -38,16 +51,6 @@ def other_text(old: str, new: str) -> Judgement:
     if likeness is Likeness.UNSAID:
         return HARMLESS
     return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
-
-
-def same_entry(old: str, new: str) -> Judgement:
-    """Return what comes of another text for an entry that keeps its name and its number."""
-    old, new = without_addresses(old), without_addresses(new)
-    found = other_text(old, new)
-    lengths = [len(words_of(text)) for text in (old, new)]
-    if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
-        return Judgement(doubt="the text tells of something else under the same name")
-    return found
 
 
 def other_reference(old: str, new: str) -> Judgement:

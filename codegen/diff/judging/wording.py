@@ -87,6 +87,7 @@ def name_likeness(old: str, new: str, whole: str = "") -> Likeness:
     return Likeness.VAGUE if shared else Likeness.OTHER
 
 
+@cache
 def text_likeness(old: str, new: str) -> Likeness:
     """Return how alike two texts are, by their words without those that carry nothing."""
     if is_unsaid(old) or is_unsaid(new):
@@ -96,7 +97,7 @@ def text_likeness(old: str, new: str) -> Likeness:
         return Likeness.OPPOSITE
     if before == after:
         return Likeness.DISPUTED if _is_reordered(old, new) else Likeness.SAME
-    gone, come = _unmatched(sorted(before - after), sorted(after - before))
+    gone, come = _differing(old, new)
     common = min(len(before) - len(gone), len(after) - len(come))
     least = min(len(before), len(after))
     if not least:
@@ -112,15 +113,22 @@ def text_likeness(old: str, new: str) -> Likeness:
 def common_share(old: str, new: str, of: Callable[[int, int], int] = max) -> float:
     """Return which share of the words of the longer text, or of the shorter one, both have in some spelling."""
     before, after = words_of(old), words_of(new)
-    gone, come = _unmatched(sorted(before - after), sorted(after - before))
-    gone = [word for word in gone if not any(len(word) >= _LONG and is_slip(word, other) for other in come)]
-    return (len(before) - len(gone)) / max(of(len(before), len(after)), 1)
+    gone, come = _differing(old, new)
+    others = [word for word in gone if not any(len(word) >= _LONG and is_slip(word, other) for other in come)]
+    return (len(before) - len(others)) / max(of(len(before), len(after)), 1)
 
 
 def is_reworded(old: str | None, new: str | None) -> bool:
     """Return whether a text has other words, beyond their spelling: whether they mean the same a person can tell."""
-    before, after = (words_of(without_addresses(text or "")) for text in (old, new))
-    return any(_unmatched(sorted(before - after), sorted(after - before)))
+    return any(_differing(without_addresses(old or ""), without_addresses(new or "")))
+
+
+@cache
+def _differing(old: str, new: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the words of each of two texts that the other does not have in any spelling."""
+    before, after = words_of(old), words_of(new)
+    gone, come = _unmatched(sorted(before - after), sorted(after - before))
+    return tuple(gone), tuple(come)
 
 
 def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:

@@ -7,7 +7,7 @@ from codegen.decode.decoded import with_files_read
 from codegen.diagnostics import Diagnostic, Report
 from codegen.frozen import dataclass
 from codegen.load.files import DISK, Files
-from codegen.load.shipped import shipped_folders
+from codegen.load.shipped import files_beside
 from codegen.load.tree import Tree
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.system import System
@@ -71,8 +71,8 @@ def project_side(file: str, label: str, around: Around, files: Files) -> Side | 
 
 def dialect_side(path: str, label: str, files: Files, *, is_release: bool = False) -> Side | Unreadable:
     """A dialect with what it includes, as far as it can be read."""
-    own = files.confined((os.path.dirname(path), os.getcwd(), *shipped_folders(files)))  # wherever includes lead
-    dialect, errors = with_files_read(("dialect", path), lambda noting: _read_dialect(path, noting), {}, own)
+    beside = files_beside(path, files)
+    dialect, errors = with_files_read(("dialect", path), lambda noting: _read_dialect(path, noting), {}, beside)
     if dialect is None or (errors and not dialect.messages and not dialect.enums):
         return Unreadable(f"{label} is no dialect that can be read", findings=errors)
     return Side(label, (), dialect, errors, files, is_release)

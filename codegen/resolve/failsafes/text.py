@@ -9,7 +9,6 @@ from codegen.resolve.failsafes.finding import BAD_FAILSAFE
 from codegen.source import Place
 
 NAME, LEVEL, VALUE = "name", "level", "value"
-MOST_DECIMALS = 3
 
 _CLAUSE = re.compile(r"\[([^][]*)\]")
 _FIELD = re.compile(r"([^{}]*)\{([a-z_][a-z0-9_]*)(?: or ([^{}:]*?))?(?::\.([0-9])f?)?\}")
