@@ -27,7 +27,7 @@ class AdcSpec(Written):
     reference: Amount | None = described(
         "Voltage of full scale, such as 3.3 V. Default: that of the board.", default=None
     )
-    samples: int = described("Readings whose mean is one reading of the battery.", default=1)
+    samples: int = described("Readings whose mean is one reading of the channel.", default=1)
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
