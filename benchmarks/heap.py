@@ -10,15 +10,16 @@ from pathlib import Path
 
 import measure
 from figure import Figure
-from mpremote.romfs import VfsRomWriter
 
-from codegen.emit.mpy import BYTECODE, options
+from codegen.deploy.image import image_of
+from codegen.diagnostics import Report
+from codegen.emit.mpy import BYTECODE, STARTED, compiled
 
 COMPARES = """The program of the rover with one link, and that of examples/boat with its modules, without machine
 code, on a MicroPython 1.27 whose words have 32 bits as those of a board: compiled to WebAssembly, its collector made
-sound (benchmarks/micropython32/prepare.py). The firmware is its source, or .mpy files by mpy-cross, or the same files
-in a ROMFS, from which a MicroPython that has one runs them in place; the mocks are .mpy files. A board has its ROMFS in
-the flash: what the image takes of the heap here is not counted.
+sound (benchmarks/micropython32/prepare.py). The firmware is its source, or what `codegen deploy` copies, .mpy files and
+main.py, or the same in a ROMFS, from which a MicroPython that has one runs .mpy files in place; the mocks are .mpy
+files. A board has its ROMFS in the flash: what the image takes of the heap here is not counted.
 
 Bytes in use are those beyond the mocks, after a collection. The smallest heap is the first of 64, 68, 72 ... KB (`-X
 heapsize`) in which, and in the two next ones as well, the program is imported, starts and runs a simulated minute. It
@@ -97,33 +98,42 @@ def prepare_boat(folder: Path) -> None:
 
 
 def _lay_out(folder: Path, generated: Path, own: list[Path]) -> None:
-    shutil.copytree(generated / "firmware", folder / "source")
-    for module in own:
-        shutil.copy(module, folder / "source")
-    _compile(folder / "mpy", folder / "source", {module.name for module in own})
-    image = VfsRomWriter()
-    for module in sorted((folder / "mpy").glob("*.mpy")):
-        image.mkfile(module.name, module.read_bytes())
-    (folder / IMAGE).write_bytes(image.finalise())
-    _compile(folder / "mocks", generated / "mocks", set())
     script, mount = (measure.HERE / "micropython" / name for name in (SCRIPT, MOUNT))
     shutil.copy(script, folder)
     (folder / MOUNT).write_text(mount.read_text() + script.read_text())
+    shutil.copytree(generated / "firmware", folder / "source")
+    for module in own:
+        shutil.copy(module, folder / "source")
+    own_texts = {SCRIPT: script.read_text(), **{module.name: module.read_text() for module in own}}
+    files = _deployed(_texts(folder / "source"), own_texts)
+    (folder / IMAGE).write_bytes(image_of(files))
+    _put(folder / "mpy", files)
+    _put(folder / "rom", {STARTED: files[STARTED]})
+    _put(folder / "mocks", _deployed(_texts(generated / "mocks"), {}))
+
+
+def _texts(folder: Path) -> dict[str, str]:
+    """Return modules by their names, without those in machine code, which this interpreter does not run."""
+    return {source.name: source.read_text() for source in folder.glob("*.py") if not source.stem.endswith("_viper")}
+
+
+def _deployed(texts: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str | bytes]:
+    """Return what `codegen deploy` copies; the script, of which names are used, is treated as the user's own code."""
+    report = Report()
+    files = compiled({**texts, **own}, BYTECODE, report, unnumbered=texts.keys() - own)
+    if report.has_errors:
+        raise SystemExit("mpy-cross does not compile the program")
+    return {name: content for name, content in files.items() if name != SCRIPT.replace(".py", ".mpy")}
+
+
+def _put(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    folder.mkdir()
+    for name, content in files.items():
+        (folder / name).write_bytes(content.encode() if isinstance(content, str) else content)
 
 
 VEHICLES = {"rover": prepare, "boat": prepare_boat}
 BOAT = measure.ROOT / "examples" / "boat"
-
-
-def _compile(folder: Path, sources: Path, own: set[str]) -> None:
-    """Compile modules as `codegen deploy` does: those of the project's own keep the numbers of their lines."""
-    folder.mkdir()
-    for source in sources.glob("*.py"):
-        if source.stem.endswith("_viper"):  # those that a driver brings: for this interpreter there is no machine code
-            continue
-        told = options(BYTECODE, numbered=source.name in own)
-        into = str(folder / f"{source.stem}.mpy")
-        measure.said([measure.tool("mpy-cross"), *told, "-s", source.stem, "-o", into, str(source)])
 
 
 def in_use(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int] | None:

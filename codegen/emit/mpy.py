@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule
+from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
 
 BYTECODE = "bytecode"
@@ -33,7 +34,8 @@ def compiled(
 ) -> dict[str, str | bytes]:
     """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
 
-    main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines.
+    main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines,
+    and short names for what is private to them: a further file says what these stand for.
     """
     program = _mpy_cross()
     if program is None:
@@ -47,6 +49,12 @@ def compiled(
     unused = "frames_viper.py" if architecture == BYTECODE else None
     wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}
+    generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
+    others = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
+    short = shortened(generated, [text for text in others if isinstance(text, str)])
+    wanted |= {f"{name}.py": text for name, text in short.texts.items()}
+    if short.names:
+        result[TABLE] = table_of(short.names)
     with ThreadPoolExecutor() as pool:
         outcomes = pool.map(
             lambda path: _compile(program, path, wanted[path], architecture, numbered=path not in unnumbered), wanted
