@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule
+from codegen.emit.direct_imports import direct
 from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
 
@@ -51,7 +52,7 @@ def compiled(
     result = {path: content for path, content in files.items() if path not in modules}
     generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
     others = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
-    short = shortened(generated, [text for text in others if isinstance(text, str)])
+    short = shortened(direct(generated), [text for text in others if isinstance(text, str)])
     wanted |= {f"{name}.py": text for name, text in short.texts.items()}
     if short.names:
         result[TABLE] = table_of(short.names)
