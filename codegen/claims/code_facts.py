@@ -1,4 +1,4 @@
-"""What lines of code state of messages, fields and entries: constants, and comments beside the fields of a struct."""
+"""Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
 import re
 from collections.abc import Iterator
@@ -95,7 +95,7 @@ def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterato
 
 
 def number_claims(reading: Reading, message: WireMessage, role: str, number: int, place: Place) -> Iterator[Diagnostic]:
-    """What is wrong with the id, CRC_EXTRA or length that is given to a message."""
+    """Yield a finding where the id, CRC_EXTRA or length that code gives to a message differs from the dialect."""
     if role == "id" and number != message.id:
         text = f"{message.name} has the id {message.id}, not {number}"
         yield reading.found(MESSAGE_ID, place, f"{message.name} id {number}", text)

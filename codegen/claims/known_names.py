@@ -104,7 +104,7 @@ def entry_start(name: str, names: Names) -> str:
 
 
 def is_successor(name: str, names: Names) -> bool:
-    """Whether a name goes on where that of a message ends, or is the beginning of several: a new one, or a family."""
+    """Return whether a name may be a new message: it extends the name of a known one, or is the stem of several."""
     words = name.split("_")
     return any("_".join(words[:end]) in names.messages for end in range(1, len(words))) or any(
         known.startswith(f"{name}_") for known in names.messages

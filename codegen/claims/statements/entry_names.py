@@ -92,7 +92,7 @@ def _entry_values(reading: Reading) -> dict[str, int]:
 
 
 def _begins_with_number(span: Span, offset: int) -> bool:
-    """Whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
+    """Return whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
     return _NUMBER_FIRST.search(span.text, max(offset - _LIST, 0), offset) is not None
 
 
