@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
 from codegen.diagnostics import Diagnostic
@@ -34,7 +35,7 @@ _KEY = re.compile(
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every line of every block of code."""
-    entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    entries = entry_values(reading.enums)
     for code in reading.prose.code:
         yield from _listed(reading, code)
         about: WireMessage | None = None
