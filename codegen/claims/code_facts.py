@@ -1,7 +1,7 @@
 """Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from codegen.claims.enum_names import entry_values
 from codegen.claims.reading import Reading
@@ -75,7 +75,7 @@ def _at(line: Line, offset: int) -> Place:
     return line.place._replace(column=line.place.column + offset)
 
 
-def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterator[Diagnostic]:
+def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iterator[Diagnostic]:
     found = _CONSTANT.match(line.text)
     if found is None:
         return
