@@ -33,7 +33,7 @@ class Prepared:
 
     @property
     def short_names(self) -> dict[str, dict[str, str]]:
-        """What short names in compiled modules stand for, by modules."""
+        """The names that short names in compiled modules stand for, by modules."""
         return read_table(self.files.get(TABLE, b"").decode())
 
 

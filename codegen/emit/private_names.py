@@ -1,4 +1,4 @@
-"""What modules call what is their own, and what of that other names can stand for.
+"""Names for what is a module's own, and which of them others can stand for.
 
 A name with one underscore in front is private, unless something finds it by its text: a string, a keyword of a call, a
 module that is not among these. Names of attributes meet where classes inherit from each other: modules of such classes
