@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule
+from codegen.emit.constants import with_constants
 from codegen.emit.direct_imports import direct
 from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
@@ -56,8 +57,9 @@ def compiled(
     wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}
     generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
-    others = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
-    short = shortened(direct(generated), [text for text in (*others, *beside) if isinstance(text, str)])
+    left = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
+    others = [text for text in (*left, *beside) if isinstance(text, str)]
+    short = shortened(with_constants(direct(generated), others), others)
     wanted |= {f"{name}.py": text for name, text in short.texts.items()}
     if short.names:
         result[TABLE] = table_of(short.names)

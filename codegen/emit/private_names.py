@@ -44,7 +44,7 @@ def read_module(text: str) -> Module:
         nodes,
         classes,
         names=frozenset(name for node in nodes for name in _names(node)),
-        bound=frozenset(name for node in nodes for name in _bound(node)),
+        bound=frozenset(name for node in nodes for name in bound_by(node)),
         set_elsewhere=frozenset(_set_elsewhere(nodes, classes)),
         imports=dict(pair for node in nodes for pair in _imports(node)),
     )
@@ -97,7 +97,8 @@ def _names(node: ast.AST) -> Iterator[str]:
         yield node.name
 
 
-def _bound(node: ast.AST) -> Iterator[str]:
+def bound_by(node: ast.AST) -> Iterator[str]:
+    """Yield what a node gives a name to."""
     is_read = isinstance(node, (ast.Name, ast.Attribute)) and isinstance(node.ctx, ast.Load)
     if not is_read and not isinstance(node, (ast.alias, ast.keyword)):
         yield from _names(node)
