@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from codegen.cli import main
+from codegen.diagnostics import MOST
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
 from codegen.diff.report.markdown import code, plain, review_markdown
@@ -17,7 +18,6 @@ from codegen.diff.report.review import Review, review
 from codegen.diff.system.system import Comparison
 from codegen.diff.system.trace_rules import DOC, REQUIREMENT_TEXT, UNTESTED
 from codegen.findings.comment import MOST_CHARACTERS
-from codegen.findings.shortened import MOST
 from codegen.source import Place
 
 
