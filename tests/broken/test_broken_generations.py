@@ -3,6 +3,7 @@
 import shutil
 
 import pytest
+from short_documents import shorten_documents
 from test_broken_tables import ROOT, Case, check_place, name_of
 
 from codegen.cli import main
@@ -87,6 +88,7 @@ def test_only_a_program_announces(tmp_path, monkeypatch, capsys):
 def test_both_by_default_is_warned_about(file, old, new, place, tmp_path, monkeypatch, capsys):
     """A warning with the price of both, of the old and of the new one; it does not stop the build."""
     changed(tmp_path, (file, old, new))
+    shorten_documents(tmp_path / "specs")
     monkeypatch.chdir(tmp_path)
     assert main(["check"]) == 0
     warned = [line for line in capsys.readouterr().out.splitlines() if " both-generations: " in line]
@@ -101,8 +103,11 @@ def test_both_by_default_is_warned_about(file, old, new, place, tmp_path, monkey
 
 def test_one_by_default_is_not(tmp_path, monkeypatch, capsys):
     """The shipped specification sends one generation, and so does a fixed one."""
-    changed(tmp_path, ("streams.yaml", "parameter: BATT_REPORT", "send: new"))
-    for folder in (ROOT, tmp_path):
+    shipped, fixed = tmp_path / "shipped", tmp_path / "fixed"
+    changed(shipped)
+    changed(fixed, ("streams.yaml", "parameter: BATT_REPORT", "send: new"))
+    for folder in (shipped, fixed):
+        shorten_documents(folder / "specs")
         monkeypatch.chdir(folder)
         main(["check"])
         assert "both-generations" not in capsys.readouterr().out

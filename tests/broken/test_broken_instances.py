@@ -4,6 +4,7 @@ The cases are written as those of ``test_broken_tables``, and change the shipped
 """
 
 import pytest
+from short_documents import shorten_documents
 from test_broken_tables import BATTERY, Case, changed_copy, check_place, name_of
 
 from codegen.cli import main
@@ -76,6 +77,7 @@ def test_a_pin_of_its_own_or_a_monitor_that_is_off(tmp_path, monkeypatch, capsys
         folder = tmp_path / defaults.partition(":")[0][1:]
         folder.mkdir()
         changed_copy(Case("", "board.yaml", "{BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}", defaults), folder)
+        shorten_documents(folder / "specs")
         monkeypatch.chdir(folder)
         assert main(["check"]) == 0, capsys.readouterr().out
 
