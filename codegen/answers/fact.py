@@ -122,8 +122,9 @@ def _facts(covers: Elements, scope: Scope) -> list[str | Fraction] | None:
         facts = facts[:1]
     found = [fact for fact in facts if fact is not None]
     if not found:
-        hint = did_you_mean(path, [*scope.facts(), UNIQUE_ID])
-        scope.report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", hint)
+        if not scope.is_unread(owner):  # else its instances, which may have the fact, are not known
+            hint = did_you_mean(path, [*scope.facts(), UNIQUE_ID])
+            scope.report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", hint)
         return None
     if len(found) < len(facts):
         message = f"board.yaml has no fact {name} of {owner} {facts.index(None) + 1}"

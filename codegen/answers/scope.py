@@ -56,5 +56,9 @@ class Scope(ABC):
         """The value of an entry of an enum."""
 
     @abstractmethod
+    def is_unread(self, component: str) -> bool:
+        """Return whether a component is written in a way that could not be read, which has been reported."""
+
+    @abstractmethod
     def facts(self) -> list[str]:
         """Every fact that board.yaml states, as tables name them: ``battery.cells``."""

@@ -14,11 +14,11 @@ from codegen.diagnostics import Diagnostic
 from codegen.rules.checks import checks_in
 
 LIKELY = "likely, not certain"
-"""What a finding says whose claim is read from the words around it; its rule is a warning and says why."""
+"""The mark of a finding whose claim was read from the words around it; its rule is then a warning and says why."""
 
 
 def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
-    """What is said of messages, fields and entries, and differs from the dialect; some of it several times."""
+    """Return the findings for claims about messages, fields and entries against the dialect; some occur repeatedly."""
     found = [finding for check in checks_in(__name__) for finding in check(reading)]
     return tuple(_borne_out(reading, found)) if found else ()
 
@@ -35,12 +35,12 @@ def _borne_out(reading: Reading, found: Iterable[Diagnostic]) -> Iterator[Diagno
 
 
 def of_project(reading: Reading) -> tuple[Diagnostic, ...]:
-    """What is said of the project itself, and differs from its specification; some of it several times."""
+    """Return the findings for claims about the project against its specification; some occur repeatedly."""
     return tuple(finding for check in checks_in(own.__name__) for finding in check(reading))
 
 
 def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: True) -> list[Diagnostic]:
-    """What is wrong in the lines of a document, in its order."""
+    """Return the findings for the judged lines of a document, in the document's order."""
     return settled(reading, (*of_dialect(reading), *of_project(reading)), is_judged)
 
 

@@ -1,4 +1,4 @@
-"""Which messages the headings and the passages around a place in a text name."""
+"""The messages that the headings and the passages around a place in a text name."""
 
 from collections.abc import Iterator
 

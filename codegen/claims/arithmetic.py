@@ -97,7 +97,7 @@ def _in_unit(expression: Expression, result: "re.Match[str]") -> Fraction | None
 
 
 def _is_right(value: Fraction, result: "re.Match[str]") -> bool:
-    """Whether the result is the value: rounded or cut at its last digit, about it where it says so, or wrapped."""
+    """Return whether a result is the value: rounded or cut at its last digit, roughly it if it says so, or wrapped."""
     written = result["number"].replace(",", "").replace("\u2212", "-")
     stated = Fraction(written)
     precision = Fraction(1, 10 ** len(written.partition(".")[2]))

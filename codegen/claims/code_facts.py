@@ -1,8 +1,9 @@
-"""What lines of code state of messages, fields and entries: constants, and comments beside the fields of a struct."""
+"""Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
 from codegen.diagnostics import Diagnostic
@@ -34,7 +35,7 @@ _KEY = re.compile(
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every line of every block of code."""
-    entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    entries = entry_values(reading.enums)
     for code in reading.prose.code:
         yield from _listed(reading, code)
         about: WireMessage | None = None
@@ -74,7 +75,7 @@ def _at(line: Line, offset: int) -> Place:
     return line.place._replace(column=line.place.column + offset)
 
 
-def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterator[Diagnostic]:
+def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iterator[Diagnostic]:
     found = _CONSTANT.match(line.text)
     if found is None:
         return
@@ -95,7 +96,7 @@ def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterato
 
 
 def number_claims(reading: Reading, message: WireMessage, role: str, number: int, place: Place) -> Iterator[Diagnostic]:
-    """What is wrong with the id, CRC_EXTRA or length that is given to a message."""
+    """Yield a finding where the id, CRC_EXTRA or length that code gives to a message differs from the dialect."""
     if role == "id" and number != message.id:
         text = f"{message.name} has the id {message.id}, not {number}"
         yield reading.found(MESSAGE_ID, place, f"{message.name} id {number}", text)

@@ -54,7 +54,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def _role(head: str) -> str | None:
-    """What the name in front of a table says that its numbers are."""
+    """Return the role of a table's numbers ("id", "crc", ...) by the name in front of it; None where it tells none."""
     return next((role for role, words in _ROLES.items() if words.search(head)), None)
 
 

@@ -30,7 +30,7 @@ _HALF = 2
 
 
 def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
-    """Whether a finding is about something else than what the document itself says of the dialect."""
+    """Return whether a finding is about something other than the document's own statements about the dialect."""
     return (
         _is_cited(reading, finding.place)
         or finding.place.line in _lines_of_others(reading)
@@ -44,7 +44,7 @@ def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
 
 @once
 def _citations(reading: Reading) -> tuple[tuple[Place, Place], ...]:
-    """Where the words begin and end that stand in quotation marks."""
+    """Return the first and the last place of each passage of several words in quotation marks."""
     return tuple(
         (part.place_at(found.start()), part.place_at(found.end() - 1))
         for part in reading.prose.passages
@@ -82,13 +82,13 @@ _NO_MAVLINK = re.compile(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
 
 
 def _is_number_of_section(reading: Reading, place: Place) -> bool:
-    """Whether a number is that of a paragraph, "6.6 An unknown ..."."""
+    """Return whether a number is the number of a section: "6.6 An unknown ..."."""
     parts = parts_at(reading, place.line)
     return any(isinstance(part, Passage) and part.place == place and _SECTION.match(part.text) for part in parts)
 
 
 def _is_taken_from(reading: Reading, place: Place) -> bool:
-    """Whether a line of code copies a member of another object: what its comment says is said of that."""
+    """Return whether a line of code copies a member of another object: its comment is about that object, then."""
     codes = (part for part in parts_at(reading, place.line) if isinstance(part, CodeBlock))
     return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
 
@@ -106,7 +106,7 @@ def _is_cited(reading: Reading, place: Place) -> bool:
 
 
 def _is_of_nearer(reading: Reading, finding: Diagnostic) -> bool:
-    """Whether the name beside a number, "OTHER_NAME (id 5)", is not the one that the finding gives it to."""
+    """Return whether a number stands beside another name, "OTHER_NAME (id 5)", than the finding gives it to."""
     before, behind = _around(reading, finding.place)
     own = finding.message.partition(" ")[0]
     names = [found for found in _CAPITALS.finditer(before) if not _GENERIC.fullmatch(found[0])]
@@ -132,13 +132,13 @@ def _around(reading: Reading, place: Place) -> tuple[str, str]:
 
 
 def _offset(part: Passage, place: Place) -> int:
-    """Where a place is in the text of a passage."""
+    """Return the offset of a place in the text of a passage, in characters."""
     start, at = part.anchors[max(bisect_right(part.anchors, place, key=lambda anchor: anchor[1]) - 1, 0)]
     return start + (place.column - at.column if place.line == at.line else 0)
 
 
 def _is_own_member(reading: Reading, finding: Diagnostic) -> bool:
-    """Whether a declaration is in somebody's own type, or in one of which most members are no fields of the message."""
+    """Return whether a declaration is in a type of the user's own, or in one whose members mostly are no fields."""
     message = reading.messages.get(finding.message.partition(".")[0])
     members = members_of_type(reading, finding.place)
     if message is None or not members:

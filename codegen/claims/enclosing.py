@@ -18,7 +18,7 @@ _AROUND = frozenset(("mavlink", "msg", "message", "t", "data", "struct", "payloa
 _ALIKE = 4
 """So many letters of two words make one short for the other."""
 _UPPER = 60
-"""How many lines around a member its type is looked for."""
+"""The most lines above or below a member in which its type is looked for."""
 
 
 def is_of_type(reading: Reading, place: Place, message: str) -> bool:
@@ -80,7 +80,7 @@ def _blocks_at(reading: Reading, line: int) -> Iterator[CodeBlock]:
 
 
 def is_named(name: str, message: str) -> bool:
-    """Whether the name of a type is that of a message, as "GpsRawInt" or "mavlink_gps_raw_int_t"."""
+    """Return whether the name of a type means a message, as "GpsRawInt" or "mavlink_gps_raw_int_t" do."""
     parts = [part.lower() for part in _PARTS.findall(name)]
     own = "".join(part for part in parts if part not in _AROUND)
     plain = message.replace("_", "").lower()

@@ -1,4 +1,4 @@
-"""What a document says of the fields of a message, one by one: structs in code, tables, and lists."""
+"""Notes of a document on the fields of a message, one by one: in structs of code, tables, and lists."""
 
 import re
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ _NUMBERED = re.compile(r"(?://|/\*|#|<!--|\*)\s.*?\bmessages?\s+(?:id\s*)?#?(\d{
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """What is said of one field: ``text`` of a passage from ``start`` on.
+    """A note on one field: the ``text`` of a passage from ``start`` on.
 
     ``elements`` are the first and last index where elements of an array are meant; ``type`` and ``length`` are stated
     by declarations only.
@@ -47,7 +47,7 @@ class Note:
 
     @property
     def text(self) -> str:
-        """What is said."""
+        """Return the words of the note."""
         return self.passage.text[self.start :]
 
 
@@ -68,7 +68,7 @@ class FieldNotes:
 
     @property
     def is_whole(self) -> bool:
-        """Whether a struct says of itself that it is the message, and so has all of its base fields."""
+        """Return whether a struct says that it is the message, by its id, and so has to have all of its base fields."""
         return self.stated is not None and self.stated[0] == self.message.id
 
     def cell(self, note: Note, heading: "re.Pattern[str]") -> tuple[str, int] | None:

@@ -65,7 +65,7 @@ def _differences(reading: Reading, fields: tuple[FieldDefinition, ...], known: W
 
 
 def _stated_otherwise(quoted: FieldDefinition, field: WireField, reading: Reading) -> Iterator[str]:
-    """What the dialect says, and what is written instead, for each attribute of the quotation that differs."""
+    """Yield the dialect's value and the written one, in words, for each attribute of the quotation that differs."""
     definition = field.definition
     if (quoted.type, quoted.length) != (definition.type, definition.length):
         yield f"is {typed(definition)}, not {typed(quoted)}"

@@ -117,13 +117,13 @@ def _impossible(reading: Reading, passage: Passage, found: "re.Match[str]") -> I
 
 
 def _in_own_unit(field: WireField, unit: Unit) -> Fraction | None:
-    """How many of the field's units make one of ``unit``; None across dimensions."""
+    """Return how many of the field's own units one ``unit`` is; None where the dimensions differ."""
     own = wire_unit(field) if field.definition.units else None
     return None if own is None else ratio(unit, own)
 
 
 def _is_limit(maximum: int, written: str, factor: Fraction | None) -> bool:
-    """Whether a number is the maximum of a type, as precisely as it is written: 65 V is 65535 mV, 327.67 A 32767 cA."""
+    """Return whether a number is the maximum of a type to its own decimals: 65 V is 65535 mV, 327.67 A 32767 cA."""
     if factor is None:
         return False
     precision = Fraction(1, 10 ** len(written.partition(".")[2]))

@@ -18,7 +18,7 @@ def is_spelled_so(name: str, known: Iterable[str]) -> bool:
 
 
 def _lacks_one(short: str, long: str) -> bool:
-    """Whether a name is another one without one of its letters; versions differ by a digit."""
+    """Return whether the short name is the long one without one letter; versions differ by a digit, which is none."""
     if len(long) - len(short) != 1:
         return False
     at = next((at for at, (one, other) in enumerate(zip(short, long, strict=False)) if one != other), len(short))
@@ -37,7 +37,7 @@ def numbered_message(
 
 
 def _is_alike(name: str, known: str) -> bool:
-    """Whether a name shares its first word, or half of all its words, with a known one, or is spelled nearly so."""
+    """Return whether a name shares its first word or half of all words with a known one, or is spelled nearly so."""
     words, own = name.split("_"), known.split("_")
     shared = len(set(words) & set(own))
     return len(words) > 1 and (
@@ -65,7 +65,7 @@ def shortened_message(name: str, known: Iterable[str]) -> str | None:
 
 
 def _is_within(words: list[str], own: list[str]) -> bool:
-    """Whether words are those of a name in their order, with its first and its last one."""
+    """Return whether words occur in a name in the same order, its first and its last word among them."""
     rest = iter(own)
     return words[0] == own[0] and words[-1] == own[-1] and all(word in rest for word in words)
 

@@ -31,7 +31,7 @@ _ITEM = re.compile(r"\W*(?:#?\d{1,5}\W{1,5}){0,4}[A-Z][A-Z0-9_]{2,60}\W{0,5}(?:#
 """An item that is a name and numbers, and nothing else."""
 _CELL = re.compile(r"#?\d{1,5}")
 _IN_TEXT = ("id", "crc")
-"""What columns of tables are taken for without a heading: lengths may be what was sent, without zeros at the end."""
+"""The roles that a column of numbers may have without a heading; a length may be the sent one, without its zeros."""
 _FEWEST = 2
 """Rows that have to agree before another one is wrong."""
 
@@ -55,7 +55,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def _role(found: Sequence[tuple[WireMessage, int, Place]], roles: Collection[str]) -> str | None:
-    """What the numbers of a column are, if two thirds of them agree; the first of the facts that most agree with."""
+    """Return the fact that most numbers of a column agree with; None where less than two thirds of them do."""
     agreeing = Counter(
         {
             role: len({message.name for message, number, _ in found if number in fact(message)})

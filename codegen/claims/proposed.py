@@ -54,7 +54,7 @@ def _payload(reading: Reading, message: WireMessage) -> Iterator[Diagnostic]:
 
 
 def _remedy(message: WireMessage) -> str:
-    """How many elements of the longest array would fit."""
+    """Return the advice for a message that is too long: the elements of its longest array that fit, or to divide it."""
     longest = max(message.fields, key=lambda field: field.size)
     room = (MAX_PAYLOAD - message.length + longest.size) // longest.type.size
     if longest.is_array and room > 0:

@@ -1,4 +1,4 @@
-"""What the XML in a document defines: messages, enums, and fields and entries that are quoted without their message."""
+"""Definitions in the XML of a document: messages, enums, and fields and entries quoted without their message."""
 
 from collections.abc import Iterator
 

@@ -114,7 +114,7 @@ def _wrong(
     sizes: Sequence[SizeClaim],
     sentence: tuple[int, int],
 ) -> tuple[str, str | None, bool] | None:
-    """What a number of bytes per second should be, a hint, and whether that is sure; None where it may be right."""
+    """Return the right bytes per second, a hint, and whether that is sure; None where the number may be right."""
     text, number = passage.text, Fraction(found["number"])
     stated = [number / bits for bits in _BITS_OF_BYTE] if found["bits"] else [number]
     sent, rate = frame_bytes(message, reading), rates[-1]
@@ -164,7 +164,7 @@ def _unnamed(reading: Reading, passage: Passage, found: "re.Match[str]", rate: F
 def _contradiction(
     written: str, message: WireMessage, rate: Fraction, sizes: Sequence[SizeClaim], sent: Range
 ) -> tuple[str, str | None] | None:
-    """What a number of bytes per second should be, and a hint; None where it may be right."""
+    """Return the right bytes per second, and a hint; None where the number may be right."""
     computed = f"frames of {sent} bytes are {sent.times(rate)} bytes/s at {_shown(rate)} Hz"
     stated = Fraction(written)
     if len(sizes) == 1 and not _is_product(stated, sizes[0].bytes, rate, written):
@@ -180,7 +180,7 @@ def _row_or_sentence(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 def _is_product(stated: Fraction, size: int, rate: Fraction, written: str) -> bool:
-    """Whether a number is size times rate, or a frame of that payload times rate, as precisely as it is written."""
+    """Return whether a number is size times rate, as it is or with a frame's bytes around it, to its own decimals."""
     _, _, places = written.partition(".")
     precision = Fraction(1, 10 ** len(places))
     return any(abs(stated - (size + more) * rate) < precision for more in (0, HEAD_V1, HEAD_V2, HEAD_V2 + SIGNATURE))

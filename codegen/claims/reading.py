@@ -45,14 +45,14 @@ _TYPE_NAME = re.compile(
 _CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 _CITED = re.compile(r"^ {0,3}>", re.MULTILINE)
 _MOST_RELATED = 8
-"""How many repetitions of a claim are listed."""
+"""The most repetitions of a claim that are listed."""
 _FAR = 300
-"""How many mentions of messages are looked through for the one that a statement is about."""
+"""The most mentions of messages that are searched for the one that a statement is about."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """What documents are compared with: a dialect, and what a project says about it, if there is one.
+    """The dialect that documents are compared with, and the facts of a project, if there is one.
 
     ``sent`` has the bytes of whole frames as the project sends them, by message; ``listed`` are messages of other
     dialects that it knows of, ``parameters`` what its programs say of each of theirs, ``rates`` at how many Hz
@@ -163,9 +163,12 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
 def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
     """The same of a text whose Markdown has been read: ``prose``."""
     quoted = reduce(add, (quoted_definitions(code) for code in prose.code), Quoted())
-    enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
+    enums, messages = reference.dialect.enums, reference.dialect.messages
+    if quoted.enums:  # else they stay the same object, about which much is found only once
+        enums = {**enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
-    messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
+    if proposed:
+        messages = {**messages, **{message.name: message for message in reversed(proposed)}}
     is_about_mavlink = _ABOUT.search(text) is not None or any(found[0] in messages for found in _SURE.finditer(text))
     is_about_mavlink |= any(found["name"] in messages for found in _CONSTANT.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}
@@ -195,7 +198,7 @@ def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
 
 
 def _is_told_by_fields(message: WireMessage | None, text: str) -> bool:
-    """Whether the name of a message, a common word, stands in a text with fields that only messages have."""
+    """Return whether a text has a field's name with an underscore: the message's name is no everyday word in it."""
     if message is None:
         return False
     return any("_" in field.name and f"`{field.name}`" in text for field in message.fields)
@@ -254,7 +257,7 @@ def _by_line(reading: Reading) -> dict[int, list[Passage | CodeBlock]]:
 
 
 class _Located(Protocol):
-    """What stands at an offset of a passage."""
+    """A part of a passage that begins at an offset."""
 
     @property
     def start(self) -> int: ...

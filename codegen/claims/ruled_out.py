@@ -63,7 +63,7 @@ _ASIDE = words(
     r"\brevert(?:s|ed)?\b|\b(?:treated|interpreted|misread|assumed) [^.;]{1,40} as\b",
     r"\bwould (?:be better|be nicer|make|prefer|rather|like)\b|\bif [^,;]{1,40} were\b",
 )
-"""What makes a sentence one about other things than the messages of the dialect."""
+"""Words that make a sentence one about other things than the messages of the dialect."""
 
 
 _DENIAL = re.compile(

@@ -67,7 +67,7 @@ def size_claims(reading: Reading, passage: Passage, mentions: tuple[Mention, ...
 
 
 def _is_version_1(passage: Passage, low: int, high: int) -> bool:
-    """Whether the sentence is about MAVLink 1 alone."""
+    """Return whether the sentence is about MAVLink 1 alone."""
     start, end = passage.sentence(low, high)
     text = passage.text[start:end]
     return _VERSION_1.search(text) is not None and _VERSION_2.search(text) is None
@@ -78,7 +78,7 @@ def _is_between(text: str, start: int, end: int) -> bool:
 
 
 def is_possible(claim: SizeClaim) -> bool:
-    """Whether the message can have that size in any sense that the words leave open."""
+    """Return whether the message can have that size in any sense that the words leave open."""
     message, words = claim.message, claim.words
     base, length = message.base_length, message.length
     if _PAYLOAD.search(words):
@@ -104,7 +104,7 @@ def sizes_of(message: WireMessage) -> str:
 
 
 def per_second(message: WireMessage, sentence: str) -> str:
-    """What frames of a message are at the rate that a sentence states, in words; empty without one."""
+    """Return the bytes per second of a message's frames at the sentence's rate, as a hint; empty without a rate."""
     rate = _RATE.search(sentence)
     if rate is None:
         return ""

@@ -1,4 +1,4 @@
-"""That a message is never shortened on the wire: "will not be truncated"."""
+"""Claims that a message is never shortened on the wire: "will not be truncated"."""
 
 import re
 from collections.abc import Iterator
@@ -59,7 +59,7 @@ def _subject(reading: Reading, passage: Passage, found: "re.Match[str]") -> Wire
 
 
 def _why_zero(field: WireField) -> str | None:
-    """Why the last byte of a field is zero at times; None where that is not known."""
+    """Return the reason why the last byte of a field can be zero, in words; None where none is known."""
     sentinel = field.sentinel
     if sentinel is not None and sentinel.values[-1] == 0:
         return "of which what is unknown is 0" if field.is_array else "which is 0 when it is unknown"

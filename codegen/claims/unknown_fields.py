@@ -55,7 +55,7 @@ _OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s
 
 
 def first(passage: Passage) -> "re.Match[str] | None":
-    """What a row or an item begins with."""
+    """Match the name or words that a row or an item begins with; None where it begins with none."""
     return _BEGINNING.match(passage.text)
 
 
@@ -83,7 +83,7 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
 
 
 def _is_meant(name: str, message: WireMessage) -> bool:
-    """Whether a plain word in a code span is another word for a field."""
+    """Return whether a plain word in a code span is another word for a field."""
     return name.isidentifier() and name.islower() and bool(same_field(name, message))
 
 

@@ -1,4 +1,4 @@
-"""What stands for unknown in a field: by the attribute of the dialect, or else by the words of its description."""
+"""The values that stand for unknown in a field: by the dialect's attribute, or else by the words of its description."""
 
 import re
 

@@ -6,21 +6,16 @@ from collections.abc import Sequence
 
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.cli.progress import working
-from codegen.commands.build import shared_modules
-from codegen.commands.trace import Refused, chosen_criteria, read_trace, read_trace_lock
+from codegen.commands.trace import Refused, chosen_criteria, read_trace, read_trace_lock, shared_modules
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.model.system import System
 from codegen.project.systems import project_folder
 from codegen.source import shown_path
 from codegen.trace.coverage import coverage_of
-from codegen.trace.exchange import exchange_of
 from codegen.trace.findings import trace_findings
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
-from codegen.trace.needs import needs_json
-from codegen.trace.page import trace_markdown, trace_report
-from codegen.trace.reqif import NEVER, reqif_xml
 from codegen.trace.results import with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
@@ -28,19 +23,20 @@ from codegen.trace.view import TraceView, only, trace_view
 
 def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
     """Print or write the report, then the findings where there is room for them; return the exit code."""
-    from codegen.commands.results import with_results
-
     report = Report()
     with working("reading documents and tests"):
         trace = read_trace(systems, report, shared=shared_modules(systems))
     lock = read_trace_lock(project, report)
     suspect = suspects(trace, lock)  # links that only results tell cannot be accepted, as accept knows no results
-    trace, results = with_results(arguments.results, trace, systems, report)
+    results = None
+    if arguments.results is not None:
+        from codegen.commands.results import with_results
+
+        trace, results = with_results(arguments.results, trace, systems, report)
+        trace = with_links_of(trace, results)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
         print_findings(report)
         return report.exit_code
-    if results is not None:
-        trace = with_links_of(trace, results)
     chosen = chosen_criteria(arguments.names, trace)
     if isinstance(chosen, Refused):
         print(f"codegen trace: {chosen.why}", file=sys.stderr)
@@ -69,12 +65,18 @@ def _text(form: str, view: TraceView, report: Report, *, is_tree: bool, changed:
     if form in FORMATS and form != "text":
         found = findings_text(report, form)
         return f"{found}\n" if found else ""
-    if form == "needs":
-        return needs_json(exchange_of(view))
-    if form == "reqif":
+    if form in ("needs", "reqif"):  # what one form alone needs is imported for it
+        from codegen.trace.exchange import exchange_of
+
+        if form == "needs":
+            from codegen.trace.needs import needs_json
+
+            return needs_json(exchange_of(view))
+        from codegen.trace.reqif import NEVER, reqif_xml
+
         return reqif_xml(exchange_of(view), changed or NEVER)
-    if form == "html":
-        return trace_report(view)
-    if form == "markdown":
-        return trace_markdown(view)
+    if form in ("html", "markdown"):
+        from codegen.trace.page import trace_markdown, trace_report
+
+        return trace_report(view) if form == "html" else trace_markdown(view)
     return tree_text(view) if is_tree else summary_text(view)

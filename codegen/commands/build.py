@@ -22,7 +22,7 @@ from codegen.trace.graph import linked
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.page import render_trace
-from codegen.trace.rows import placed
+from codegen.trace.placed import placed
 from codegen.trace.view import trace_view
 
 
@@ -48,13 +48,6 @@ def render_systems(systems: Sequence[System]) -> Output:
     if not systems or systems[0].spec.program:
         return output
     return replace(output, files={**output.files, **_trace_page(systems, output.shared)})
-
-
-def shared_modules(systems: Sequence[System]) -> Mapping[str, str]:
-    """Return where the modules of firmware lie that programs share, as ``Output.shared`` has it."""
-    if len(systems) < 2:
-        return {}
-    return laid_out({system.spec.program: render_firmware(system) for system in systems}).shared
 
 
 def _trace_page(systems: Sequence[System], shared: Mapping[str, str]) -> dict[str, str]:

@@ -18,11 +18,9 @@ from codegen.trace.results import Results, results_of, unrelated
 
 
 def with_results(
-    files: Sequence[str] | None, trace: Trace, systems: Sequence[System], report: Report
-) -> tuple[Trace, Results | None]:
-    """The results of all files, and the trace with boards as tests; what cannot be read leaves a finding."""
-    if files is None:
-        return trace, None
+    files: Sequence[str], trace: Trace, systems: Sequence[System], report: Report
+) -> tuple[Trace, Results]:
+    """Return the trace with boards as tests, and the results of all files; what cannot be read leaves a finding."""
     by_file: dict[str, Sequence[TestResult]] = {}
     records = []
     for path in files:

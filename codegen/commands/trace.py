@@ -41,11 +41,16 @@ def read_trace(
     about a folder of tests that lies outside of the project.
     """
     from codegen.trace.graph import hand_written, linked
-    from codegen.trace.rows import placed
+    from codegen.trace.placed import placed
 
     marked = _marked_tests(systems, files, report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents_of(systems), placed(rows(systems), shared), tests)
+
+
+def shared_modules(systems: Sequence[System]) -> Mapping[str, str]:
+    """Return where the modules of firmware lie that programs share, as ``Output.shared`` has it."""
+    return of_systems(_shared_modules, *systems) if len(systems) > 1 else NOTHING_SHARED
 
 
 def generated_tests(systems: Iterable[System]) -> "Iterator[Test]":
@@ -63,6 +68,13 @@ def _rows_of(*systems: System) -> "tuple[Row, ...]":
     from codegen.trace.rows import rows_of
 
     return rows_of(systems)
+
+
+def _shared_modules(*systems: System) -> dict[str, str]:
+    from codegen.targets.firmware import render_firmware
+    from codegen.targets.shared_files import laid_out
+
+    return dict(laid_out({system.spec.program: render_firmware(system) for system in systems}).shared)
 
 
 def _tests_of(system: System) -> "tuple[Test, ...]":

@@ -9,6 +9,7 @@ from codegen.frozen import dataclass
 from codegen.model.spec.spec import ParameterSpec, Spec
 from codegen.model.vehicle import Instance, Parameter
 from codegen.resolve.instances import BAD_INSTANCES
+from codegen.resolve.quantities.component import find_component
 from codegen.source import Place
 
 BAD_FAMILY = Rule(
@@ -70,11 +71,9 @@ class ParameterFamilies:
                 self._report.add(BAD_FAMILY, spec.at("per"), message)
             yield Member(name, spec)
             return
-        parts = self._instances.get(spec.for_each)
+        state, at = self._spec.state, spec.at("for_each")
+        parts = find_component(spec.for_each, self._instances, state, BAD_FAMILY, at, self._report)
         if parts is None:
-            if not self._spec.state.has_written(spec.for_each):
-                hint = did_you_mean(spec.for_each, self._instances)
-                self._report.add(BAD_FAMILY, spec.at("for_each"), f"the state has no component {spec.for_each}", hint)
             return
         prefix = parts[0].prefix
         if not name.startswith(prefix) or name == prefix:

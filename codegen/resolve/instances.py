@@ -3,9 +3,10 @@
 import re
 from collections.abc import Mapping
 
-from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.diagnostics import Report, Rule
 from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Component, Instance
+from codegen.resolve.quantities.component import find_component
 from codegen.source import Place
 
 BAD_INSTANCES = Rule(
@@ -24,10 +25,7 @@ def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, .
     board = spec.board
     for name, written in board.instances.items():
         place = board.at(f"instances.{name}")
-        if name not in spec.state.components:
-            if not spec.state.has_written(name):
-                hint = did_you_mean(name, spec.state.components)
-                report.add(BAD_INSTANCES, place, f"the state has no component {name}", hint)
+        if find_component(name, spec.state.components, spec.state, BAD_INSTANCES, place, report) is None:
             continue
         if not 1 <= len(written) <= MOST_INSTANCES:
             report.add(BAD_INSTANCES, place, f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}")

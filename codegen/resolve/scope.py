@@ -47,6 +47,10 @@ class ResolvedScope(Scope):
         self.report.add(UNKNOWN_ENTRY, place, f"{enum.name} has no entry {name}", hint)
         return None
 
+    def is_unread(self, component: str) -> bool:
+        """Return whether a component is written in a way that could not be read, which has been reported."""
+        return component not in self.components and self.spec.state.has_written(component)
+
     def facts(self) -> list[str]:
         """Every fact that board.yaml states."""
         return known_facts(self.spec, self.components)

@@ -66,6 +66,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             spec.parameters,
             parameters,
             components,
+            spec.state,
             dialect,
             index,
             report,
@@ -80,7 +81,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         report.add(NO_PROGRAM_FOR_COMMANDS, spec.commands.place, "there is no program that could do commands")
     receiver = None
     if spec.receiver is not None:
-        receiver = resolve_receiver(spec.receiver, components, messages, index, report)
+        receiver = resolve_receiver(spec.receiver, components, spec.state, messages, index, report)
     return System(
         spec=spec,
         dialect=dialect,

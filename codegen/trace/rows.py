@@ -1,7 +1,6 @@
 """The rows of the specification: every record of the tables that cites a requirement or a criterion."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 
 from codegen.model.code.clock import CLOCK
 from codegen.model.system import System
@@ -25,15 +24,6 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
             united.setdefault(key, {}).update(dict.fromkeys(row.symbols))
     rows = [Row(*key, tuple(symbols)) for key, symbols in united.items()]
     return tuple(sorted(rows, key=lambda row: (row.place, row.kind, row.name, row.part)))
-
-
-def placed(rows: Iterable[Row], shared: Mapping[str, str]) -> tuple[Row, ...]:
-    """Return the rows with the files of their symbols where they lie, as ``shared`` has them."""
-
-    def where(symbol: Symbol) -> Symbol:
-        return symbol._replace(file=shared.get(symbol.file, symbol.file))
-
-    return tuple(replace(row, symbols=tuple(dict.fromkeys(map(where, row.symbols)))) for row in rows)
 
 
 def _rows(system: System) -> Iterator[Row]:

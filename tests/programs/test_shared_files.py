@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from whole_program import module_folders, whole_program
 
-from codegen.commands.build import compile_firmware, render_systems, shared_modules, stale_firmware
+from codegen.commands.build import compile_firmware, render_systems, stale_firmware
+from codegen.commands.trace import shared_modules
 from codegen.diagnostics import Report
 from codegen.emit.mpy import BYTECODE
 from codegen.model.program_folders import program_folders

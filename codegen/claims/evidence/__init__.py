@@ -1,4 +1,4 @@
-"""What a finding stands on: how the words that were compared are tied to the name that they are said of.
+"""The evidence for a finding: how the words that were compared are tied to the name that they are said of.
 
 A finding is certain only where the structure of the document ties them: a cell below a heading that says what is in it,
 an item or a declaration that begins with the name, or a name and a value with nothing between them but a few words of a
@@ -56,7 +56,7 @@ _ABSENT = re.compile(
 
 
 def evidence_of(reading: Reading, finding: Diagnostic) -> Evidence:
-    """What a finding of something that differs from the dialect stands on."""
+    """Return the firmest kind of evidence for a finding among the parts of the document at its place."""
     if finding.rule.id in _OWN_RULES or finding.message.startswith(("the struct of ", "the fields of ")):
         return Evidence.DEFINITION
     found = [_of_span(reading, span, at, finding) for span, at in _spans_at(reading, finding)]
@@ -110,7 +110,7 @@ def _of_span(reading: Reading, span: Span, at: int, finding: Diagnostic) -> Evid
 
 
 def _says_unknown(span: Span, at: int) -> bool:
-    """Whether a value is said to be one for unknown: by the heading of its column, or in its row or sentence."""
+    """Return whether the heading of a column, the row or the sentence says that a value means unknown."""
     is_row = span.kind is PassageKind.ROW
     if is_row and is_headed(span, at, SENTINEL.id):
         return True

@@ -1,4 +1,4 @@
-"""What the heading of a column has to be for a cell to say what is looked for."""
+"""Headings that a column must have for its cells to state a type, a unit or another fact."""
 
 import re
 from functools import cache

@@ -27,4 +27,4 @@ class Evidence(Enum):
 
 
 FIRM = frozenset(Evidence) - {Evidence.WORDS}
-"""What a certain finding stands on."""
+"""The kinds of evidence that make a finding certain."""

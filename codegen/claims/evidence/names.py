@@ -66,7 +66,7 @@ def _names_field(span: Span, message: WireMessage) -> bool:
 
 
 def _is_constant(span: Span, at: int, name: str) -> bool:
-    """Whether a line gives a number to a name that is made of that of the message: ``HEARTBEAT_CRC: u8 = 50``."""
+    """Return whether a line gives a number to a constant named after the message: ``HEARTBEAT_CRC: u8 = 50``."""
     tail = r"(?:_[a-z_]+)?[\"']?\s*(?::\s*\w+\s*)?[=:\s(\[]*$"
     return re.search(name.lower() + tail, span.source_text(0, at).lower()) is not None
 
@@ -146,7 +146,7 @@ def _headed(reading: Reading) -> frozenset[str]:
 
 
 def _is_bound_above(reading: Reading, span: Span, message: str) -> bool:
-    """Whether the headings, the words above a list, or else the whole document name one message only, and this one."""
+    """Return whether the headings, the words above a list, or else the whole document name only this message."""
     topic = span.topic
     if span.kind in (PassageKind.ITEM, PassageKind.ROW) and topic.above:
         return [each.name for each in topic.above] == [message]
@@ -156,7 +156,7 @@ def _is_bound_above(reading: Reading, span: Span, message: str) -> bool:
 
 
 def _is_bound(reading: Reading, span: Span, offset: int, message: str) -> bool:
-    """Whether only one message can be meant by a field's name without it."""
+    """Return whether a field's name at this offset can only mean a field of this message."""
     names = [str(message_of(term.value)) for _, term in span.sentence.within(*near(offset), "MC")]
     if span.is_code:
         before = [str(message_of(term.value)) for _, term in span.sentence.within(0, offset, "MC")]

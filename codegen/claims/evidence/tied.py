@@ -1,4 +1,4 @@
-"""How a value is tied to a name: in its cell, behind it with a few links between, or as a clause of its item."""
+"""Ties of a value to a name: in its cell, behind it with a few linking words between, or as a clause of its item."""
 
 import re
 
@@ -25,9 +25,9 @@ _BESIDE_MOST = 70
 
 
 _NEAR = 1000
-"""How far around a value names are looked for, in characters of the short text."""
+"""The distance from a value within which names are looked for, in characters of the short text."""
 _LEAD = 200
-"""How long a text may be that only leads to a name."""
+"""The greatest length of a text that does nothing but lead to a name, in characters."""
 
 
 def near(at: int) -> tuple[int, int]:

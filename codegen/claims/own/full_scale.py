@@ -43,7 +43,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def full_scales(systems: tuple[System, ...], unit: Unit) -> list[Fraction]:
-    """What each quantity that is measured in a unit is at the highest count, with the default factor."""
+    """Return, for each quantity in a unit, its value at the converter's highest count with the default factor."""
     found = []
     for each in measured(systems, unit):
         value = each.value(Fraction(each.conversion.channel.full_scale), {}, unit)

@@ -1,4 +1,4 @@
-"""What a project's own documents say of its parameters: defaults, ranges, steps, types, places in the list."""
+"""Claims of a project's own documents about its parameters: defaults, ranges, steps, types, places in the list."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -71,7 +71,7 @@ def _counts(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
 
 
 def _sentences(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
-    """What is said behind the name of a parameter, up to the next one or the end of the sentence."""
+    """Yield findings for wrong facts behind the name of a parameter, up to the next one or the end of the sentence."""
     named = [found for found in _NAME.finditer(passage.text) if found[0] in reading.reference.parameters]
     for place, found in enumerate(named):
         facts = reading.reference.parameters[found[0]]

@@ -64,7 +64,7 @@ _HEADS = re.compile(r"\s*[a-z][a-z _]*(?:[,;]\s*[a-z][a-z _()/]*){2,}", re.IGNOR
 
 
 def _is_row(found: "re.Match[str]") -> bool:
-    """Whether a line is no statement of a language, ``return   x;``."""
+    """Return whether a line is a row of a table, and no statement of a language such as ``return   x;``."""
     is_comment = bool(found["lead"].strip())
     return is_comment or not found["rest"].endswith((";", "{", "(")) or ";" in found["gap"]
 

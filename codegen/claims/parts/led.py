@@ -1,4 +1,4 @@
-"""What stands below the name of a field: its heading, or a question about it, leads what the next paragraph says."""
+"""Fields that a heading names, or a question: they are the subject of the next paragraph."""
 
 import re
 from dataclasses import replace

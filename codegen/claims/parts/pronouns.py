@@ -33,7 +33,7 @@ _OTHER_TERMS = frozenset("FMEVC")
 _AT_LEAST_TWO = 2
 _LATTER = re.compile(r"the (?:latter|last one)")
 _FAR = 200
-"""How far back the last name is looked for."""
+"""The greatest distance back to the last name, in characters."""
 
 
 def with_names(sentence: Sentence) -> Sentence | None:
@@ -69,7 +69,7 @@ def _meant(sentence: Sentence) -> Iterator[tuple[int, int, list[Term]]]:
 
 
 def _is_subject(text: str, low: int, pronoun: "re.Match[str]") -> bool:
-    """Whether a pronoun is what its sentence or clause is about, or what has to be filled."""
+    """Return whether a pronoun is the subject of its sentence or clause, or the object that has to be filled."""
     lead = text[low : pronoun.start()]
     return (
         _FACTOR.search(lead) is not None
@@ -93,7 +93,7 @@ _THE_FIELD = re.compile(
 
 
 def _agrees(pronoun: "re.Match[str]", before: list[Term]) -> bool:
-    """Whether a pronoun stands for as many as there are."""
+    """Return whether a pronoun, singular or plural, agrees with the number of names before it."""
     if pronoun["one"]:
         is_raw = re.search(r"\b(?:divide|multiply) $", pronoun.string[: pronoun.start()]) is not None
         return len(before) == 1 or (is_raw and bool(before))

@@ -22,12 +22,12 @@ _COMPARED = re.compile(
     r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
 )
 _WINDOW = 400
-"""How far a sentence is looked for around a place, in characters."""
+"""The greatest distance from a place to either end of its sentence, in characters."""
 
 
 @lru_cache(maxsize=16)
 def _ends(text: str) -> tuple[int, ...]:
-    """Where the sentences of a text end."""
+    """Return the offsets at which the sentences of a text end."""
     return tuple(found.start() for found in _BREAK.finditer(text))
 
 
@@ -81,7 +81,7 @@ class Span:
         return max(low, offset - _WINDOW), min(high, offset + _WINDOW)
 
     def end_of(self, offset: int) -> int:
-        """How far a statement reaches that begins at a character: its sentence, and those that go on about it."""
+        """Return the offset at which a statement ends: that of its sentence, or of the sentences that continue it."""
         _, high = self.bounds(offset)
         is_row = self.kind is PassageKind.ROW or self.is_code
         if not is_row and self._has_other_subject(offset):
@@ -93,7 +93,7 @@ class Span:
         return high
 
     def _has_other_subject(self, offset: int) -> bool:
-        """Whether the sentence around a name is about another one, which a pronoun after it stands for."""
+        """Return whether the sentence around a name has another field as its subject, which later pronouns mean."""
         low, _ = self.bounds(offset)
         first = next((at for at, _ in self.sentence.within(low, offset, "F")), None)
         is_same = first is None or re.fullmatch(
@@ -119,7 +119,7 @@ class Span:
 
 
 def is_data(span: Span) -> bool:
-    """Whether it is a block of JSON or YAML."""
+    """Return whether a part is a block of JSON or YAML."""
     return span.language in DATA
 
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.cells import said_before
 from codegen.claims.parts.code_spans import code_spans, named_in
 from codegen.claims.parts.led import led_by, names_leading
@@ -32,7 +33,7 @@ def vocabulary(reading: Reading) -> Vocabulary:
     return Vocabulary(
         messages=reading.messages,
         enums=reading.enums,
-        entries={entry.name for enum in reading.enums.values() for entry in enum.entries},
+        entries=entry_values(reading.enums),
         fields=frozenset(field.name for name in named for field in reading.messages[name].fields),
     )
 
@@ -122,7 +123,7 @@ def _other_lists(reading: Reading, words: Vocabulary) -> frozenset[int]:
 
 
 def _is_foreign(reading: Reading, part: Passage) -> bool:
-    """Whether a heading or a caption is about a message that the dialect does not have."""
+    """Return whether a heading or a caption is about a message that the dialect does not have."""
     text = part.text.strip()
     found = _CALLED.match(text) if part.kind is PassageKind.HEADING else _CAPTION.search(text)
     name = found["name"] if found is not None else ""
@@ -131,7 +132,7 @@ def _is_foreign(reading: Reading, part: Passage) -> bool:
 
 
 def _is_foreign_item(reading: Reading, part: Passage | CodeBlock) -> bool:
-    """Whether an item is about a message of another kind, such as one of a log: "the log, message `IMU`"."""
+    """Return whether an item is about a message of another kind, such as one of a log: "the log, message `IMU`"."""
     found = _ITEM.search(part.text) if isinstance(part, Passage) and part.kind is PassageKind.ITEM else None
     known = vocabulary(reading)
     return found is not None and found["name"] not in known.messages and found["name"] not in known.enums

@@ -94,7 +94,7 @@ _SHORT_UNITS = frozenset((
     "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",
     "byte", "in", "a", "rad", "knots", "x",
 ))  # fmt: skip
-"""What is a word or a name as often as a unit: only where a unit has to stand."""
+"""Units that are as often a word or a name: they are read only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
     r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
     r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
@@ -233,7 +233,7 @@ def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
 
 
 def _is_unit_word(word: str, before: str) -> bool:
-    """Whether a word stands where a unit does: "the second one" and "a few seconds" are none."""
+    """Return whether a word is a unit by the words before it: in "the second one" and "a few seconds" it is none."""
     if word in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs"):
         return (
             re.search(r"\b(?:in|of|unit:?|get|gives?|yields?|obtain|N for|N to) ?$|[(\[,:|#*/=] ?$", before) is not None

@@ -49,11 +49,11 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (nouns.check, "UTN", ""),
     (lengths.sized, "FP", "N"),
 )
-"""What is looked for, and the terms without which nothing is: one of the first, and one of the second."""
+"""The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""
 
 
 def _is_aside(span: Span, found: Diagnostic) -> bool:
-    """Whether the sentence of a finding is about other things than the messages of the dialect."""
+    """Return whether the sentence of a finding is about other things than the messages of the dialect."""
     if span.is_code and not span.is_comment:
         return False
     offsets = span.sentence.offsets

@@ -103,7 +103,7 @@ def _sentences(span: Span) -> Iterator[tuple[int, int]]:
 
 
 def _is_value(text: str, low: int, at: int) -> bool:
-    """Whether a number may be a value of a field, and no amount, place or end of a range."""
+    """Return whether a number may be a value of a field, and no amount, place or end of a range."""
     return not _USED.search(text[max(low, at - 14) : at].removesuffix("(")) and not _NO_VALUE.match(text, at + 1)
 
 
@@ -143,11 +143,11 @@ _OF_SEVERAL = re.compile(
 )
 """The beginning of a sentence about several things, which no single field is: "the two temperatures are ..."."""
 _CARRIED = 250
-"""How far a field is carried, in characters."""
+"""The greatest distance over which a text stays about a field, in characters."""
 
 
 def _is_tied(text: str, at: int, start: int, end: int) -> bool:
-    """Whether a value and words for absence belong together: near, and with nothing of another kind between."""
+    """Return whether a value and words for absence belong together: near, and with nothing of another kind between."""
     if start <= at < end:
         return True
     low, high = (at + 1, start) if at < start else (end, at)
@@ -156,7 +156,7 @@ def _is_tied(text: str, at: int, start: int, end: int) -> bool:
 
 
 def _is_right(one: About, value: float | Fraction | None, *, is_tied: bool) -> bool:
-    """Whether a value stands for unknown in a field; a small one that stands elsewhere may be there by chance."""
+    """Return whether a value stands for unknown in a field; a small one elsewhere may be there by chance."""
     if value is None or (float(value) in _SMALL and not is_tied):
         return False
     return not one.is_wrong(partial(is_unknown, value=float(value)))

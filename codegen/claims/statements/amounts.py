@@ -145,7 +145,7 @@ _AGAINST = re.compile(
 )
 """Behind an amount whose sign is told in words: "15.23 m to the south" is negative."""
 _BEHIND_AMOUNT = 60
-"""How far behind an amount words still make it no statement."""
+"""The number of characters behind an amount in which a word can still rule it out as a statement."""
 
 
 def _bounds(span: Span, at: int) -> tuple[int, int]:
@@ -159,19 +159,19 @@ _PARAMETER = re.compile(r"\b(?:param\w*|ids?|messages?|msg|command|section|versi
 
 
 def _is_parameter(text: str, low: int, offset: int) -> bool:
-    """Whether a number is that of a parameter of a command, an id or the like."""
+    """Return whether a number is the number of a parameter of a command, an id or the like."""
     return _PARAMETER.search(text[low:offset]) is not None
 
 
 def _is_together(span: Span, low: int, start: int, end: int) -> bool:
-    """Whether an amount and a number belong together, and are not the other side of a mapping, which stands first."""
+    """Return whether an amount and a number belong together, and the amount is not the first side of a mapping."""
     if end - start > _FAR or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP"))):
         return False
     return _is_tied(span, start, end) or _EXAMPLE.fullmatch(span.text, start + 1, end) is not None
 
 
 def _is_tied(span: Span, start: int, end: int) -> bool:
-    """Whether nothing but words that tie an amount to its number stands between them."""
+    """Return whether only words that tie an amount to its number stand between them."""
     gap = span.text[start + 1 : end]
     if span.kind is PassageKind.ROW and re.fullmatch(r"\s*\|\s*", gap):
         return span.text.count("N") == 1 and span.text.count("Q") == 1
@@ -216,7 +216,7 @@ _ROUNDED = 100
 
 
 def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, written: str) -> bool:
-    """Whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
+    """Return whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
     places = len(re.split(r"[^\d]", written.partition(".")[2])[0]) if "." in written else 0
     for field in (one.field, *one.others):
         own, next_one = _in_own(field, amount, unit), _in_own(field, amount + Fraction(1, 10**places), unit)

@@ -1,4 +1,4 @@
-"""What is said of the parameters of commands, by their number: "param 2 of NAME is the interval in us"."""
+"""Claims about the parameters of commands, by their number: "param 2 of NAME is the interval in us"."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -161,6 +161,6 @@ def _label(parameter: CommandParameter) -> list[str]:
 
 
 def _is_named(parameter: CommandParameter, what: list[str]) -> bool:
-    """Whether words are among those of a parameter's label."""
+    """Return whether words are among those of a parameter's label, or the label's among them."""
     label = _label(parameter)
     return bool(label) and (set(what) >= set(label) or set(what) <= set(label))

@@ -54,7 +54,7 @@ _CONSTANT = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class _Subject:
-    """What values are said of, and its enum."""
+    """A field or an enum whose values are told, by its name, and its enum."""
 
     name: str
     enum: EnumDefinition
@@ -137,7 +137,7 @@ _NO_ENUM = re.compile(r"\b(?:not|no|never|nor) (?:an? |any |the |from |of |in )*
 
 
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:
-    """What a list or a table tells the values of: a field above it, an enum that is named, or a field."""
+    """Return the subject of the values of a list or a table: the field or enum named above, or the best fit."""
     fields = _fields(reading, above)
     if fields:
         return fields[-1]
@@ -315,7 +315,7 @@ def _enum_called(reading: Reading, span: Span, found: "re.Match[str]") -> _Subje
 
 
 def is_borne_out(reading: Reading, span: Span, name: str, field: str | None) -> bool:
-    """Whether most of the values in a part, or in the list that it is of, are right for the enum of a subject.
+    """Return whether most values of a part, or of the list that it belongs to, are right for the enum of a subject.
 
     ``name`` is that of the enum, or of the message whose ``field`` has it.
     """
@@ -343,7 +343,7 @@ def _is_mostly_right(parts: Sequence[Span], enum: EnumDefinition) -> bool:
 
 @once
 def _borne_out(_: Reading) -> dict[tuple[int, int, str], bool]:
-    """What was found out of the lists of a document, by their first part, their length and an enum."""
+    """Return the results for lists of a document so far, by the id of their first part, length and enum."""
     return {}
 
 

@@ -3,13 +3,13 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
-from codegen.once import once
 
 _NAMED = (
     re.compile(
@@ -40,7 +40,7 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Entries by their names, or by the end of their names, beside a number."""
     if "V" not in span.text:
         return
-    values = _entry_values(reading)
+    values = entry_values(reading.enums)
     for form in _NAMED:
         for found in form.finditer(span.text):
             if (
@@ -85,14 +85,8 @@ _IN_LIST = re.compile(r"\b[NQSV], $")
 _OF_VALUES = ("", "csv", "tsv", "text", "txt")
 
 
-@once
-def _entry_values(reading: Reading) -> dict[str, int]:
-    """The values of all entries by name."""
-    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
-
-
 def _begins_with_number(span: Span, offset: int) -> bool:
-    """Whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
+    """Return whether a list has its numbers first: "1 FIRST, 2 SECOND"."""
     return _NUMBER_FIRST.search(span.text, max(offset - _LIST, 0), offset) is not None
 
 

@@ -96,7 +96,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 def _is_raw(unit: Unit, field: WireField) -> bool:
-    """Whether what stands behind a factor is the unit of the field, which something else is turned into."""
+    """Return whether the unit behind a factor is the field's own: another value is then scaled to it, not the field."""
     own = Unit.parse(field.definition.units)
     return own is not None and is_same_unit(own, unit)
 
@@ -180,7 +180,7 @@ _STEPS = re.compile(
 
 
 def _has_scale(field: WireField, value: float | Fraction | None) -> bool:
-    """Whether a number is the factor of a field's unit over the one without a prefix."""
+    """Return whether a number is the factor between a field's unit and the same one without a prefix."""
     found = _STEPS.fullmatch(field.definition.units or "")
     if found is None:
         return True

@@ -1,4 +1,4 @@
-"""What is said of the place of fields in their message: extension or not, offset, order, and of their enum."""
+"""Claims about the place of fields in their message: extension or not, offset, order; and about their enum."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -185,7 +185,7 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:
-    """Whether a name is, or nearly is, that of an entry: another rule tells it."""
+    """Return whether a name is, or nearly is, that of an entry: another rule reports it."""
     entries = [entry.name for entry in reading.enums[enum].entries] if enum in reading.enums else []
     return any(entry.endswith(written) for entry in entries) or bool(
         get_close_matches(written, entries, n=1, cutoff=0.75)

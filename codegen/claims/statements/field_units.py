@@ -24,7 +24,7 @@ def of_field(unit: Unit, field: WireField) -> Unit:
 
 
 def is_same_unit(one: Unit, other: Unit) -> bool:
-    """Whether numbers in either are the same."""
+    """Return whether a number means the same in both units."""
     return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
 
 
@@ -32,7 +32,7 @@ _UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
 
 
 def has_unit(field: WireField, unit: Unit) -> bool:
-    """Whether a unit is that of a field; also where either has none to compare."""
+    """Return whether a unit is that of a field, or one of both has nothing to compare."""
     own = Unit.parse(field.definition.units)
     stated = of_field(unit, field)
     if own is None and stated.dimension and _UNITLESS.search(field.definition.description):

@@ -1,4 +1,4 @@
-"""What is said of fields: type, length, unit, factor, value for unknown, extension, enum, place on the wire."""
+"""Claims about fields: type, length, unit, factor, value for unknown, extension, enum, place on the wire."""
 
 import re
 from collections.abc import Callable, Collection, Iterator
@@ -42,7 +42,7 @@ _CONTRAST = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """What is said of one or several fields: their offsets, and the bounds of what follows them."""
+    """One or several fields that a text tells of: their offsets, and the bounds of the words that follow them."""
 
     span: Span
     names: tuple[int, ...]
@@ -53,12 +53,12 @@ class Said:
 
     @property
     def tail(self) -> str:
-        """What follows the names."""
+        """Return the words that follow the names."""
         return self.span.text[self.end : self.until]
 
     @property
     def is_listed(self) -> bool:
-        """Whether it is an item, a row or a comment, where a comma divides what is said."""
+        """Return whether the part is an item, a row or a comment, in which a comma ends a statement."""
         return self.span.kind in (PassageKind.ITEM, PassageKind.ROW) or self.span.is_code
 
 
@@ -90,7 +90,7 @@ def _said(span: Span) -> Iterator[Said]:
 
 
 def _is_name(span: Span, found: "re.Match[str]") -> bool:
-    """Whether a group names fields: words of a language that happen to be names need more around them."""
+    """Return whether a group names fields: an everyday word that happens to be a name needs more around it."""
     text = span.text
     if "F" in found[0]:
         again = _FIELD_CELL.search(text, found.end()) if span.kind is PassageKind.ROW else None
@@ -142,7 +142,7 @@ def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField
 
 
 def made_of(text: str, words: Collection[str]) -> bool:
-    """Whether all words of a text are some of a set."""
+    """Return whether every word of a text is in a set."""
     return all(word in words for word in re.findall(r"[A-Za-z]+", text))
 
 

@@ -1,4 +1,4 @@
-"""How far the numbers of a field are said to go: "`cog` ends at 65535", "from 0 to 35999", "at most 327.67 m/s"."""
+"""Claims about the range of a field's numbers: "`cog` ends at 65535", "from 0 to 35999", "at most 327.67 m/s"."""
 
 import re
 from collections.abc import Iterator
@@ -152,12 +152,12 @@ _RUNS = re.compile(
 
 
 def _is_of_other(unit: object, one: About) -> bool:
-    """Whether a unit that is named, too, is another one than that of the field: the number may be in that one."""
+    """Return whether a named unit is another one than that of the field: the number may be in that unit."""
     return isinstance(unit, Unit) and not has_unit(one.field, unit)
 
 
 def _ends(said: Said) -> str:
-    """What divides a statement from the next one: in an item a semicolon does not."""
+    """Return the pattern that ends a statement; within an item a semicolon does not."""
     return r"\||\.\s" if said.is_listed else r"[|;]|\.\s"
 
 
@@ -187,7 +187,7 @@ def _raw(field: WireField, end: _End) -> Fraction | None:
 
 
 def _is_wrong(one: About, end: _End, *, is_top: bool) -> bool:
-    """Whether an end is that of another type, or of a full turn in another unit, and none of the field."""
+    """Return whether an end is that of another type, or of a full turn in another unit, and none of the field."""
     return all(_is_other(field, end, is_top=is_top) for field in (one.field, *one.others))
 
 
@@ -222,7 +222,7 @@ def _is_far(field: WireField, raw: Fraction) -> bool:
 
 
 def _is_told(field: WireField, end: _End) -> bool:
-    """Whether the description names the number."""
+    """Return whether the field's description names the number."""
     return re.search(rf"(?<!\d){end.value}(?!\d)", field.definition.description) is not None
 
 
@@ -231,7 +231,7 @@ def _is_number(text: str | None) -> bool:
 
 
 def _is_turn(field: WireField, raw: Fraction) -> bool:
-    """Whether a number is a full or half turn in the power of ten of another unit than the field has."""
+    """Return whether a number is a full or half turn, but in another power of ten than the field's unit has."""
     own = Unit.parse(field.definition.units)
     degrees = unit_named("deg")
     if own is None or own.dimension != degrees.dimension or own.pi:

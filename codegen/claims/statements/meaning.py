@@ -1,4 +1,4 @@
-"""Which entry of an enum words mean: by its name without what all names begin with, or by its description."""
+"""The entry of an enum that words mean: by its name without what all names begin with, or by its description."""
 
 import re
 from collections.abc import Sequence
@@ -39,14 +39,14 @@ class Meaning:
         return {entry.name: _content(entry.description.lower()) for entry in self._enum.entries}
 
     def is_named(self, value: int, words: str) -> bool:
-        """Whether words are those of the entry that has a value."""
+        """Return whether words are those of the entry that has a value."""
         content = _content(words)
         return any(
             entry.value == value and content and self._named(entry, content) >= _COVERS for entry in self._enum.entries
         )
 
     def is_sure(self, entry: EnumEntry, words: str) -> bool:
-        """Whether words are those of the name of an entry, and not only of its description."""
+        """Return whether words are those of the name of an entry, and not only of its description."""
         return self._named(entry, _content(words)) >= _COVERS
 
     def meant_otherwise(self, value: int, words: str, *, is_name: bool = False) -> EnumEntry | None:

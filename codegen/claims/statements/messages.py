@@ -98,7 +98,7 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _is_id(span: Span, offset: int) -> bool:
-    """Whether a number behind a plain word can hardly be anything else than an id."""
+    """Return whether a number behind a plain word is so great that it can hardly be anything but an id."""
     value = number(span.sentence.term(offset))
     return value is not None and value >= _GREAT
 

@@ -1,4 +1,4 @@
-"""What is said of fields by other words than their names: "its accelerations are in m/s", "a text of 54 characters"."""
+"""Claims about fields by other words than their names: "its accelerations are in m/s", "a text of 54 characters"."""
 
 import re
 from collections.abc import Iterator
@@ -93,14 +93,14 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _is_called(field: WireField, words: list[str]) -> bool:
-    """Whether all words occur in the name or at the beginning of the description of a field."""
+    """Return whether all words occur in the name or in the first sentence of the description of a field."""
     text = field.definition.description.lower().partition(".")[0]
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " ")) + re.findall(r"[a-z]+", text)
     return all(any(_is_like(word, token) for token in tokens) for word in words)
 
 
 def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
-    """Whether a unit measures what a field does, or the words are those of the field's name."""
+    """Return whether a unit has the dimension of a field's, or all words occur in the field's name."""
     own = Unit.parse(field.definition.units)
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
     return own is not None and (

@@ -100,7 +100,7 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _is_other(one: About) -> bool:
-    """Whether a field of another message may be meant."""
+    """Return whether a field of another message may be meant."""
     return any(other is not one.field for other in one.others)
 
 

@@ -169,7 +169,7 @@ class _Size:
 
     @property
     def is_first(self) -> bool:
-        """Whether nothing but an id stands before it in its sentence."""
+        """Return whether only an id stands before the number in its sentence."""
         return not self.before.strip(" -*/#|") or _BEGINS.fullmatch(self.before) is not None
 
 
@@ -193,7 +193,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def _is_room(size: _Size, message: WireMessage, value: int | Fraction) -> bool:
-    """Whether a number is what the array of a message has room for: "180 bytes in one message" of data."""
+    """Return whether a number is the size of an array of the message: "180 bytes in one message" of data."""
     is_held = re.match(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b", size.behind)
     return is_held is not None and value in {field.size for field in message.fields if field.is_array}
 
@@ -230,7 +230,7 @@ def _first(span: Span, offset: int) -> Fraction | None:
 
 
 def _kind(size: _Size) -> str | None:
-    """Whether a payload, a frame or either is meant; None where it may be the size of something else."""
+    """Return what the size is of: "payload", "frame", or "message" for either; None if it may be something else."""
     if size.first is not None or _EACH.match(size.behind):
         return "frame" if size.is_frame else "message"
     if size.span.text.lstrip().startswith("}") or "sizeof" in size.words:
@@ -249,7 +249,7 @@ def _kind(size: _Size) -> str | None:
 
 
 def _is_claim(size: _Size) -> bool:
-    """Whether the sentence says how large a message is, and not a part of it, or what would be."""
+    """Return whether the sentence states the size of a message, and not that of a part or of a supposed one."""
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
     if "sizeof" in size.words:
         return True
@@ -263,7 +263,7 @@ def _is_claim(size: _Size) -> bool:
 
 
 def _is_amount(size: _Size) -> bool:
-    """Whether a row of two columns, "NAME, frame | 44 bytes", tells an amount; zeros at the end may be cut from it."""
+    """Return whether a row of two columns, "NAME, frame | 44 bytes", states an amount, maybe without final zeros."""
     span = size.span
     return (
         span.kind is PassageKind.ROW

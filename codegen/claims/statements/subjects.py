@@ -10,7 +10,7 @@ from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField, WireMessage
 
 _FAR = 2000
-"""How far back messages are looked for in a passage, in characters."""
+"""The greatest distance back in a passage to the message of a statement, in characters."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class About:
         return f"{self.message.name}.{self.field.name}"
 
     def is_wrong(self, fits: Callable[[WireField], bool]) -> bool:
-        """Whether something is true of none of the fields that may be meant."""
+        """Return whether something is true of none of the fields that may be meant."""
         return not fits(self.field) and not any(fits(other) for other in self.others)
 
 
@@ -77,7 +77,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
 
 
 def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
-    """Whether the nearest name before a field is one that there is not: "PUMP_STATE, in which `id` ..."."""
+    """Return whether the nearest name before a field is of no known message: "PUMP_STATE, in which `id` ..."."""
     if span.is_code:
         return False
     names = [(at, term.letter) for at, term in span.sentence.within(low, offset, "MC")]

@@ -114,7 +114,7 @@ _MEANINGS: Mapping[str, _Sizes] = {
 
 
 def _sizes(head: str, told: Sequence[tuple[Row, WireMessage, int]]) -> _Sizes | None:
-    """What a column of sizes means: by its heading, and where that leaves it open by most of its rows."""
+    """Return the sizes that a column may mean: by its heading, and where that leaves it open by most of its rows."""
     if _BASE.fullmatch(head):
         return lambda message: {message.base_length}
     if _FULL.fullmatch(head):
@@ -162,7 +162,7 @@ _MOST = 3
 
 @dataclass(frozen=True, slots=True)
 class _Bandwidth:
-    """What a row says of bytes per second: ``size`` is the largest that it shows, or that of a frame."""
+    """The bytes per second in a row: ``size`` is the largest that the row shows, or that of a frame."""
 
     row: Row
     message: WireMessage

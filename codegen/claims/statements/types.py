@@ -55,7 +55,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def has_type(field: WireField, stated: StatedType) -> bool:
-    """Whether a type is that of a field; of an array the type of its elements will do."""
+    """Return whether a type is that of a field; for an array the type of its elements is enough."""
     own = field.type
     if stated.length is not None and (not field.is_array or stated.length != field.count):
         return False
@@ -70,7 +70,7 @@ def has_type(field: WireField, stated: StatedType) -> bool:
 
 
 def _is_plain(gap: str) -> bool:
-    """Whether nothing stands between a name and its type but words that say so, or that do not say anything else."""
+    """Return whether only words that introduce a type, or that say nothing else, stand between a name and its type."""
     if re.search(r"[;.|]", gap):
         return False
     return made_of(gap, _IDLE) or (len(gap) < _LONG_GAP and _LEADS.search(gap) is not None and not _OTHER.search(gap))
@@ -86,7 +86,7 @@ _OTHER = re.compile(
 
 
 def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
-    """Whether a word is a type of the language of the code and not of the wire."""
+    """Return whether a word is a type of the code's own language, and not one of the wire."""
     if span.language in ("kotlin", "java", "swift", "cs", "csharp", "dart") and stated.name in (
         "float",
         "double",
@@ -103,7 +103,7 @@ _OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
 
 
 def _is_path(span: Span, offset: int) -> bool:
-    """Whether code converts to a type, ``u32::from(x)``, ``sum::<u32>()``, ``(T)(x)``, and declares nothing with it."""
+    """Return whether code converts to a type, ``u32::from(x)``, ``sum::<u32>()``, ``(T)(x)``, and declares nothing."""
     if not span.is_code or span.is_comment:
         return False
     if span.text.endswith("(", 0, offset) and _CASTS.match(span.text, offset + 1):

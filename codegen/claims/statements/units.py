@@ -141,7 +141,7 @@ _UNIT_OF = re.compile(r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fie
 
 
 def _is_of_else(said: Said, gap: str, behind: str) -> bool:
-    """Whether what follows names is no longer about their unit."""
+    """Return whether the words behind names are no longer about their unit."""
     if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
         return True
     if "}" in gap and not said.span.is_code:
@@ -154,7 +154,7 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
 
 
 def _is_own(span: Span, offset: int) -> bool:
-    """Whether a unit is what code computes, what a column of another thing holds, or the name of a key."""
+    """Return whether a unit belongs to a computation in code, to a column about something else, or is a key's name."""
     if is_data(span):
         return (
             span.text[offset + 1 : offset + 2] == ":"
@@ -193,7 +193,7 @@ def _each(reading: Reading, said: Said, offset: int) -> list[Diagnostic]:
 
 
 def _last_clause(gap: str) -> str:
-    """What is said by a pronoun after something else: "is divided by 1000, although it is in cm"."""
+    """Return the words from the last pronoun on: "it is in cm" of "is divided by 1000, although it is in cm"."""
     return _PRONOUN.split(gap)[-1]
 
 

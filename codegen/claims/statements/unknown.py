@@ -79,7 +79,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 def is_unknown(field: WireField, value: float) -> bool:
-    """Whether a value stands for unknown in a field, or nothing is known of that."""
+    """Return whether a value stands for unknown in a field, or the dialect does not tell."""
     known = unknown_values(field)
     if known is None:
         return True

@@ -10,6 +10,7 @@ from codegen.model.failsafe import Failsafe, FailsafeLevel, FailsafeText
 from codegen.model.spec.failsafe import GROUND_STATION, ConditionSpec, FailsafeLevelSpec, FailsafeSpec
 from codegen.model.spec.program import VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
+from codegen.model.spec.state import StateSpec
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.resolve.citation import cite, cite_aspects, cite_optional
@@ -28,6 +29,7 @@ def resolve_failsafes(
     written: ParametersSpec,
     parameters: Mapping[str, Parameter],
     components: Mapping[str, Component],
+    state: StateSpec,
     index: Mapping[str, Requirement],
     report: Report,
 ) -> tuple[Failsafe, ...]:
@@ -36,7 +38,7 @@ def resolve_failsafes(
     for name, failsafe in spec.failsafes.items():
         own = Report()
         settings = SettingReader(written, parameters, own)
-        resolved = _failsafe(name, failsafe, FailsafeScope(settings, components, spec.actions, index, own))
+        resolved = _failsafe(name, failsafe, FailsafeScope(settings, components, state, spec.actions, index, own))
         report.extend(own)
         if resolved is not None and not own.has_errors:
             found.append(resolved)

@@ -8,9 +8,11 @@ from codegen.frozen import dataclass
 from codegen.model.spec.failsafe import ConditionSpec, FailsafeLevelSpec, FailsafeSpec
 from codegen.model.spec.program import ActionSpec
 from codegen.model.spec.spec import Requirement
+from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.failsafes.finding import BAD_FAILSAFE
 from codegen.resolve.failsafes.setting import SettingReader
+from codegen.resolve.quantities.component import find_component
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +21,7 @@ class FailsafeScope:
 
     settings: SettingReader
     components: Mapping[str, Component]
+    state: StateSpec
     actions: tuple[ActionSpec, ...]
     index: Mapping[str, Requirement]
     report: Report
@@ -38,10 +41,9 @@ class FailsafeScope:
     ) -> Quantity | None:
         """A number of the state, of ``component`` where one is given; None after a finding."""
         owner, _, name = path.partition(".")
-        whole = self.components.get(owner)
+        place, form = spec.at(key), "write component.quantity"
+        whole = find_component(owner, self.components, self.state, BAD_FAILSAFE, place, self.report, form)
         if whole is None:
-            near = did_you_mean(owner, self.components) or "write component.quantity"
-            self.bad(spec, key, f"the state has no component {owner}", near)
             return None
         quantity = whole.quantities.get(name)
         if quantity is None:

@@ -9,6 +9,7 @@ from codegen.model.system import Generations, PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import is_single
+from codegen.resolve.quantities.component import find_component
 from codegen.resolve.quantities.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
@@ -45,10 +46,7 @@ def resolve_generations(
     for name, written in spec.streams.generations.items():
         citation = cite_optional(written.requirement, written.at("requirement"), index, report)
         aspects = cite_aspects(written, index, report)
-        component = components.get(name)
-        if component is None and not spec.state.has_written(name):
-            message = f"the state has no component {name} that there could be generations of messages about"
-            report.add(BAD_GENERATIONS, written.place, message, did_you_mean(name, components))
+        component = find_component(name, components, spec.state, BAD_GENERATIONS, written.place, report)
         problems = [
             *_list_problems(written, tables, taken),
             *_table_problems(written, spec.populations),

@@ -20,6 +20,7 @@ from codegen.resolve.citation import cite, cite_aspects
 from codegen.resolve.population.elements import answered_elements
 from codegen.resolve.population.generations import resolve_on_change
 from codegen.resolve.population.represent import resolve_representations
+from codegen.resolve.quantities.component import find_component
 from codegen.resolve.quantities.quantity import LONGEST_NAME
 from codegen.resolve.scope import ResolvedScope
 
@@ -66,11 +67,8 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
     stream = _stream(population, parts, report)
     component = None
     if population.for_each is not None:
-        component = parts.components.get(population.for_each)
-        if component is None and not parts.spec.state.has_written(population.for_each):
-            hint = did_you_mean(population.for_each, parts.components)
-            place = population.at("for_each")
-            report.add(UNKNOWN_COMPONENT, place, f"the state has no component {population.for_each}", hint)
+        name, place = population.for_each, population.at("for_each")
+        component = find_component(name, parts.components, parts.spec.state, UNKNOWN_COMPONENT, place, report)
     on_change = resolve_on_change(population, component, parts.spec, parts.components, report)
     if wire is None or citation is None:
         return None

@@ -10,6 +10,7 @@ from codegen.model.spec.state import StateSpec
 from codegen.model.system import Policy, Representation
 from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import Component, Parameter, QuantityKind
+from codegen.resolve.quantities.component import find_component
 from codegen.resolve.vehicle import find_parameter
 
 UNCLEAR_INSTANCE = Rule(
@@ -38,12 +39,10 @@ def resolve_representations(
     chosen = {}
     for name, policy in population.represents.items():
         place = population.at(f"represents.{name}")
-        component = components.get(name)
+        component = find_component(name, components, state, BAD_REPRESENTATION, place, report)
         if component is None:
-            if not state.has_written(name):
-                hint = did_you_mean(name, components)
-                report.add(BAD_REPRESENTATION, place, f"the state has no component {name}", hint)
-        elif name == population.for_each:
+            continue
+        if name == population.for_each:
             report.add(BAD_REPRESENTATION, place, f"the message is sent for each {name}, and represents all of them")
         elif name not in read:
             report.add(BAD_REPRESENTATION, place, f"no field of the message is about {name}")

@@ -6,6 +6,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.command import Mode
 from codegen.model.spec.program import ModeSpec, VehicleSpec
 from codegen.model.spec.spec import Requirement
+from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.resolve.citation import cite_optional
 
@@ -18,7 +19,11 @@ BAD_MODE = Rule(
 
 
 def resolve_modes(
-    spec: VehicleSpec, components: Mapping[str, Component], index: Mapping[str, Requirement], report: Report
+    spec: VehicleSpec,
+    components: Mapping[str, Component],
+    state: StateSpec,
+    index: Mapping[str, Requirement],
+    report: Report,
 ) -> tuple[Mode, ...]:
     """The modes in the order of the file; what has a finding is left out."""
     if not spec.modes:
@@ -26,7 +31,7 @@ def resolve_modes(
     vehicle = components.get("vehicle")
     quantity = vehicle.quantities.get("mode") if vehicle and vehicle.instances == 1 else None
     if vehicle is None or quantity is None or quantity.kind is not QuantityKind.NUMBER:
-        if vehicle is None or not vehicle.spec.is_written("mode"):  # else what is wrong with it has been reported
+        if not state.is_written("vehicle", "mode"):  # else what is wrong with it has been reported
             report.add(BAD_MODE, spec.at("modes"), "the component vehicle of the state has no number mode to be set")
         return ()
     found: dict[int, Mode] = {}

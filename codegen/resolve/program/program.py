@@ -11,6 +11,7 @@ from codegen.model.program import VEHICLE_QUANTITIES, Program
 from codegen.model.spec.command import CommandsSpec
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
+from codegen.model.spec.state import StateSpec
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Citation, Cited, Component, Parameter
 from codegen.model.watchdog import Watchdog
@@ -45,6 +46,7 @@ def resolve_program(
     written: ParametersSpec,
     parameters: Mapping[str, Parameter],
     components: Mapping[str, Component],
+    state: StateSpec,
     dialect: Dialect,
     index: Mapping[str, Requirement],
     report: Report,
@@ -65,11 +67,11 @@ def resolve_program(
     links = read_rate(spec.control.links, spec.control.at("links"), report)
     checks = read_rate(spec.control.checks, spec.control.at("checks"), report)
     report_ms = read_time(spec.control.report_every, unit_named("ms"), spec.control.at("report_every"), report)
-    for place, message in _program_problems(spec, components):
+    for place, message in _program_problems(spec, components, state):
         report.add(BAD_PROGRAM, place, message)
-    failsafes = resolve_failsafes(spec, written, parameters, components, index, report)
+    failsafes = resolve_failsafes(spec, written, parameters, components, state, index, report)
     own = resolve_commands(commands, spec, dialect, index, report)
-    modes = resolve_modes(spec, components, index, report)
+    modes = resolve_modes(spec, components, state, index, report)
     takes_long = any(command.spec.long for command in own)
     takes_keys = access is not None and bool(access.spec.setup)
     uses = Uses(
@@ -151,14 +153,16 @@ def _present(**parts: Cited | None) -> dict[str, Cited]:
     return {name: part for name, part in parts.items() if part is not None}
 
 
-def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) -> Iterator[tuple[Place, str]]:
+def _program_problems(
+    spec: VehicleSpec, components: Mapping[str, Component], state: StateSpec
+) -> Iterator[tuple[Place, str]]:
     vehicle = components.get("vehicle")
     if spec.arming is None:
         for name, failsafe in spec.failsafes.items():
             yield failsafe.place, f"the failsafe {name} acts on what can be armed, and nothing can without arming"
         for action in spec.actions:
             yield action.place, f"{action.call} is what a failsafe does, and there is none without arming"
-    elif vehicle is None or vehicle.instances != 1:
+    elif vehicle.instances != 1 if vehicle else not state.has_written("vehicle"):
         yield spec.place, "the state has no single component vehicle"
     for name, kind in VEHICLE_QUANTITIES.items() if vehicle and spec.arming else ():
         quantity = vehicle.quantities.get(name) if vehicle else None

@@ -7,10 +7,12 @@ from codegen.measure import read_time
 from codegen.model.receiver import Receiver
 from codegen.model.spec.receiver import ReceiverSpec
 from codegen.model.spec.spec import Requirement
+from codegen.model.spec.state import StateSpec
 from codegen.model.system import PopulatedMessage
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Component
 from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.quantities.component import find_component
 
 BAD_RECEIVER = Rule(
     "bad-receiver",
@@ -29,6 +31,7 @@ UNPLAYED_ROLE = Rule(
 def resolve_receiver(
     spec: ReceiverSpec,
     components: Mapping[str, Component],
+    state: StateSpec,
     messages: Sequence[PopulatedMessage],
     index: Mapping[str, Requirement],
     report: Report,
@@ -38,10 +41,8 @@ def resolve_receiver(
     aspects = cite_aspects(spec, index, report)
     stale = read_time(spec.stale_after, unit_named("ms"), spec.at("stale_after"), report)
     window = read_time(spec.rate_over, unit_named("ms"), spec.at("rate_over"), report)
-    component = components.get(spec.component)
+    component = find_component(spec.component, components, state, BAD_RECEIVER, spec.at("component"), report)
     if component is None:
-        hint = did_you_mean(spec.component, components)
-        report.add(BAD_RECEIVER, spec.at("component"), f"the state has no component {spec.component}", hint)
         return None
     received = sorted(
         (message for message in messages if _is_received(message, component)), key=lambda message: message.wire.id

@@ -43,7 +43,7 @@ class Amount:
 
     @property
     def is_plain(self) -> bool:
-        """Whether it has no unit."""
+        """Return whether the amount has no unit."""
         return self.unit == NUMBER
 
     @property
@@ -52,7 +52,7 @@ class Amount:
         return Fraction(1, 10) ** self.places
 
     def like(self, unit: Unit) -> bool:
-        """Whether it measures what ``unit`` does."""
+        """Return whether the amount has the dimension of ``unit``."""
         return not self.is_plain and self.unit.dimension == unit.dimension
 
     def in_unit(self, unit: Unit) -> Fraction | None:
@@ -61,7 +61,7 @@ class Amount:
         return None if factor is None else self.value * factor
 
     def shows(self, exact: Fraction) -> bool:
-        """Whether it is ``exact``, a value in its unit, rounded to the decimals that are written."""
+        """Return whether the number is ``exact``, a value in its unit, rounded to the decimals that are written."""
         return exact == self.value or abs(exact - self.value) <= self.last / 2
 
     def spelled(self, exact: Fraction) -> str:

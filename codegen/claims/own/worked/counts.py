@@ -61,7 +61,7 @@ def _table(examples: Examples, table: Table) -> Iterator[Diagnostic]:
 
 
 def _stated(table: Table, names: Iterable[str]) -> Mapping[str, Fraction]:
-    """What the text before a table says that factors are: "with NAME 4.0158"."""
+    """Return the values that the text before a table gives to factors, by their names: "with NAME 4.0158"."""
     text = table.intro.text if table.intro is not None else ""
     found = {}
     for name in names:

@@ -106,7 +106,7 @@ def _seconds(examples: Examples, said: _Said) -> list[Fraction]:
 
 
 def _slots(examples: Examples, label: str) -> list[Fraction]:
-    """How often the main loop runs in a day, in a turn of a clock, or from one update of a component to the next."""
+    """Return how often the main loop runs in a day, in one turn of a clock, or between updates of a component."""
     turn, update = _ONE_TURN.search(label), _UPDATE.search(label)
     if _ONE_DAY.search(label):
         return [_DAY / each for each in _periods(examples)]

@@ -101,7 +101,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Examples:
-    """What a document has of worked examples, in its order; ``statements`` are the rows of two columns."""
+    """The worked examples of a document, in its order; ``statements`` are the rows of two columns."""
 
     reading: Reading
     tables: tuple[Table, ...]

@@ -82,7 +82,7 @@ def _row(
 
 
 def _values(table: Table, row: Row, answer: Answer, quantity: Quantity) -> tuple[int, ...]:
-    """What an answer carries for the quantity of a row, while all else is unknown; none if that is unsure."""
+    """Return the raw values of an answer for the quantity of a row, all others unknown; empty where that is unsure."""
     amount, text = table.amount(row, 0), row.entries[0].text
     if quantity.kind is not QuantityKind.NUMBER or quantity.elements is not None:
         return ()

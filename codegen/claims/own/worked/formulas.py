@@ -15,7 +15,7 @@ from codegen.model.units.unit import decimal
 
 _FORMULA = re.compile(r"(?P<name>[A-Za-z_]\w*) = (?P<expression>[\w\s.*/+()-]{3,200})")
 _MOST = 50
-"""How many formulas of a document are looked at."""
+"""The most formulas of a document that are looked at."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _LARGEST = re.compile(r"largest (?:intermediate|product|value) of $", re.IGNORECASE)
 
@@ -67,7 +67,7 @@ def _most(examples: Examples) -> Iterator[Mapping[str, Fraction]]:
 
 
 def _result(formula: str, given: Mapping[str, Fraction]) -> Fraction | None:
-    """What a formula makes of numbers; None where it has other names, or is no arithmetic."""
+    """Return the result of a formula with numbers for its names; None where it has other names, or is no arithmetic."""
     if not set(_NAME.findall(formula)) <= given.keys():
         return None
     text = _NAME.sub(lambda name: decimal(given[name[0]]), formula)

@@ -1,4 +1,4 @@
-"""Which numbers of worked examples nothing computes: those that can be changed without any finding."""
+"""Numbers of worked examples that nothing computes: they can be changed without any finding."""
 
 import re
 from collections.abc import Container, Iterator
@@ -27,12 +27,12 @@ class Number:
 
     @property
     def place(self) -> Place:
-        """Where it stands."""
+        """Return the place of the number in its document."""
         return self.passage.place_at(self.amount.start)
 
     @property
     def is_computed(self) -> bool:
-        """Whether each change of it is noticed."""
+        """Return whether each change of the number gives a finding."""
         return all(self.found)
 
 

@@ -1,4 +1,4 @@
-"""What counts of the converter stand for, by the conversions of the project."""
+"""Physical values of the counts of the converter, by the conversions of the project."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
@@ -21,7 +21,7 @@ class Measured:
     factors: tuple[Factor, ...]
 
     def value(self, count: Fraction, factors: Mapping[str, Fraction], unit: Unit) -> Fraction | None:
-        """What a count stands for, exactly, in a unit; factors that are not given by name have their defaults."""
+        """Return the exact value of a count in a unit; factors that are not given by name have their defaults."""
         return self._in(unit, self.conversion.exact, count, factors)
 
     def kept(self, count: Fraction, factors: Mapping[str, Fraction], unit: Unit) -> Fraction | None:
@@ -34,7 +34,7 @@ class Measured:
         return None if factor is None else count * channel.reference / channel.full_scale * factor
 
     def takes(self, names: Iterable[str]) -> bool:
-        """Whether each of some names is that of a factor."""
+        """Return whether all of these names are names of factors."""
         return set(names) <= {factor.name for factor in self.factors}
 
     @property
@@ -57,7 +57,7 @@ class Measured:
 
 
 def measured(systems: Iterable[System], unit: Unit | None, names: Iterable[str] = ()) -> tuple[Measured, ...]:
-    """What is measured in the dimension of ``unit`` (None: in any), and has factors of these names."""
+    """Return the measured quantities with the dimension of ``unit`` (None: any) that have factors of these names."""
     wanted = tuple(names)
     found = (each for system in systems for each in _measured(system))
     return tuple(

@@ -114,7 +114,7 @@ def _defaults(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic
 
 
 def _count(examples: Examples, parameter: Parameter) -> int | None:
-    """How many there are of what the default of a parameter is for one of."""
+    """Return how many things the default of a parameter is for (those of its ``per``); None where it has no ``per``."""
     for system in examples.systems:
         component = system.components.get(parameter.component or "")
         if component is not None and parameter.spec.per is not None:

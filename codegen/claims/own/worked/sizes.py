@@ -56,7 +56,7 @@ def message_of(examples: Examples, row: Row) -> WireMessage | None:
 
 
 def stated_frames(examples: Examples) -> Mapping[str, tuple[Frame, ...]]:
-    """What the tables of a document say of the frames of messages, by their names."""
+    """Return the sizes of frames that the tables of a document state, by the names of the messages."""
     found: dict[str, tuple[Frame, ...]] = {}
     for table in examples.tables:
         columns = columns_of(table)
@@ -70,7 +70,7 @@ def stated_frames(examples: Examples) -> Mapping[str, tuple[Frame, ...]]:
 
 
 def text_start(message: WireMessage) -> int | None:
-    """Where the one text of a message begins in its payload; None where it has none, or several."""
+    """Return the offset of the only text of a message in its payload; None where it has none, or several."""
     texts = [field for field in message.fields if field.type.name == "char" and field.is_array]
     return texts[0].offset if len(texts) == 1 else None
 
@@ -86,7 +86,7 @@ def possible_frames(examples: Examples, message: WireMessage) -> tuple[Fraction,
 
 
 def is_v1(text: str) -> bool:
-    """Whether a text is about MAVLink 1."""
+    """Return whether a text is about MAVLink 1."""
     return _V1.search(text) is not None
 
 

@@ -71,7 +71,7 @@ def _missed(
 
 
 def _pass_after(taken: Fraction, period: Fraction) -> dict[str, Fraction]:
-    """What follows a pass that took so many seconds."""
+    """Return the slot, the missed slots and the start of the next pass (s) after a pass of ``taken`` seconds."""
     slot = max(int(taken // period), 1)
     made = {"slot": Fraction(slot), "missed": Fraction(slot - 1)}
     return made | {"next": max(taken, period), "after": (slot + 1) * period}

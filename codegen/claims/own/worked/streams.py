@@ -113,7 +113,7 @@ def _stream(
 
 
 def _few(value: Amount, expected: Sequence[Fraction]) -> Sequence[Fraction]:
-    """What is expected; of many numbers, none of which is stated, the nearest one."""
+    """Return the expected numbers; where there are four or more and none is the stated one, only the nearest."""
     if len(expected) < 4 or any(value.shows(each) for each in expected):
         return expected
     return [min(expected, key=lambda each: abs(each - value.value))]
