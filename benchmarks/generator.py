@@ -50,11 +50,10 @@ def figures(quick: bool) -> list[Figure]:
         _compile()
         fresh = _numbered(folder)
         mavgen = partial(_mavgen, fresh, "common")
-        first_run = _first_run
-        if quick:  # one run of it shows that it runs, and one in all that a first run does
-            mavgen, first_run = cache(mavgen), nullcontext
+        mavgen = cache(mavgen) if quick else mavgen  # one run of it shows that it runs
+        first_run = nullcontext if quick else _first_run  # that of a codec shows that there are such
         return [
-            *_codecs(fresh, mavgen, first_run, rounds, quick),
+            *_codecs(fresh, mavgen, rounds, quick),
             *_codec_on_disk(rounds),
             *_rover(folder, fresh, mavgen, first_run, rounds),
             *reviewing.figures(folder, fresh, mavgen, first_run, rounds),
@@ -95,8 +94,8 @@ def _codec(fresh: Iterator[Path], dialect: str, *, is_kept: bool = False) -> Wei
     return _written(command, out, is_kept=is_kept)
 
 
-def _first_codec(fresh: Iterator[Path], first_run: FirstRun, dialect: str) -> Weighed:
-    with first_run(next(fresh)):
+def _first_codec(fresh: Iterator[Path], dialect: str) -> Weighed:
+    with _first_run(next(fresh)):
         return _codec(fresh, dialect)
 
 
@@ -127,15 +126,13 @@ def _best(contestants: dict[str, Callable[[], Weighed]], rounds: int) -> tuple[d
     return measure.best({name: partial(seconds, name) for name in contestants}, rounds), memory
 
 
-def _codecs(
-    fresh: Iterator[Path], mavgen: Callable[[], Weighed], first_run: FirstRun, rounds: int, quick: bool
-) -> list[Figure]:
+def _codecs(fresh: Iterator[Path], mavgen: Callable[[], Weighed], rounds: int, quick: bool) -> list[Figure]:
     """All messages of a dialect, by both."""
     found = []
     for dialect in DIALECTS[: 1 if quick else None]:
         contestants = {
             "codegen": partial(_codec, fresh, dialect),
-            "first codegen": partial(_first_codec, fresh, first_run, dialect),
+            "first codegen": partial(_first_codec, fresh, dialect),
             "mavgen": mavgen if dialect == "common" else partial(_mavgen, fresh, dialect),
             "hasty mavgen": partial(_mavgen, fresh, dialect, "--no-validate"),
         }
