@@ -128,7 +128,7 @@ def _deploy(
 
     board, prepared = looked_at(connection, system, report)
     if prepared is None:
-        connection.restart()  # it runs on with what it has
+        connection.restart()  # the board goes on with the program that it has
         return
     todo = prepared.plan
     if arguments.dry_run:

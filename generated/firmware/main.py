@@ -23,7 +23,7 @@ def vehicle_class():
     try:
         import rover  # noqa: PLC0415
     except ImportError as error:
-        if "rover" not in str(error):  # it is there, but something that it imports is not
+        if "rover" not in str(error):  # the module is there, but one that it imports is not
             raise
         return Vehicle
     if not issubclass(rover.Rover, Vehicle):

@@ -1,5 +1,7 @@
 """Sensors and quantities that cannot be: each is reported at its place, with what to do."""
 
+import cProfile
+import pstats
 import shutil
 from pathlib import Path
 
@@ -171,3 +173,22 @@ def test_is_reported(sources, quantity, expected, folder, monkeypatch, capsys):
     for words in expected:
         assert words in told
     assert told.count(": error ") == bool(errors), told
+
+
+def test_work_grows_as_the_number_of_wrong_outputs(folder, monkeypatch):
+    """Calls are counted: from n outputs that cannot be to 2 n as many more as from none to n."""
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+
+    def calls(count):
+        outputs = ", ".join(f"N{number}: {{unit: rad}}" for number in range(count))
+        (folder / "specs" / "board.yaml").write_text(
+            f"sources:\n  imu: {{driver: user, class: imu.Imu, outputs: {{{outputs}}}}}\n"
+        )
+        profile = cProfile.Profile()
+        assert profile.runcall(main, ["check"]) == 1
+        return pstats.Stats(profile).total_calls
+
+    calls(1)  # imports
+    few, some, many = (calls(number) for number in (1, 400, 800))
+    assert (many - some) < 1.25 * (some - few)
