@@ -192,3 +192,18 @@ def test_work_grows_as_the_number_of_wrong_outputs(folder, monkeypatch):
     calls(1)  # imports
     few, some, many = (calls(number) for number in (1, 400, 800))
     assert (many - some) < 1.25 * (some - few)
+
+
+def test_a_driver_whose_outputs_cannot_be_read_is_one_finding(folder, monkeypatch, capsys):
+    """What takes a number of it says nothing more."""
+    driver = folder / "specs" / "drivers" / "laser.yaml"
+    driver.write_text(DRIVER.replace("{unit: m, stored: mm, min: 0, max: 100}", "fix.yaw"))
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN}\n")
+    depth = "  boat:\n    doc: d\n    quantities:\n      depth: {doc: d, unit: m, stored: mm, source: own.distance}\n"
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text() + depth)
+    monkeypatch.chdir(folder)
+    code = main(["check"])
+    driver.write_text(DRIVER)
+    told = capsys.readouterr().out
+    assert (code, told.count(": error ")) == (1, 1), told
+    assert "specs/drivers/laser.yaml:10:13: error wrong-type: a mapping is wanted here" in told
