@@ -70,7 +70,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
-        one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
+        one = claimed(reading, said, found.start(), partial(turns, unit=unit, stated=stated))
         if one is not None and not (form in (_SIGN, _COMMENTED) and _is_raw(unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
@@ -151,7 +151,7 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if unit is None or not value:
         return
     stated = 1 / Fraction(value) if found["how"] == "/" else Fraction(value)
-    one = claimed(reading, said, found.start(), lambda field: _turns(field, unit, stated))
+    one = claimed(reading, said, found.start(), lambda field: turns(field, unit, stated))
     if one is not None:
         shown = f"{found['how']} {span.sentence.term(found.start('number')).written}"
         words = f"{one.name} is in {one.field.definition.units}, which {shown} does not make {unit.name}"
@@ -166,7 +166,8 @@ def text_of(span: Span, found: "re.Match[str]") -> str:
     ).strip()
 
 
-def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
+def turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
+    """Return whether the number of a field times a factor is one in a unit, or the two cannot be compared."""
     own = Unit.parse(field.definition.units)
     turned = conversion(own, of_field(unit, field)) if own is not None else None
     if turned is None or turned.ratio is None:

@@ -22,7 +22,8 @@ from codegen.claims.ruled_out import (
     words,
 )
 from codegen.claims.rules import UNIT, as_sure
-from codegen.claims.statements.factors import factors
+from codegen.claims.statements.columns.scaled import factor_beside
+from codegen.claims.statements.factors import factors, turns
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
 from codegen.claims.statements.subjects import about
@@ -209,7 +210,13 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
     assert isinstance(unit, Unit)
     if _AS_TYPE.search(said.span.text, max(offset - 12, 0), offset) and term.written in ("byte", "bytes"):
         return
-    one = claimed(reading, said, offset, lambda field: has_unit(field, unit))
+    factor = factor_beside(said.span, offset)
+    one = claimed(
+        reading,
+        said,
+        offset,
+        lambda field: has_unit(field, unit) or (factor is not None and turns(field, unit, factor)),
+    )
     if one is not None:
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
