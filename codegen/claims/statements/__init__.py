@@ -4,6 +4,7 @@
 which messages a part may be about; the other modules each know what is said of one kind of thing and compare it.
 """
 
+import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
@@ -50,6 +51,8 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""
+_FURTHER = re.compile(r", (?:so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
+"""The beginning of a further statement in a sentence."""
 
 
 def _is_aside(span: Span, found: Diagnostic) -> bool:
@@ -64,8 +67,8 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
     low, high = span.bounds(offset)
-    so = span.text.find(", so ", offset, high)
-    high = so if so >= 0 else high  # what somebody does therefore is not what is said
+    further = _FURTHER.search(span.text, offset, high)
+    high = further.start() if further is not None else high  # what somebody does besides is not what is said
     return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 

@@ -17,7 +17,7 @@ from codegen.model.units.unit import Unit, conversion
 
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
-    r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
+    r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
     r"|speed))*)? (?P<unit>U)"
 )
@@ -31,7 +31,7 @@ _COMMENTED = re.compile(
 )
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
-    r"\b(?:to get|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
+    r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
 )
 _EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")

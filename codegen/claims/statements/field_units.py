@@ -25,7 +25,7 @@ def of_field(unit: Unit, field: WireField) -> Unit:
 
 def is_same_unit(one: Unit, other: Unit) -> bool:
     """Return whether a number means the same in both units."""
-    return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
+    return (one.dimension, one.scale, one.pi, one.zero) == (other.dimension, other.scale, other.pi, other.zero)
 
 
 _UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)

@@ -36,7 +36,8 @@ _PLACE = re.compile(
     r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
     r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
-    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
+    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*"
+    r"|[(\[|:,=#*/\u2013\u2014-](?: ?(?:whole|full|plain|integer))?"
     r"|\bT|\"|^)\s*$"
 )
 _IS_SHORT = re.compile(
@@ -51,7 +52,7 @@ _NOT = words(
     r"\blimited\b", r"\bstep\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
-    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r", the \w",
+    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^), the \w",
 )  # fmt: skip
 _SCALED_AFTER = re.compile(
     r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
