@@ -27,7 +27,7 @@ _THING = (
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
-    rf"|\b(?:lacks?|has no) an? "
+    rf"|\b(?:lacks?|has no) an? |\b(?:fails?|failed|broken|defective|unplugged|disconnected)\b"
     r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
     r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
@@ -37,7 +37,7 @@ _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate)|does(?: not|n't)|until a"
+    r"|estimate)|does(?: not|n't)|until a|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(

@@ -98,8 +98,8 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
-_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
-"""An equation of another thing that is named behind a list of fields: "x y z, covariance = 36 doubles"."""
+_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$|\band (?:[a-z]+ )*[a-z]{3,}: ?$|\bone of (?:the )?$")
+"""Another thing that is named behind fields, "x y z, covariance = 36 doubles", or several, "one of three bytes"."""
 
 
 def _is_path(span: Span, offset: int) -> bool:
@@ -133,7 +133,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
-            and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
+            and re.search(r"[,(|:\[#/*\u2013-]\s*(?:(?:and )?(?:thus|hence|so|that is) )?$", gap)
             and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
         )
         if _NOT.search(gap) or _AFTER.match(behind) or not (_is_plain(gap) or is_bounded):

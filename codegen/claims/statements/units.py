@@ -33,7 +33,7 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
+    r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
     r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*"
@@ -43,7 +43,7 @@ _PLACE = re.compile(
 _IS_SHORT = re.compile(
     r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per"
     r"|but|because|while|on|of|to|up|too|also|clockwise|counter|a?msl|agl|into|after|behind|before|in|where|which|like"
-    r"|by|east|north|along|under|until|within|then|not|so|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
+    r"|by|east|north|along|under|until|within|then|not|so|are|is|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
 )
 _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
