@@ -131,6 +131,15 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     before = [said for said in said_of_fields(span) if said.start < low]
     if _OF_SEVERAL.match(span.text, low):
         return []
+    low_before, _ = span.bounds(max(low - 2, 0))
+    last = [said for said in before if said.start >= low_before]
+    if (
+        len(last) == 1
+        and len(last[0].names) == 1
+        and _IT.search(span.text, low, high)
+        and _BEGINS.fullmatch(span.text, low_before, last[0].start)
+    ):
+        before = last
     names = {span.sentence.term(said.names[-1]).written for said in before}
     if len(names) != 1 or any(len(said.names) > 1 for said in before):
         return []
@@ -138,6 +147,8 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
+_IT = re.compile(r"\b(?:it|there|this|the field)\b")
+_BEGINS = re.compile(r"[^a-zA-Z]*(?:the )?(?:field )?")
 _OF_SEVERAL = re.compile(
     r"\s*(?:the|both|all|these|those) (?:(?:N|[a-z]+) ){0,2}[a-z]{3,}s\b[^.;]*?\b(?:are|have|use|carry|hold)\b"
 )

@@ -8,7 +8,7 @@ from functools import partial
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import is_same_unit, of_field
+from codegen.claims.statements.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.claims.statements.fields import Said, claimed, number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -89,7 +89,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         one = claimed(reading, said, found.start(), lambda field: _has_scale(field, value)) if is_power else None
         if one is not None:
             shown = text_of(span, found)
-            words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
+            words = f"{one.name} is in {shown_units(one.field)}, which {shown} does not agree with"
             yield reading.found(
                 as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
             )
@@ -175,6 +175,8 @@ def turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
     return stated in (turned.ratio, turned.ratio * field.multiplier)
 
 
+_LEAST = 1000
+"""The least factor by which a description scales: "10" may be the beginning of a power."""
 _STEPS = re.compile(
     r"(?:.*E(?P<tens>\d)|(?P<prefix>[mcdu])(?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*(?P<factor>\d+))"
 )
@@ -184,7 +186,13 @@ def _has_scale(field: WireField, value: float | Fraction | None) -> bool:
     """Return whether a number is the factor between a field's unit and the same one without a prefix."""
     found = _STEPS.fullmatch(field.definition.units or "")
     if found is None:
-        return True
+        told = described_units(field)
+        return (
+            not told
+            or value is None
+            or value < _LEAST
+            or any(1 / unit.scale == value or unit.scale == value for unit in told)
+        )
     if found["tens"]:
         return value == Fraction(10) ** int(found["tens"])
     if found["factor"]:

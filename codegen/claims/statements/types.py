@@ -22,7 +22,7 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
-from codegen.claims.statements.subjects import about
+from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
@@ -189,9 +189,23 @@ def _spelled(stated: StatedType, written: str) -> str:
     return stated.name if stated.length is None else f"{stated.name}[{stated.length}]"
 
 
+_AGAINST = re.compile(r" (?:against|instead of|rather than|where|while) ")
+
+
+def _is_contrast(said: Said, offset: int, one: About) -> bool:
+    """Return whether the field's own type is told before another one: "32 bit here; in the report they are 16 bit"."""
+    if _AGAINST.match(said.span.text, offset + 1) and not said.span.is_code:
+        return True
+    others = said.span.sentence.within(said.start - _BESIDE, offset, "T")
+    return not said.is_listed and any(has_type(one.field, stated_type(term)) for _, term in others)
+
+
+_BESIDE = 80
+
+
 def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words: str) -> Iterator[Diagnostic]:
     one = claimed(reading, said, offset, lambda field: has_type(field, stated))
-    if one is not None:
+    if one is not None and not _is_contrast(said, offset, one):
         written = _spelled(stated, words)
         own = typed(one.field.definition)
         text = f"{one.name} is {own}, not {written}"

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
+from codegen.claims.parts.sentence import NamedField, Term
 from codegen.claims.parts.span import Span, head_of, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
@@ -24,9 +25,9 @@ from codegen.claims.ruled_out import (
 from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.columns.scaled import factor_beside
 from codegen.claims.statements.factors import factors, turns
-from codegen.claims.statements.field_units import has_unit
+from codegen.claims.statements.field_units import has_unit, of_field, shown_units
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.subjects import about
+from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -218,11 +219,39 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
         offset,
         lambda field: has_unit(field, unit) or (factor is not None and turns(field, unit, factor)),
     )
-    if one is not None:
+    if one is not None and not _is_contrast(said, offset, one):
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
             as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
         )
+
+
+_BEHIND = 110
+"""Characters behind a unit in which the field's own one says that the two are told apart."""
+
+
+def _is_contrast(said: Said, offset: int, one: About) -> bool:
+    """Return whether the field's own unit is told behind another one: "shown in V; the link has mV"."""
+    span = said.span
+    if span.is_code or span.kind is PassageKind.ROW or not one.field.definition.units:
+        return False
+    for at, term in span.sentence.within(offset + 1, offset + _BEHIND, "U"):
+        names = [(name, each) for name, each in span.sentence.within(offset, at, "FPM") if name not in said.names]
+        unit = term.value
+        if not isinstance(unit, Unit) or any(not _is_named(each, one) for _, each in names):
+            return False
+        if _is_own_unit(one.field, unit):
+            return True
+    return False
+
+
+def _is_named(term: Term, one: About) -> bool:
+    return isinstance(term.value, NamedField) and term.value.name == one.field.name
+
+
+def _is_own_unit(field: WireField, unit: Unit) -> bool:
+    own = Unit.parse(field.definition.units)
+    return own is not None and own.dimension == of_field(unit, field).dimension and has_unit(field, unit)
 
 
 _AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
@@ -230,4 +259,4 @@ _AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
 
 
 def _own(field: WireField) -> str:
-    return f"is in {field.definition.units}" if field.definition.units else "has no unit"
+    return f"is in {units}" if (units := shown_units(field)) else "has no unit"
