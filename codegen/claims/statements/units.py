@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
-from codegen.claims.parts.sentence import NamedField, Term
 from codegen.claims.parts.span import Span, head_of, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import (
@@ -25,13 +24,14 @@ from codegen.claims.ruled_out import (
 from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.columns.scaled import factor_beside
 from codegen.claims.statements.factors import factors, turns
-from codegen.claims.statements.field_units import has_unit, of_field, shown_units
+from codegen.claims.statements.field_units import has_unit, shown_units
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.subjects import About, about
+from codegen.claims.statements.own_units import is_told_behind
+from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
-from codegen.model.units.unit import Unit
+from codegen.model.units.unit import Unit, unit_named
 
 _PLACE = re.compile(
     r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
@@ -68,9 +68,32 @@ _NUMBERED = re.compile(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every unit and every factor of a part."""
     for said in said_of_fields(span):
+        yield from _compared(reading, said)
         found = list(factors(reading, said))
         yield from found or _unit(reading, said)
     yield from _steps(reading, span)
+
+
+_LEVEL = re.compile(
+    r"(?: (?:of|in) M)? (?:(?:is|falls|drops|goes|gets|rises|sinks|climbs|stays) )?(?:below|under|above|over) (?P<at>N)"
+    r" (?:bytes|octets)\b"
+)
+
+
+def _compared(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "If `txbuf` falls below 20 bytes" of a field in percent."""
+    found = _LEVEL.match(said.span.text, said.end)
+    one = about(reading, said.span, said.names[-1]) if found is not None else None
+    if found is None or one is None or not one.field.definition.units:
+        return
+    if all(
+        (Unit.parse(each.definition.units) or _BYTES).dimension != _BYTES.dimension for each in (one.field, *one.others)
+    ):
+        place, claim = said.span.place(found.start("at")), f"{one.name} in bytes"
+        yield reading.found(as_sure(UNIT, is_sure=False), place, claim, f"{one.name} {_own(one.field)}, not bytes")
+
+
+_BYTES = unit_named("bytes")
 
 
 def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -219,39 +242,11 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
         offset,
         lambda field: has_unit(field, unit) or (factor is not None and turns(field, unit, factor)),
     )
-    if one is not None and not _is_contrast(said, offset, one):
+    if one is not None and not is_told_behind(said.span, offset, one.field, said.names):
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
             as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
         )
-
-
-_BEHIND = 110
-"""Characters behind a unit in which the field's own one says that the two are told apart."""
-
-
-def _is_contrast(said: Said, offset: int, one: About) -> bool:
-    """Return whether the field's own unit is told behind another one: "shown in V; the link has mV"."""
-    span = said.span
-    if span.is_code or span.kind is PassageKind.ROW or not one.field.definition.units:
-        return False
-    for at, term in span.sentence.within(offset + 1, offset + _BEHIND, "U"):
-        names = [(name, each) for name, each in span.sentence.within(offset, at, "FPM") if name not in said.names]
-        unit = term.value
-        if not isinstance(unit, Unit) or any(not _is_named(each, one) for _, each in names):
-            return False
-        if _is_own_unit(one.field, unit):
-            return True
-    return False
-
-
-def _is_named(term: Term, one: About) -> bool:
-    return isinstance(term.value, NamedField) and term.value.name == one.field.name
-
-
-def _is_own_unit(field: WireField, unit: Unit) -> bool:
-    own = Unit.parse(field.definition.units)
-    return own is not None and own.dimension == of_field(unit, field).dimension and has_unit(field, unit)
 
 
 _AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
