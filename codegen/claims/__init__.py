@@ -20,7 +20,11 @@ LIKELY = "likely, not certain"
 def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
     """Return the findings for claims about messages, fields and entries against the dialect; some occur repeatedly."""
     found = [finding for check in checks_in(__name__) for finding in check(reading)]
-    return tuple(_borne_out(reading, found)) if found else ()
+    if not found:
+        return ()
+    from codegen.claims.doubted import told
+
+    return tuple(told(reading, tuple(_borne_out(reading, found))))
 
 
 def _borne_out(reading: Reading, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:

@@ -27,6 +27,7 @@ _BARE = re.compile(
 _COMMENT = re.compile(
     r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?:,?| [^.;]{1,30},) (?:message )?id:? #?(?P<id>\d{1,6})\b"
 )
+_SAID_OF = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?![\w.])")
 _NAMED = re.compile(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
 _KEY = re.compile(
     r"^\s*[\"']?(?P<key>id|crcExtra|crc_extra|minLength|min_length|maxLength|length)[\"']?\s*:\s*(?P<value>\d{1,6})\b"
@@ -44,6 +45,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             yield from _constants(reading, line, entries)
             yield from _comments(reading, line)
             yield from _alone(reading, line, [name for number, name in seen if number <= line.place.line][-1:])
+            yield from _length(reading, line)
             named = _NAMED.match(line.text)
             if named is not None:
                 about = reading.messages.get(named["message"])
@@ -91,6 +93,8 @@ def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iter
     parts = _ROLE.match(name)
     role = "id" if numbered else ((parts["role"] or parts["first"]) if parts else None)
     message = numbered or (reading.messages.get(parts["message"]) if parts else None)
+    said = _SAID_OF.search(line.text, found.end("value")) if message is None and role is not None else None
+    message = reading.messages.get(said["message"]) if said is not None else message
     if role is not None and message is not None and message.id >= 0:
         yield from number_claims(reading, message, role.lower(), number, place)
 
@@ -117,6 +121,26 @@ def _alone(reading: Reading, line: Line, near: list[str]) -> Iterator[Diagnostic
     message = reading.messages[near[0]] if near else None
     if found is not None and message is not None and message.id >= 0:
         role = found["role"].lower().removeprefix("extra_")
+        yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
+
+
+_OWN_LENGTH = re.compile(
+    r"^\s*(?:#define|(?:pub |export |static |constexpr )*(?:const|let|var))\s+(?:MSG_|MESSAGE_)?"
+    r"(?P<role>(?:MIN_|MAX_|PAYLOAD_)?(?:LEN|LENGTH)|(?:min|max|payload)_?(?:len|length)|[pP]ayloadLen(?:gth)?)"
+    r"(?:\s*:\s*\w+)?\s*=?\s*(?P<value>\d{1,3})\s*;?\s*(?://.*)?$"
+)
+
+
+def _length(reading: Reading, line: Line) -> Iterator[Diagnostic]:
+    """``const PAYLOAD_LEN: usize = 28;`` in a document about one message."""
+    found = _OWN_LENGTH.match(line.text)
+    names = {name for _, name in reading.sightings} if found is not None else set()
+    lines = [each.text for code in reading.prose.code for each in code.lines] if len(names) == 1 else []
+    if found is None or sum(f"{found['role']}:" in text or f"{found['role']} " in text for text in lines) != 1:
+        return  # or each of several types has one
+    message = reading.messages[names.pop()] if len(names) == 1 else None
+    if message is not None and message.id >= 0:
+        role = "min_len" if found["role"].lower().startswith("min") else "len"
         yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
 
 

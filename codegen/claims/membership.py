@@ -9,7 +9,8 @@ from codegen.model.dialect.dialect import WireMessage
 _NAME = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 _NO_NAME = re.compile(r"u?int\d*(?:_t)?|float|double|char|bool|true|false|null|none|nan|self|this")
 _HAS = re.compile(
-    r"(?P<message>[A-Z][A-Z0-9_]{3,60})`?(?:['\u2019]s| has| carries| contains| holds| reports| provides)"
+    r"(?P<message>[A-Z][A-Z0-9_]{3,60})`?(?: also| only| still| itself| too)?"
+    r"(?:['\u2019]s| has| carries| contains| holds| reports| provides| calls (?:it|this|that|the field))"
     r"(?: (?:an?|the|its|only|also|both|no|field|extension|array))* $"
 )
 _OF = re.compile(

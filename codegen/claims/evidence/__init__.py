@@ -23,7 +23,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.once import once
 
-__all__ = ["FIRM", "Evidence", "evidence_of"]
+__all__ = ["FIRM", "Evidence", "evidence_of", "spans_at"]
 
 _OWN_RULES = frozenset((
     "claim-arithmetic", "claim-field", "claim-id-taken", "claim-unsendable-message", "claim-flag-of-several-bits",
@@ -59,7 +59,7 @@ def evidence_of(reading: Reading, finding: Diagnostic) -> Evidence:
     """Return the firmest kind of evidence for a finding among the parts of the document at its place."""
     if finding.rule.id in _OWN_RULES or finding.message.startswith(("the struct of ", "the fields of ")):
         return Evidence.DEFINITION
-    found = [_of_span(reading, span, at, finding) for span, at in _spans_at(reading, finding)]
+    found = [_of_span(reading, span, at, finding) for span, at in spans_at(reading, finding)]
     return min(found, key=list(Evidence).index, default=Evidence.WORDS)
 
 
@@ -74,7 +74,7 @@ def _by_line(reading: Reading) -> dict[int, list[Span]]:
     return lines
 
 
-def _spans_at(reading: Reading, finding: Diagnostic) -> Iterator[tuple[Span, int]]:
+def spans_at(reading: Reading, finding: Diagnostic) -> Iterator[tuple[Span, int]]:
     """The parts in which a finding is, each with the offset of the term there, or of the first behind it."""
     for span in _by_line(reading).get(finding.place.line, []):
         terms = span.sentence.offsets

@@ -62,7 +62,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
         last = bisect_left(reading.sightings, (line.place.line + 1, ""))
         near = [reading.messages[name] for _, name in reading.sightings[max(first, last - _MOST) : last]]
         own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
-        is_comment = _COMMENT.match(line.text) is not None
+        is_comment = _COMMENT.match(line.text) is not None or (not code.language and _is_prose(line.text))
         sentence = _line(line, words)
         if is_comment:
             yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True, is_comment=True)
@@ -86,6 +86,17 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     True,
                 )
             note = []
+
+
+def _is_prose(line: str) -> bool:
+    """Return whether a line of a block without a language is one of a text, as in a message of a commit."""
+    return _NO_CODE_IN.fullmatch(line) is not None and len(_WORD.findall(line)) >= _FEWEST
+
+
+_NO_CODE_IN = re.compile(r"[^;{}=<>|\[\]]*")
+_WORD = re.compile(r"(?<![\w.])[a-z]{2,}(?![\w(])")
+_FEWEST = 4
+"""Words in small letters that make a line a sentence."""
 
 
 def _above(line: Line, shift: int) -> Callable[[int], Place]:

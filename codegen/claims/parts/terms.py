@@ -96,11 +96,11 @@ _SHORT_UNITS = frozenset((
 ))  # fmt: skip
 """Units that are as often a word or a name: they are read only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
-    r"(?:\b(?:in|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
+    r"(?:\b(?:in|how many|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
     r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
-    r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per)\b"
+    r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are)\b"
     r"|[-\u2013\u2014(] ?)"
 )
 
@@ -304,6 +304,9 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
         return None  # the variable of a member, "g.lat"
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
+    rate = _PER_SECOND.match(text, unit.end(), high) if unit is not None and "/" not in unit[0] else None
+    if unit is not None and rate is not None and (each := worded_unit(f"{unit[0]}/s")) is not None:
+        return Term("U", each, text[start : rate.end()], start, rate.end())
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
         return None
     is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
@@ -312,6 +315,7 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
+_PER_SECOND = re.compile(r"\sper\ssecond\b")
 _ENGLISH = frozenset((
     "a", "s", "x", "bar", "min", "rev", "pix", "hour", "day", "kn", "kt", "bit", "bits", "byte", "bytes", "second",
     "minute", "degree", "meter", "metre", "gram", "ton", "sec",

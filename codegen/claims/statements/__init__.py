@@ -4,6 +4,7 @@
 which messages a part may be about; the other modules each know what is said of one kind of thing and compare it.
 """
 
+import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
@@ -11,11 +12,13 @@ from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
+from codegen.claims.rules import MESSAGE_ID
 from codegen.claims.statements import (
     absent,
     amounts,
     commands,
     entries,
+    epochs,
     facts,
     lengths,
     limits,
@@ -37,6 +40,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (types.check, "FP", "T"),
     (lengths.check, "FP", ""),
     (units.check, "FP", "UNQ"),
+    (epochs.check, "FP", "N"),
     (unknown.check, "FP", "NS"),
     (absent.check, "FP", "NS"),
     (amounts.check, "Q", "N"),
@@ -50,6 +54,9 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""
+_HELD = re.compile(r"M \((?:id )?#?$")
+_FURTHER = re.compile(r", (?:so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
+"""The beginning of a further statement in a sentence."""
 
 
 def _is_aside(span: Span, found: Diagnostic) -> bool:
@@ -63,9 +70,11 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
     offset = offsets[at]
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, offset))
+    if found.rule is MESSAGE_ID and _HELD.search(span.text, max(offset - len("M (id "), 0), offset):
+        return False  # whatever the sentence says, "NAME (5)" gives it that id
     low, high = span.bounds(offset)
-    so = span.text.find(", so ", offset, high)
-    high = so if so >= 0 else high  # what somebody does therefore is not what is said
+    further = _FURTHER.search(span.text, offset, high)
+    high = further.start() if further is not None else high  # what somebody does besides is not what is said
     return is_aside(span.text[low:high]) or is_denial(span.text[low:high])
 
 

@@ -27,7 +27,7 @@ _THING = (
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
-    rf"|\b(?:lacks?|has no) an? "
+    rf"|\b(?:lacks?|has no) an? |\b(?:fails?|failed|broken|defective|unplugged|disconnected)\b"
     r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
     r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
@@ -37,7 +37,7 @@ _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate)|does(?: not|n't)|until a"
+    r"|estimate)|does(?: not|n't)|until a|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -131,6 +131,15 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     before = [said for said in said_of_fields(span) if said.start < low]
     if _OF_SEVERAL.match(span.text, low):
         return []
+    low_before, _ = span.bounds(max(low - 2, 0))
+    last = [said for said in before if said.start >= low_before]
+    if (
+        len(last) == 1
+        and len(last[0].names) == 1
+        and _IT.search(span.text, low, high)
+        and _BEGINS.fullmatch(span.text, low_before, last[0].start)
+    ):
+        before = last
     names = {span.sentence.term(said.names[-1]).written for said in before}
     if len(names) != 1 or any(len(said.names) > 1 for said in before):
         return []
@@ -138,6 +147,8 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
+_IT = re.compile(r"\b(?:it|there|this|the field)\b")
+_BEGINS = re.compile(r"[^a-zA-Z]*(?:the )?(?:field )?")
 _OF_SEVERAL = re.compile(
     r"\s*(?:the|both|all|these|those) (?:(?:N|[a-z]+) ){0,2}[a-z]{3,}s\b[^.;]*?\b(?:are|have|use|carry|hold)\b"
 )

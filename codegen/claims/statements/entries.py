@@ -43,6 +43,8 @@ _NOT = ruled_out.words(
 )
 _RESPECTIVELY = re.compile(r"(?:N(?:, N)*,? and|N,) $")
 """Before the last of several values: "2 and 4 are horizontal and vertical velocity"."""
+_IN_TURN = re.compile(r" and N\)")
+"""Behind the first of two values in parentheses, one for each of two things: "float and fixed RTK (5 and 6)"."""
 _FEWEST = 2
 _CONSTANT = re.compile(
     r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int"
@@ -220,7 +222,12 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
     told: set[int] = set()
     for value, words, offset in _as_meant(subject, span, [*_alone(span, low, high), *_pairs(span, low, high)]):
         before = span.text[max(low, offset - 30) : offset]
-        if offset in told or _RESPECTIVELY.search(before) or _NOT.search(re.split(r"[,.;(]", before)[-1]):
+        if (
+            offset in told
+            or _RESPECTIVELY.search(before)
+            or _IN_TURN.match(span.text, offset + 1)
+            or _NOT.search(re.split(r"[,.;(]", before)[-1])
+        ):
             continue
         meant = known.meant_otherwise(value, words)
         if meant is not None:

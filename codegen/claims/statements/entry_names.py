@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.reading import Reading
-from codegen.claims.rules import ENTRY_VALUE
+from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -36,10 +36,26 @@ _NUMBER_FIRST = re.compile(r"(?:^|[^V\s,]|\bor|\band),? ?N ?[=:]? ?V,? ?(?:and |
 _LIST = 24
 
 
+_ROW = re.compile(r"V (?:(?:is|has|=) )?N(?:(?:, (?:and )?| and )V (?:(?:is|has|=) )?N){2,30}")
+
+
+def _listed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "NAME is 0, NAME 2, NAME 3 and NAME 4", of which most are right."""
+    for found in _ROW.finditer(span.text) if not span.is_code else ():
+        terms = [*span.sentence.within(*found.span(), "VN")]
+        told = [(name.written, at, term) for (_, name), (at, term) in zip(terms[::2], terms[1::2], strict=True)]
+        own = entry_values(reading.enums)
+        wrong = [(name, at, term) for name, at, term in told if own.get(name, number(term)) != number(term)]
+        for name, at, term in wrong if 2 * len(wrong) < len(told) else ():
+            text = f"{name} is {own[name]}, not {term.written}"
+            yield reading.found(as_sure(ENTRY_VALUE, is_sure=False), span.place(at), f"{name} {term.written}", text)
+
+
 def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Entries by their names, or by the end of their names, beside a number."""
     if "V" not in span.text:
         return
+    yield from _listed(reading, span)
     values = entry_values(reading.enums)
     for form in _NAMED:
         for found in form.finditer(span.text):

@@ -8,7 +8,7 @@ from functools import partial
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import is_same_unit, of_field
+from codegen.claims.statements.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.claims.statements.fields import Said, claimed, number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -17,7 +17,7 @@ from codegen.model.units.unit import Unit, conversion
 
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
-    r"(?: (?:for|to get|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
+    r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
     r"|speed))*)? (?P<unit>U)"
 )
@@ -31,7 +31,8 @@ _COMMENTED = re.compile(
 )
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
-    r"\b(?:to get|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),? (?:the |field )*$"
+    r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),?"
+    r" (?:the |field )*$"
 )
 _EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
@@ -70,7 +71,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
-        one = claimed(reading, said, found.start(), partial(_turns, unit=unit, stated=stated))
+        one = claimed(reading, said, found.start(), partial(turns, unit=unit, stated=stated))
         if one is not None and not (form in (_SIGN, _COMMENTED) and _is_raw(unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
@@ -89,7 +90,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         one = claimed(reading, said, found.start(), lambda field: _has_scale(field, value)) if is_power else None
         if one is not None:
             shown = text_of(span, found)
-            words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
+            words = f"{one.name} is in {shown_units(one.field)}, which {shown} does not agree with"
             yield reading.found(
                 as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
             )
@@ -151,7 +152,7 @@ def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if unit is None or not value:
         return
     stated = 1 / Fraction(value) if found["how"] == "/" else Fraction(value)
-    one = claimed(reading, said, found.start(), lambda field: _turns(field, unit, stated))
+    one = claimed(reading, said, found.start(), lambda field: turns(field, unit, stated))
     if one is not None:
         shown = f"{found['how']} {span.sentence.term(found.start('number')).written}"
         words = f"{one.name} is in {one.field.definition.units}, which {shown} does not make {unit.name}"
@@ -166,7 +167,8 @@ def text_of(span: Span, found: "re.Match[str]") -> str:
     ).strip()
 
 
-def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
+def turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
+    """Return whether the number of a field times a factor is one in a unit, or the two cannot be compared."""
     own = Unit.parse(field.definition.units)
     turned = conversion(own, of_field(unit, field)) if own is not None else None
     if turned is None or turned.ratio is None:
@@ -174,6 +176,8 @@ def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
     return stated in (turned.ratio, turned.ratio * field.multiplier)
 
 
+_LEAST = 1000
+"""The least factor by which a description scales: "10" may be the beginning of a power."""
 _STEPS = re.compile(
     r"(?:.*E(?P<tens>\d)|(?P<prefix>[mcdu])(?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*(?P<factor>\d+))"
 )
@@ -183,7 +187,13 @@ def _has_scale(field: WireField, value: float | Fraction | None) -> bool:
     """Return whether a number is the factor between a field's unit and the same one without a prefix."""
     found = _STEPS.fullmatch(field.definition.units or "")
     if found is None:
-        return True
+        told = described_units(field)
+        return (
+            not told
+            or value is None
+            or value < _LEAST
+            or any(1 / unit.scale == value or unit.scale == value for unit in told)
+        )
     if found["tens"]:
         return value == Fraction(10) ** int(found["tens"])
     if found["factor"]:

@@ -43,7 +43,8 @@ _ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
 _ENUM_IDLE = frozenset((
     "is", "are", "an", "a", "from", "of", "use", "uses", "the", "enum", "type", "taken", "see", "value", "values",
     "entry", "in", "one", "hold", "holds", "has", "contains", "as", "by", "bitmask", "bits", "flags", "list", "code",
-    "codes", "those", "T", "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
+    "codes", "those", "T", "M", "take", "takes", "be", "shall", "must", "decoded", "encoded", "coded", "enumeration",
+    "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
 ))  # fmt: skip
 _NOT = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2])
 

@@ -1,6 +1,7 @@
 """Units as they are meant of a field: whether a stated one is that of the dialect."""
 
 import re
+from functools import cache
 
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, unit_named
@@ -25,7 +26,27 @@ def of_field(unit: Unit, field: WireField) -> Unit:
 
 def is_same_unit(one: Unit, other: Unit) -> bool:
     """Return whether a number means the same in both units."""
-    return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
+    return (one.dimension, one.scale, one.pi, one.zero) == (other.dimension, other.scale, other.pi, other.zero)
+
+
+_SCALED = re.compile(r"\b(?P<unit>degrees|meters) ?\* ?(?:10\^|1e)(?P<tens>\d)\b")
+
+
+@cache
+def described_units(field: WireField) -> tuple[Unit, ...]:
+    """The units that the description of a field without one gives its numbers: "local: meters * 1e4, ..."."""
+    found = []
+    for each in _SCALED.finditer(field.definition.description) if not field.definition.units else ():
+        whole = unit_named("deg" if each["unit"] == "degrees" else "m")
+        found.append(
+            Unit(f"{whole.name}*1e{each['tens']}", whole.dimension, whole.scale / 10 ** int(each["tens"]), whole.pi)
+        )
+    return tuple(found)
+
+
+def shown_units(field: WireField) -> str | None:
+    """The unit of a field, or those of its description."""
+    return field.definition.units or " or ".join(unit.name for unit in described_units(field)) or None
 
 
 _UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
@@ -35,6 +56,9 @@ def has_unit(field: WireField, unit: Unit) -> bool:
     """Return whether a unit is that of a field, or one of both has nothing to compare."""
     own = Unit.parse(field.definition.units)
     stated = of_field(unit, field)
+    told = described_units(field) if own is None else ()
+    if any(each.dimension == stated.dimension for each in told):
+        return any(is_same_unit(each, stated) for each in told)
     if own is None and stated.dimension and _UNITLESS.search(field.definition.description):
         return False
     if own is None or not stated.dimension:

@@ -20,7 +20,7 @@ from codegen.model.dialect.literals import LIMITS
 from codegen.model.units.unit import Unit, conversion, unit_named
 
 _TOP = re.compile(
-    r"\b(?:(?:can|could|will|may|must)(?: ?not|not|n't)? (?:be|go|get|exceed|hold|carry|count|reach|have)"
+    r"\b(?:(?:can|could|will|may|must)(?: ?not|not|n't)? (?:be|go|get|exceed|hold|carry|count|reach|have|show|tell|say)"
     r"(?: (?:more|larger|greater|higher|bigger|further|values|numbers|up|beyond|above|over))*(?: than| to| at most)?"
     r"|cannot (?:be|go|get|exceed|hold|carry|count|reach)"
     r"(?: (?:more|larger|greater|higher|bigger|further|beyond|above|over|values))*(?: than)?"
@@ -31,7 +31,9 @@ _TOP = re.compile(
     r"|(?:largest|greatest|highest|biggest|maximum|max|top|full) (?:possible )?(?:value|number|reading|count)?(?:"
     r" of M?F)?"
     r"|maximum|max\.?|upper (?:limit|end|bound)|limit|(?:values|numbers|anything) (?:above|over|beyond)|\u2264|<=)"
-    r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
+    r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?"
+    r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?(?: (?:is|at|of|being|only))*"
+    r"[ :=]*(?P<value>[NQ])"
 )
 _OVER = re.compile(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"
@@ -55,6 +57,8 @@ _RULED_OUT = words(
 _NOT_ONE = re.compile(r"\bnot\b(?! (?:be|go|get|exceed|hold|carry|count|reach|more|larger))")
 _TOPS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MAX")}))
 _BOTTOMS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MIN") and value < 0}))
+_CAN_SHOW = re.compile(r"\b(?:can|could|may) show\b")
+"""What a field can show is what it can carry."""
 _FAR = 90
 _UNITS_BEHIND = re.compile(r" ?U\b")
 
@@ -92,7 +96,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         at = found.start("value")
         if (at < said.end and found is not lead) or at - said.end > _FAR:
             continue
-        gap = text[low:at]
+        gap = _CAN_SHOW.sub("", text[low:at])
         if (
             _RULED_OUT.search(gap)
             or _NOT_ONE.search(gap)

@@ -201,11 +201,24 @@ def _id(
     )
 
 
+_CRC_LIST = re.compile(r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60})")
+_IN_TURN = re.compile(r"\b(?:former|latter|respectively)\b")
+
+
 def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     text = span.text
+    for found in _CRC_LIST.finditer(text):
+        listed = [*span.sentence.within(*found.span("pairs"), "MN")]
+        for (_, name), (at, term) in zip(listed[::2], listed[1::2], strict=True):
+            message = reading.messages[str(name.value)]
+            if number(term) != message.crc_extra and message.id >= 0:
+                words = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {term.written}"
+                yield reading.found(CRC_EXTRA, span.place(at), f"{message.name} crc {term.written}", words)
     for found in _CRC.finditer(text):
         offset = found.start("number") if found["number"] else found.start("first")
-        low, _ = span.bounds(offset)
+        low, high = span.bounds(offset)
+        if _IN_TURN.search(text, low, high):
+            continue
         is_extra = "extra" in found[0] or "seed" in found[0]
         is_listed = span.kind is PassageKind.ITEM and any(span.named(0, offset))
         if (not is_extra and not span.is_code and not is_listed) or re.search(

@@ -9,6 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
 from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
+from codegen.claims.statements.own_units import is_told_behind
 from codegen.claims.statements.quantities import quantities
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
@@ -82,6 +83,8 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if not fields or any(has_unit(field, unit) for field in called):
             continue
         first = fields[0]
+        if is_told_behind(span, found.end() - 1, first):
+            continue
         written = span.sentence.term(found.end() - 1).written
         text = f"{messages[0].name}.{first.name} is in {first.definition.units}, not {written}"
         yield reading.found(

@@ -32,12 +32,20 @@ _PLACED = re.compile(
     rf"|bit|in the xml))"
 )
 _STARTS = re.compile(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
-_IS_FIRST = re.compile(r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one)\b")
+_IS_FIRST = re.compile(r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b")
 _WIRE = re.compile(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
 )
 _XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
+
+
+_LIKE_XML = re.compile(r"\b(?:just |exactly )?(?:like|as) in the (?:xml|definition|dialect)\b")
+
+
+def _is_of_definition(sentence: str) -> bool:
+    """Return whether a sentence tells of the order in the XML; one that says "like in the XML" tells of the wire."""
+    return _XML.search(_LIKE_XML.sub("", sentence)) is not None
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -53,7 +61,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             if found.re is _THEN
             else found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
         )
-        if not how or not _WIRE.search(text[max(low - 200, 0) : high]) or _XML.search(text[low:high]):
+        is_wire = "sent" in found[0] or _WIRE.search(text[max(low - 200, 0) : high]) is not None
+        if not how or not is_wire or _is_of_definition(text[low:high]):
             continue
         first, second = about(reading, span, found.start("first")), about(reading, span, found.start("second"))
         if first is None or second is None or first.message is not second.message or first.field is second.field:
@@ -75,7 +84,7 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         low, high = span.bounds(found.start())
         if (
             not _WIRE.search(span.text, low, high)
-            or _XML.search(span.text, low, high)
+            or _is_of_definition(span.text[low:high])
             or _DENIED.search(span.text[low:high])
         ):
             continue

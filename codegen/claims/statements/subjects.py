@@ -7,6 +7,7 @@ from codegen.claims.parts.sentence import NamedField
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 
 _FAR = 2000
@@ -66,7 +67,9 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     topic = span.topic
     near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
     others = near if span.is_code else [*near, *topic.earlier]
-    first = topic.above[:1] if span.is_code else ()
+    is_item = span.kind is PassageKind.ITEM and len(topic.above) == 1 and not span.is_code
+    is_item = is_item and (not topic.headings or topic.above[0] in topic.headings)
+    first = topic.above[:1] if span.is_code or is_item else ()
     if found := _about(value.name, [*first, *topic.headings[:1], *near], [] if first else others, is_sure=True):
         return found
     holders = sum(message.field(value.name) is not None for message in topic.document)

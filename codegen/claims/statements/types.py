@@ -22,7 +22,7 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import Said, claimed, made_of, named, said_of_fields, stated_type
-from codegen.claims.statements.subjects import about
+from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 
@@ -98,8 +98,8 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
-_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$")
-"""An equation of another thing that is named behind a list of fields: "x y z, covariance = 36 doubles"."""
+_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$|\band (?:[a-z]+ )*[a-z]{3,}: ?$|\bone of (?:the )?$")
+"""Another thing that is named behind fields, "x y z, covariance = 36 doubles", or several, "one of three bytes"."""
 
 
 def _is_path(span: Span, offset: int) -> bool:
@@ -133,7 +133,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
-            and re.search(r"[,(|:\[#/*\u2013-]\s*$", gap)
+            and re.search(r"[,(|:\[#/*\u2013-]\s*(?:(?:and )?(?:thus|hence|so|that is) )?$", gap)
             and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
         )
         if _NOT.search(gap) or _AFTER.match(behind) or not (_is_plain(gap) or is_bounded):
@@ -189,9 +189,23 @@ def _spelled(stated: StatedType, written: str) -> str:
     return stated.name if stated.length is None else f"{stated.name}[{stated.length}]"
 
 
+_AGAINST = re.compile(r" (?:against|instead of|rather than|where|while) ")
+
+
+def _is_contrast(said: Said, offset: int, one: About) -> bool:
+    """Return whether the field's own type is told before another one: "32 bit here; in the report they are 16 bit"."""
+    if _AGAINST.match(said.span.text, offset + 1) and not said.span.is_code:
+        return True
+    others = said.span.sentence.within(said.start - _BESIDE, offset, "T")
+    return not said.is_listed and any(has_type(one.field, stated_type(term)) for _, term in others)
+
+
+_BESIDE = 80
+
+
 def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words: str) -> Iterator[Diagnostic]:
     one = claimed(reading, said, offset, lambda field: has_type(field, stated))
-    if one is not None:
+    if one is not None and not _is_contrast(said, offset, one):
         written = _spelled(stated, words)
         own = typed(one.field.definition)
         text = f"{one.name} is {own}, not {written}"

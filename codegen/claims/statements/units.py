@@ -22,26 +22,29 @@ from codegen.claims.ruled_out import (
     words,
 )
 from codegen.claims.rules import UNIT, as_sure
-from codegen.claims.statements.factors import factors
-from codegen.claims.statements.field_units import has_unit
+from codegen.claims.statements.columns.scaled import factor_beside
+from codegen.claims.statements.factors import factors, turns
+from codegen.claims.statements.field_units import has_unit, shown_units
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
+from codegen.claims.statements.own_units import is_told_behind
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
-from codegen.model.units.unit import Unit
+from codegen.model.units.unit import Unit, unit_named
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
-    r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report"
+    r"|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
-    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*|[(\[|:,=#*/\u2013\u2014-]"
+    r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*"
+    r"|[(\[|:,=#*/\u2013\u2014-](?: ?(?:whole|full|plain|integer))?"
     r"|\bT|\"|^)\s*$"
 )
 _IS_SHORT = re.compile(
     r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per"
     r"|but|because|while|on|of|to|up|too|also|clockwise|counter|a?msl|agl|into|after|behind|before|in|where|which|like"
-    r"|by|east|north|along|under|until|within|then|not|so|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
+    r"|by|east|north|along|under|until|within|then|not|so|are|is|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
 )
 _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
@@ -50,7 +53,7 @@ _NOT = words(
     r"\blimited\b", r"\bstep\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
-    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r", the \w",
+    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^), the \w",
 )  # fmt: skip
 _SCALED_AFTER = re.compile(
     r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
@@ -65,9 +68,32 @@ _NUMBERED = re.compile(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every unit and every factor of a part."""
     for said in said_of_fields(span):
+        yield from _compared(reading, said)
         found = list(factors(reading, said))
         yield from found or _unit(reading, said)
     yield from _steps(reading, span)
+
+
+_LEVEL = re.compile(
+    r"(?: (?:of|in) M)? (?:(?:is|falls|drops|goes|gets|rises|sinks|climbs|stays) )?(?:below|under|above|over) (?P<at>N)"
+    r" (?:bytes|octets)\b"
+)
+
+
+def _compared(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "If `txbuf` falls below 20 bytes" of a field in percent."""
+    found = _LEVEL.match(said.span.text, said.end)
+    one = about(reading, said.span, said.names[-1]) if found is not None else None
+    if found is None or one is None or not one.field.definition.units:
+        return
+    if all(
+        (Unit.parse(each.definition.units) or _BYTES).dimension != _BYTES.dimension for each in (one.field, *one.others)
+    ):
+        place, claim = said.span.place(found.start("at")), f"{one.name} in bytes"
+        yield reading.found(as_sure(UNIT, is_sure=False), place, claim, f"{one.name} {_own(one.field)}, not bytes")
+
+
+_BYTES = unit_named("bytes")
 
 
 def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -209,8 +235,14 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
     assert isinstance(unit, Unit)
     if _AS_TYPE.search(said.span.text, max(offset - 12, 0), offset) and term.written in ("byte", "bytes"):
         return
-    one = claimed(reading, said, offset, lambda field: has_unit(field, unit))
-    if one is not None:
+    factor = factor_beside(said.span, offset)
+    one = claimed(
+        reading,
+        said,
+        offset,
+        lambda field: has_unit(field, unit) or (factor is not None and turns(field, unit, factor)),
+    )
+    if one is not None and not is_told_behind(said.span, offset, one.field, said.names):
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(
             as_sure(UNIT, is_sure=one.is_sure), said.span.place(offset), f"{one.name} in {term.written}", text
@@ -222,4 +254,4 @@ _AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
 
 
 def _own(field: WireField) -> str:
-    return f"is in {field.definition.units}" if field.definition.units else "has no unit"
+    return f"is in {units}" if (units := shown_units(field)) else "has no unit"
