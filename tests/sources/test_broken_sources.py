@@ -207,3 +207,14 @@ def test_a_driver_whose_outputs_cannot_be_read_is_one_finding(folder, monkeypatc
     told = capsys.readouterr().out
     assert (code, told.count(": error ")) == (1, 1), told
     assert "specs/drivers/laser.yaml:10:13: error wrong-type: a mapping is wanted here" in told
+
+
+def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):
+    """One UART is one part's, whichever kind of part that is."""
+    gps = "a: {driver: nmea, uart: 1, tx: 8, rx: 9, baud: 9600}"
+    radio = "links:\n  radio: {uart: 1, tx: 4, rx: 5, baud: 57600}\n"
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {gps}\n{radio}")
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    assert main(["check"]) == 1
+    assert "error shared-port: radio and a both take UART 1" in capsys.readouterr().out
