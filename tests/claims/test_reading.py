@@ -1,15 +1,19 @@
 """What a document is about: messages that a name is near, the message of a list of fields, and words that lead a text."""
 
+from collections.abc import Callable
+
 import pytest
-from conftest import PATH, Check, reference
 
 from codegen.claims.known_names import names_of, near_message
-from codegen.claims.reading import Reading, read_document
+from codegen.claims.reading import Reading
+from codegen.diagnostics import Diagnostic
+
+Check = Callable[[str], list[Diagnostic]]
 
 
 @pytest.fixture
-def reading() -> Reading:
-    return read_document("# HEARTBEAT\n\nSYS_STATUS follows.\n", PATH, reference())
+def reading(read: Callable[[str], Reading]) -> Reading:
+    return read("# HEARTBEAT\n\nSYS_STATUS follows.\n")
 
 
 @pytest.mark.parametrize(("name", "near"), [("HEARTBEET", "HEARTBEAT"), ("ATITUDE", "ATTITUDE"), ("SONARS", None)])

@@ -8,8 +8,8 @@ from functools import partial
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.claims.statements.fields import Said, claimed, number
+from codegen.claims.statements.scaling.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField

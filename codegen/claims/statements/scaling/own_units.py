@@ -4,7 +4,7 @@ from collections.abc import Collection
 
 from codegen.claims.parts.sentence import NamedField, Term
 from codegen.claims.parts.span import Span
-from codegen.claims.statements.field_units import has_unit, of_field
+from codegen.claims.statements.scaling.field_units import has_unit, of_field
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
