@@ -31,7 +31,9 @@ _TOP = re.compile(
     r"|(?:largest|greatest|highest|biggest|maximum|max|top|full) (?:possible )?(?:value|number|reading|count)?(?:"
     r" of M?F)?"
     r"|maximum|max\.?|upper (?:limit|end|bound)|limit|(?:values|numbers|anything) (?:above|over|beyond)|\u2264|<=)"
-    r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
+    r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?"
+    r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?"
+    r"(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
 )
 _OVER = re.compile(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"

@@ -14,7 +14,10 @@ _BEHIND = 110
 
 
 def is_told_behind(span: Span, offset: int, field: WireField, names: Collection[int] = ()) -> bool:
-    """Return whether the field's own unit is told behind another one, with no name but ``names`` and its own between."""
+    """Return whether the field's own unit is told behind another one.
+
+    No names may be between but its own, and those that stand at ``names``.
+    """
     if span.is_code or span.kind is PassageKind.ROW or not field.definition.units:
         return False
     for at, term in span.sentence.within(offset + 1, offset + _BEHIND, "U"):

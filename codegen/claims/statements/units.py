@@ -34,8 +34,8 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, unit_named
 
 _PLACE = re.compile(
-    r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report|units? (?:is"
-    r"|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
+    r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report"
+    r"|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*"
     r"|[(\[|:,=#*/\u2013\u2014-](?: ?(?:whole|full|plain|integer))?"
