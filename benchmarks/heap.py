@@ -6,37 +6,40 @@ import os
 import shutil
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 
 import measure
 from figure import Figure
-from mpremote.romfs import VfsRomWriter
 
-from codegen.emit.mpy import BYTECODE, options
+from codegen.deploy.image import image_of
+from codegen.diagnostics import Report
+from codegen.emit.mpy import BYTECODE, STARTED, compiled
 
 COMPARES = """The program of the rover with one link, and that of examples/boat with its modules, without machine
 code, on a MicroPython 1.27 whose words have 32 bits as those of a board: compiled to WebAssembly, its collector made
-sound (benchmarks/micropython32/prepare.py). The firmware is its source, or .mpy files by mpy-cross, or the same files
-in a ROMFS, from which a MicroPython that has one runs them in place; the mocks are .mpy files. A board has its ROMFS in
-the flash: what the image takes of the heap here is not counted.
+sound (benchmarks/micropython32/prepare.py). The firmware is its source, or what `codegen deploy` copies, .mpy files and
+main.py, or the same in a ROMFS, from which a MicroPython that has one runs .mpy files in place; the mocks are .mpy
+files. A board has its ROMFS in the flash: what the image takes of the heap here is not counted.
 
-Bytes in use are those beyond the mocks, after a collection. The smallest heap is the first of 64, 68, 72 ... KB (`-X
-heapsize`) in which, and in the two next ones as well, the program is imported, starts and runs a simulated minute. It
-holds the mocks, too, in place of the machine code of a board, which takes some 5 KB more than they do (it stands in the
-next section). Asked rarely: then somebody lists, sets and resets parameters, sends each command, and asks for missions,
-logs and modes, so that what is loaded only then finds room, too. `make test` lets the program run in the heaps that
-stand here.
+Bytes in use are those beyond the mocks, after a collection. The smallest heap is the first of 64, 66, 68 ... KB in
+which, and in the two next ones as well, the program is imported, starts and runs a simulated minute. It is the heap of
+the program alone: no board has the mocks and the script, and `-X heapsize` has as much more as they hold before the
+program is imported. What the program makes of the mocks counts as its own. The machine code of a board comes on top: it
+stands in the next section. Asked rarely: then somebody lists, sets and resets parameters, sends each command, and asks
+for missions, logs and modes, so that what is loaded only then finds room, too. `make test` lets the program run in the
+heaps that stand here.
 
-Names of the mocks share tables with those of the program. Where a table is full the next one has twice the room: a few
-names more or less may change what is in use by 9 KB. That is so for the rover from source and for the boat, which a
-board without the 200 names of the mocks spares that table."""
+Names of the mocks share tables with those of the program. Where a table is full the next one has twice the room, 4.5 KB
+or 9: a few names more or less may change what is in use by as much."""
 
 SCRIPT, MOUNT = "rover_minute.py", "mount_rom.py"
 FORMS = {"source": "from source", "mpy": "from .mpy", "rom": "in place from a ROMFS"}
 IMAGE = "image.romfs"
 MOMENTS = {"mocks": "the mocks", "imported": "program imported", "started": "program started"}
 RARELY = "rarely"
-STEP = 4  # KB from one heap that is tried to the next
+NOTHING = "import gc; gc.collect(); print(gc.mem_alloc())"
+STEP = 2  # KB from one heap that is tried to the next
 LEAST, MOST = 64, 256
 IN_A_ROW = 3  # heaps that have to do: a little more is no help where the free memory lies in pieces
 GOALS = {"mpy": 96, "source": 128}  # KB, of the rover's program; the boat's needs no more than that
@@ -77,6 +80,7 @@ def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], q
     for form, title in FORMS.items():
         what = f"smallest heap in which it runs{of}, {title}"
         found.append(Figure(f"{prefix}smallest_{form}", what, against, smallest[form], "KB", most=goals.get(form)))
+    found.append(Figure(f"{prefix}beside", f"held by the mocks and the script{of}", against, beside(folder), "KB"))
     asked = MOST if quick else _smallest(folder, "mpy", smallest["mpy"] or MOST, RARELY)
     what = f"smallest heap in which it runs{of} and is asked rarely, {FORMS['mpy']}"
     return [*found, Figure(f"{prefix}rarely_mpy", what, against, asked, "KB")]
@@ -97,37 +101,63 @@ def prepare_boat(folder: Path) -> None:
 
 
 def _lay_out(folder: Path, generated: Path, own: list[Path]) -> None:
-    shutil.copytree(generated / "firmware", folder / "source")
-    for module in own:
-        shutil.copy(module, folder / "source")
-    _compile(folder / "mpy", folder / "source", {module.name for module in own})
-    image = VfsRomWriter()
-    for module in sorted((folder / "mpy").glob("*.mpy")):
-        image.mkfile(module.name, module.read_bytes())
-    (folder / IMAGE).write_bytes(image.finalise())
-    _compile(folder / "mocks", generated / "mocks", set())
     script, mount = (measure.HERE / "micropython" / name for name in (SCRIPT, MOUNT))
     shutil.copy(script, folder)
     (folder / MOUNT).write_text(mount.read_text() + script.read_text())
+    shutil.copytree(generated / "firmware", folder / "source")
+    for module in own:
+        shutil.copy(module, folder / "source")
+    own_texts = {SCRIPT: script.read_text(), **{module.name: module.read_text() for module in own}}
+    files = _deployed(_texts(folder / "source"), own_texts)
+    (folder / IMAGE).write_bytes(image_of(files))
+    _put(folder / "mpy", files)
+    _put(folder / "rom", {STARTED: files[STARTED]})
+    _put(folder / "mocks", _deployed(_texts(generated / "mocks"), {}))
+
+
+def _texts(folder: Path) -> dict[str, str]:
+    """Return modules by their names, without those in machine code, which this interpreter does not run."""
+    return {source.name: source.read_text() for source in folder.glob("*.py") if not source.stem.endswith("_viper")}
+
+
+def _deployed(texts: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str | bytes]:
+    """Return what `codegen deploy` copies; the script, of which names are used, is treated as the user's own code."""
+    report = Report()
+    files = compiled({**texts, **own}, BYTECODE, report, unnumbered=texts.keys() - own)
+    if report.has_errors:
+        raise SystemExit("mpy-cross does not compile the program")
+    return {name: content for name, content in files.items() if name != SCRIPT.replace(".py", ".mpy")}
+
+
+def _put(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    folder.mkdir()
+    for name, content in files.items():
+        (folder / name).write_bytes(content.encode() if isinstance(content, str) else content)
 
 
 VEHICLES = {"rover": prepare, "boat": prepare_boat}
 BOAT = measure.ROOT / "examples" / "boat"
 
 
-def _compile(folder: Path, sources: Path, own: set[str]) -> None:
-    """Compile modules as `codegen deploy` does: those of the project's own keep the numbers of their lines."""
-    folder.mkdir()
-    for source in sources.glob("*.py"):
-        if source.stem.endswith("_viper"):  # those that a driver brings: for this interpreter there is no machine code
-            continue
-        told = options(BYTECODE, numbered=source.name in own)
-        into = str(folder / f"{source.stem}.mpy")
-        measure.said([measure.tool("mpy-cross"), *told, "-s", source.stem, "-o", into, str(source)])
-
-
 def in_use(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int] | None:
-    """Return what the script says in a heap of so many KB, or None: the program does not run in it."""
+    """Return what the script says in a heap of so many KB, or None: the program does not run in it.
+
+    The heap is the program's: what no board has on it lies beside.
+    """
+    return _said(folder, form, heap + beside(folder), *arguments)
+
+
+@cache
+def beside(folder: Path) -> int:
+    """Return the whole KB that the mocks and the script hold before the program is imported."""
+    alone = measure.said([measure.tool("micropython32"), "-X", f"heapsize={MOST}k", "-c", NOTHING], cwd=folder)
+    held = _said(folder, "mpy", MOST, "held")
+    if held is None:
+        raise SystemExit(f"the mocks do not find room in {MOST} KB")
+    return (held["held"] - int(alone)) // 1024
+
+
+def _said(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int] | None:
     image = image_size(folder) if form == "rom" else 0
     script = MOUNT if image else SCRIPT
     command = [measure.tool("micropython32"), "-X", f"heapsize={heap + image}k", script, *arguments]

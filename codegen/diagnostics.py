@@ -1,6 +1,7 @@
 """Findings of the stages about their input: values with a rule, a place and a hint, never exceptions."""
 
-from collections.abc import Iterable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from difflib import get_close_matches
 from enum import StrEnum
 
@@ -58,22 +59,33 @@ class Diagnostic:
         return self.rule.severity is Severity.ERROR and self.waived is None
 
 
+MOST = 100
+"""Findings of one rule that are shown; the others are counted."""
+
+Hint = str | Callable[[], str | None] | None
+"""A hint as text, or a function that finds it out where that takes long."""
+
+
 class Report:
     """Collects the diagnostics of one run, so that all of them are shown and not only the first."""
 
     def __init__(self) -> None:
         self._diagnostics: list[Diagnostic] = []
+        self._found_out: Counter[str] = Counter()
 
     def add(
         self,
         rule: Rule,
         place: Place,
         message: str,
-        hint: str | None = None,
+        hint: Hint = None,
         related: Iterable[tuple[Place, str]] = (),
         fingerprint: str | None = None,
     ) -> None:
-        """Record one finding."""
+        """Record one finding; its hint is found out for as many of a rule as are shown."""
+        if callable(hint):
+            self._found_out[rule.id] += 1
+            hint = hint() if self._found_out[rule.id] <= MOST else None
         self._diagnostics.append(Diagnostic(place, rule, message, hint, tuple(related), fingerprint))
 
     def extend(self, diagnostics: Iterable[Diagnostic]) -> None:

@@ -61,7 +61,12 @@ def pytest_collection_finish() -> None:
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Let the process that began the run take the cache away."""
+    """Let the process that began the run take the cache away, and each process look for cycles once.
+
+    pytest tells of what is found there. It looks again when it ends, and so does the interpreter: for nothing.
+    """
+    gc.collect()
+    gc.freeze()
     if not hasattr(session.config, "workerinput"):
         shutil.rmtree(CACHE, ignore_errors=True)
 

@@ -30,6 +30,9 @@ _MARKS = (
     "\t",
 )
 
+_LONG = 1000
+"""Characters of what is not written thousands of times: faults of one file follow each other, up to eight of them."""
+
 
 def by_tables(data: bytes, lot: random.Random) -> bytes:
     """Return the file with one fault."""
@@ -66,7 +69,8 @@ def _cells(text: str, lot: random.Random) -> str:
     at = _drawn_row(lines, lot)
     cells = lines[at].split("|")
     place = lot.randrange(len(cells))
-    cells[place : place + lot.randrange(3)] = [lot.choice(cells)] * lot.choice((0, 1, 3, 2000))
+    cell = lot.choice(cells)
+    cells[place : place + lot.randrange(3)] = [cell] * lot.choice((0, 1, 3, 2000 if len(cell) < _LONG else 2))
     lines[at] = "|".join(cells)
     return "\n".join(lines)
 
@@ -78,7 +82,7 @@ def _row(text: str, lot: random.Random) -> str:
     new = (
         [],
         [lines[at]] * 2,
-        [lines[at]] * 5000,
+        [lines[at]] * (5000 if len(lines[at]) < _LONG else 3),
         [re.sub(r"-+", lot.choice(("", ":", "- -", "=")), lines[at])],
         [f"> {lines[at]}"],
     )

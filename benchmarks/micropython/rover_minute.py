@@ -1,8 +1,10 @@
 # ruff: noqa: T201  what is printed is the answer
 """Starts a vehicle's program as main.py does, in the heap that the interpreter was given, and lets it run a minute.
 
-With the argument `rarely` somebody then asks for what few ask for, of which some is loaded only then. It prints the
-bytes that are in use: by the mocks, then beyond these once the program is imported, and once it has made its vehicle.
+It prints the bytes that are in use: by the mocks, then beyond these once the program is imported, and once it has made
+its vehicle. With the argument `rarely` somebody then asks for what few ask for, of which some is loaded only then. With
+`held` it ends before the program is imported, and prints what is in use.
+
 Under MicroPython, with the firmware and the mocks on its path.
 """
 
@@ -41,6 +43,9 @@ import network  # noqa: E402, F401
 for gpio in (26, 27, 28, 29):  # whichever the program reads
     machine.analog(gpio).source = 2047
 mocks = in_use()
+if sys.argv[1:] == ["held"]:
+    print(json.dumps({"held": mocks}))
+    sys.exit()
 
 import main  # noqa: E402
 

@@ -52,7 +52,7 @@ class ChipAnswer(KindOfAnswer):
         return [f"# {self.covers.label}: number of the chip ({self.covers.citation})", *code.chip(self.covers)]
 
     def words(self) -> Words:
-        """Return what it is, and how it is written."""
+        """Return the words for the source, the number of the chip, and for its form."""
         return Words("number of the chip", "in hex")
 
     def way(self, origins: Origins) -> Iterator[Step]:
@@ -61,7 +61,7 @@ class ChipAnswer(KindOfAnswer):
         yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """Yield what it is."""
+        """Yield the source: the text that is sent."""
         yield Trait("source", f"text {self.source}", Aspect.SOURCE)
 
     @property

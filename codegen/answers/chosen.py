@@ -100,7 +100,7 @@ class ChosenAnswer(KindOfAnswer):
         return Words(FLAGS.join((*entries, f"else {self.otherwise[0]}")), "")
 
     def way(self, origins: Origins) -> Iterator[Step]:
-        """Each condition, then what goes out without them."""
+        """Yield a step for each condition, then one for the entry that is sent where none is true."""
         for name, value, quantity in self.conditional:
             details = (f"{value} while {quantity.path} is true", quantity.derivation.words(quantity))
             cited = (str(quantity.citation),) if quantity.citation else ()

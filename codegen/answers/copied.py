@@ -105,7 +105,7 @@ class CopiedAnswer(LiveAnswer):
         return beside if beside is not None and value == self.scaling.hole else value
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
-        """All at most, and none where the value can be 0."""
+        """Return the least and most bytes up to the last that is not 0: none if the value can be 0, and all."""
         scaling, size = self.scaling, self.covers.field.type.size
         can_be_zero = scaling.low <= 0 <= scaling.high and scaling.hole != 0
         return 0 if can_be_zero or self.unknown == 0 else 1, size

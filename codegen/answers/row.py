@@ -188,7 +188,7 @@ class RowAnswer(KindOfAnswer):
             yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """Yield which value is in which element, and all that is to say of it."""
+        """Yield the number of the list's value in this element, then the traits of that value."""
         part = next((part for part, first, end in self.parts if first <= position < end), self.parts[-1][0])
         shift = f" - {self.covers.first}" if self.covers.first else ""
         yield Trait("source", f"value i{shift} of {self.source.path} in element i", Aspect.SOURCE)

@@ -1,8 +1,9 @@
 """Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
 from codegen.diagnostics import Diagnostic
@@ -35,7 +36,7 @@ _KEY = re.compile(
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every line of every block of code."""
-    entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    entries = entry_values(reading.enums)
     for code in reading.prose.code:
         yield from _listed(reading, code)
         about: WireMessage | None = None
@@ -76,7 +77,7 @@ def _at(line: Line, offset: int) -> Place:
     return line.place._replace(column=line.place.column + offset)
 
 
-def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterator[Diagnostic]:
+def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iterator[Diagnostic]:
     found = _CONSTANT.match(line.text)
     if found is None:
         return

@@ -33,7 +33,7 @@ _KINDS = {
     "claim-enum-value": "values",
     "claim-enum-of-field": "enums",
 }
-"""What is compared, by the rules whose findings stand in columns and lists."""
+"""Names for the subject of a comparison, by the rules whose findings stand in columns and lists."""
 _FEWEST = 3
 """Lines that have to differ before a whole column or list is doubted."""
 

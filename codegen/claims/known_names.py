@@ -4,6 +4,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 
+from codegen.claims.enum_names import all_names, entries_by_start
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
@@ -36,18 +37,13 @@ class Names:
 
 
 def names_of(reading: Reading) -> Names:
-    enums = reading.enums
-    known = {entry.name for enum in enums.values() for entry in enum.entries} | set(enums)
-    known |= {each.name for each in reading.reference.listed}
-    known |= {entry.name.removeprefix(f"{name}_") for name, enum in enums.items() for entry in enum.entries}
     named = dict.fromkeys(name for _, name in reading.sightings)
-    entries = {f"{name}_": [entry.name for entry in enum.entries] for name, enum in enums.items()}
     return Names(
         messages=reading.messages,
-        known=known,
+        known=all_names(reading.enums).union(each.name for each in reading.reference.listed),
         fields={field.name for name in named for field in reading.messages[name].fields},
         followed=set(_followed(reading)),
-        entries={start: found for start, found in entries.items() if found and found[0].startswith(start)},
+        entries=entries_by_start(reading.enums),
     )
 
 

@@ -163,9 +163,12 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
 def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
     """The same of a text whose Markdown has been read: ``prose``."""
     quoted = reduce(add, (quoted_definitions(code) for code in prose.code), Quoted())
-    enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
+    enums, messages = reference.dialect.enums, reference.dialect.messages
+    if quoted.enums:  # else they stay the same object, about which much is found only once
+        enums = {**enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
-    messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
+    if proposed:
+        messages = {**messages, **{message.name: message for message in reversed(proposed)}}
     is_about_mavlink = _ABOUT.search(text) is not None or any(found[0] in messages for found in _SURE.finditer(text))
     is_about_mavlink |= any(found["name"] in messages for found in _CONSTANT.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}

@@ -89,9 +89,9 @@ _JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
 _NEAR = 20
 """Messages of a sentence that are looked at for one directly beside a name."""
 _SURE = 0.7
-"""For what stands where a message has to stand."""
+"""The likeness that a name must have to a known one (0 to 1), where the words around it call for a message."""
 _KIN = 0.65
-"""For what begins as all entries of an enum do."""
+"""The same for a name with the prefix that all entries of an enum have."""
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

@@ -5,6 +5,8 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from codegen.deploy.board import Board
     from codegen.deploy.connection import Connection
     from codegen.deploy.plan import Plan
@@ -126,7 +128,7 @@ def _deploy(
 
     board, prepared = looked_at(connection, system, report)
     if prepared is None:
-        connection.restart()  # it runs on with what it has
+        connection.restart()  # the board goes on with the program that it has
         return
     todo = prepared.plan
     if arguments.dry_run:
@@ -147,7 +149,7 @@ def _deploy(
         print(f"{wifi[0]} copied", file=sys.stderr)
     print(_summary(todo), file=sys.stderr)
     connection.restart()
-    _show_log(connection, system, arguments.log, board, report)
+    _show_log(connection, system, arguments.log, board, prepared.short_names, report)
 
 
 def looked_at(connection: "Connection", system: "System", report: "Report") -> "tuple[Board, Prepared | None]":
@@ -183,9 +185,17 @@ def _summary(todo: "Plan") -> str:
     return f"{len(todo.copies)} files copied, {todo.unchanged} unchanged{removed}"
 
 
-def _show_log(connection: "Connection", system: "System", seconds: float, board: "Board", report: "Report") -> None:
+def _show_log(
+    connection: "Connection",
+    system: "System",
+    seconds: float,
+    board: "Board",
+    names: "Mapping[str, Mapping[str, str]]",
+    report: "Report",
+) -> None:
     """Print what the program says; an exception is a finding, whether the program ends with it or not."""
     from codegen.deploy.findings import PROGRAM_ENDED
+    from codegen.emit.short_names import readable
     from codegen.source import Place
 
     if any(link.spec.usb for link in system.links):
@@ -193,7 +203,7 @@ def _show_log(connection: "Connection", system: "System", seconds: float, board:
         return
     is_traced, raised, is_over = False, "", False
     for line in connection.said(seconds):
-        print(line, flush=True)
+        print(readable(line, names), flush=True)
         if line.startswith("Traceback (most recent call last)"):
             is_traced = True
         elif is_traced and not raised and line.strip() and not line.startswith(" "):

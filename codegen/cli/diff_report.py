@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from codegen.cli.findings import findings_text, wants_colour
 from codegen.diagnostics import Diagnostic
-from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_finding
+from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_findings
 from codegen.findings.text import finding_text
 from codegen.source import Place
 
@@ -29,7 +29,7 @@ def print_review(found: Review, form: str, on_disk: Callable[[str], str]) -> Non
 
         print(review_markdown(found), end="")
     elif form in ("github", "sarif", "junit", "gitlab"):
-        findings = [_in_work_tree(fault_finding(label, fault), on_disk) for label, fault in found.faults]
+        findings = [_in_work_tree(fault, on_disk) for fault in fault_findings(found)]
         findings += [_in_work_tree(as_finding(group), on_disk) for group in found.groups]
         text = findings_text(findings, form)
         if text:
@@ -54,8 +54,8 @@ def _print_text(found: Review) -> None:
     for group in found.groups:
         print(finding_text(as_finding(group), is_coloured=is_coloured))
     print(end="", flush=True)
-    for label, fault in found.faults:
-        print(f"{finding_text(fault_finding(label, fault))}", file=sys.stderr)
+    for fault in fault_findings(found):
+        print(finding_text(fault), file=sys.stderr)
     for note in found.notes:
         print(f"note: {note}", file=sys.stderr)
     if not found.is_empty:

@@ -92,11 +92,16 @@ def compile_systems(systems: Iterable[System], architecture: str, report: Report
 
 
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
-    """The modules of the firmware as a board loads them, by file name; empty after a diagnostic."""
+    """The modules of the firmware as a board loads them, by file name; empty after a diagnostic.
+
+    What the user's own modules name keeps its name, as in a deploy.
+    """
+    from codegen.deploy.contents import own_modules
     from codegen.emit.mpy import compiled
 
     modules = firmware_modules(system, architecture)
-    return compiled(modules, architecture, report, unnumbered=modules)
+    own = own_modules(system, project_folder([system]), modules, Report())
+    return compiled(modules, architecture, report, unnumbered=modules, beside=own.values())
 
 
 def firmware_modules(system: System, architecture: str) -> dict[str, str]:

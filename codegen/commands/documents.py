@@ -32,7 +32,7 @@ def dialect_reference(written: str, report: Report) -> Reference | None:
 
 
 def project_reference(systems: Sequence[System], files: Files = DISK) -> Reference:
-    """Return what a project says, with all its programs, of which there is at least one."""
+    """Return the reference for a project's documents: its dialect and the facts of its programs (one at least)."""
     sent = sent_sizes(systems)
     spec = systems[0].spec
     listed = listed_messages(spec, files, Report())
@@ -153,7 +153,7 @@ def _are_in(findings: Iterable[Diagnostic], lines: Collection[int]) -> bool:
 
 
 def _of_project_there(text: str, path: str, reference: Reference, files: Files, overlay: str) -> tuple[Diagnostic, ...]:
-    """Return what is said of a project that differs from what it would be with an overlay."""
+    """Return the findings about the project as it would be with another overlay; none where that cannot be told."""
     other = reference.others[overlay](files)
     return of_project(read_document(text, path, other)) if other is not None else ()
 

@@ -17,6 +17,7 @@ from codegen.deploy.plan import Owned, Plan, is_room, plan
 from codegen.deploy.transfer import digests_of, found_files, owned_files
 from codegen.diagnostics import Report
 from codegen.emit.mpy import BYTECODE, emitted_version, has_machine_code
+from codegen.emit.short_names import TABLE, read_table
 from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.source import Place
@@ -29,6 +30,11 @@ class Prepared:
     files: Mapping[str, bytes]
     plan: Plan
     owned: Owned
+
+    @property
+    def short_names(self) -> dict[str, dict[str, str]]:
+        """The names that short names in compiled modules stand for, by modules."""
+        return read_table(self.files.get(TABLE, b"").decode())
 
 
 def architecture_for(board: Board, port: str, report: Report) -> str | None:

@@ -171,9 +171,7 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
 
 
 def _basis(name: str, *, is_sensed: bool) -> str:
-    """Return what something is counted of, and who measures it where that is no
-    ADC, with which it is forgotten then.
-    """
+    """Return the words for the readings that a time is counted in: of a quantity, or of the sensor that measures it."""
     return f"{name} of a sensor" if is_sensed else name
 
 

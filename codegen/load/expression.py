@@ -138,7 +138,7 @@ def _tokens_before(text: str, low: int, end: int) -> list[_Token]:
 
 
 def _tokens_of(text: str) -> list[_Token] | None:
-    """The tokens that are all of a text; None where something else is in it, or too many are."""
+    """Return the tokens of a text; None where a part of it is no token, or there are more than MAX_TOKENS."""
     tokens: list[_Token] = []
     position = 0
     while position < len(text):

@@ -139,46 +139,32 @@ class Files:
             path, report, asked_at or Place(os.path.abspath(path)), MAX_BYTES if most is None else most
         )
         for noted in self.notes:
-            noted[path] = _hash(path, content)
+            noted[path] = self._hash(path, content)
         return content
 
     def found_at(self, path: str) -> str:
         """Return the hash of what is at a path: of the file that it leads to and its content, or that there is none."""
-        return _hash(path, self.read_bytes(path, Report()))
+        return self._hash(path, self.read_bytes(path, Report()))
+
+    def _hash(self, path: str, content: bytes | None) -> str:
+        if content is None:
+            return ""
+        try:
+            real = real_path(path) if self.bounds is None else self.bounds.real_path(path)
+        except (OSError, ValueError):
+            real = path
+        return hashlib.sha256(f"{real}\n".encode("utf-8", "surrogateescape") + content).hexdigest()
 
     def _content(self, path: str, report: Report, place: Place, most: int) -> bytes | None:
-        shown = shown_path(path)
         found = self._in_tree(path)
         if found is not None:
             content = found[0].read(found[1])
             if content is None:
-                report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
+                report.add(FILE_NOT_FOUND, place, f"{shown_path(path)} does not exist")
             return content
         if self.is_refused(path, place, report):
             return None
-        try:
-            # Looking first keeps a pipe or a device from blocking the run.
-            mode = os.stat(path).st_mode
-            if not stat.S_ISREG(mode):
-                kind = "a folder" if stat.S_ISDIR(mode) else "a device or a pipe"
-                report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
-                return None
-            with open(path, "rb") as file:
-                data = file.read(most + 1)
-        except (FileNotFoundError, NotADirectoryError):
-            report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
-            return None
-        except PermissionError:
-            report.add(FILE_NOT_READABLE, place, f"{shown} may not be read", "check the permissions of the file")
-            return None
-        except (OSError, ValueError) as problem:  # ValueError: a name with a NUL or a lone surrogate
-            reason = getattr(problem, "strerror", None) or str(problem)
-            report.add(FILE_NOT_READABLE, place, f"{shown!r} cannot be read: {reason}")
-            return None
-        if len(data) > most:
-            report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {most // 1_000_000} MB")
-            return None
-        return data
+        return _content_on_disk(path, report, place, most)
 
     def _in_tree(self, path: str) -> tuple[Tree, str] | None:
         """Return the tree that a path lies in, and the path below it."""
@@ -207,7 +193,27 @@ def asked_once(find: Callable[[Files], _Found]) -> Callable[[Files], _Found]:
     return found
 
 
-def _hash(path: str, content: bytes | None) -> str:
-    if content is None:
-        return ""
-    return hashlib.sha256(f"{real_path(path)}\n".encode("utf-8", "surrogateescape") + content).hexdigest()
+def _content_on_disk(path: str, report: Report, place: Place, most: int) -> bytes | None:
+    try:
+        # Looking first keeps a pipe or a device from blocking the run.
+        mode = os.stat(path).st_mode
+        if not stat.S_ISREG(mode):
+            kind = "a folder" if stat.S_ISDIR(mode) else "a device or a pipe"
+            report.add(FILE_NOT_READABLE, place, f"{shown_path(path)} is {kind}, not a file")
+            return None
+        with open(path, "rb") as file:
+            data = file.read(most + 1)
+    except (FileNotFoundError, NotADirectoryError):
+        report.add(FILE_NOT_FOUND, place, f"{shown_path(path)} does not exist")
+        return None
+    except PermissionError:
+        report.add(FILE_NOT_READABLE, place, f"{shown_path(path)} may not be read", "check the permissions of the file")
+        return None
+    except (OSError, ValueError) as problem:  # ValueError: a name with a NUL or a lone surrogate
+        reason = getattr(problem, "strerror", None) or str(problem)
+        report.add(FILE_NOT_READABLE, place, f"{shown_path(path)!r} cannot be read: {reason}")
+        return None
+    if len(data) > most:
+        report.add(FILE_TOO_LARGE, place, f"{shown_path(path)} is larger than {most // 1_000_000} MB")
+        return None
+    return data

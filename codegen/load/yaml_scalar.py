@@ -13,6 +13,8 @@ MAX_EXPONENT = 400
 """Longest number and largest power of ten that are read exactly: enough for every double, and no number of a few
 characters can take up gigabytes."""
 
+_MAY_BE_VALUE = re.compile(r"[-+.0-9~nNtTfF]|$")
+"""The beginnings of all that is no text: most scalars are names and sentences, which begin otherwise."""
 _NULL = re.compile(r"null|Null|NULL|~|")
 _TRUE = re.compile(r"true|True|TRUE")
 _FALSE = re.compile(r"false|False|FALSE")
@@ -26,6 +28,8 @@ _SPECIAL |= dict.fromkeys((".nan", ".NaN", ".NAN"), math.nan)
 
 def plain_value(text: str) -> ScalarValue:
     """The value of an unquoted scalar: ``12:30``, ``yes`` and dates are text, ``010`` is ten, ``3.95`` is 79/20."""
+    if not _MAY_BE_VALUE.match(text):
+        return text
     if _NULL.fullmatch(text):
         return None
     if _TRUE.fullmatch(text):

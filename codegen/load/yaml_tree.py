@@ -6,6 +6,7 @@ so that neither deep nesting nor aliases of aliases can exhaust anything.
 
 import dataclasses
 import os
+import re
 from collections.abc import Iterable
 from dataclasses import field
 from typing import Any
@@ -92,6 +93,9 @@ def parse_yaml(text: str, path: str, report: Report) -> YamlNode | None:
     return None if composer.refused else composer.root
 
 
+_HALF_CHARACTER = re.compile("[\ud800-\udfff]")
+
+
 @dataclasses.dataclass(slots=True)
 class _Open:
     """A list or mapping whose end was not reached; the children of a mapping are keys and values in turn."""
@@ -139,14 +143,14 @@ class _Composer:
 
     def _take(self, event: yaml.Event) -> None:
         match event:
+            case yaml.ScalarEvent():  # first, since most are
+                self._check_properties(event)
+                self._add(self._scalar(event))
             case yaml.DocumentStartEvent():
                 self._start_document(event)
             case yaml.AliasEvent():
                 self._refuse(event, f"*{event.anchor} is an alias", "write the value out")
                 self._add(ScalarNode(None, "", self._place(event.start_mark)))
-            case yaml.ScalarEvent():
-                self._check_properties(event)
-                self._add(self._scalar(event))
             case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
                 self._check_properties(event)
                 self._open.append(_Open(self._place(event.start_mark), isinstance(event, yaml.MappingStartEvent)))
@@ -183,7 +187,7 @@ class _Composer:
         if is_plain and not text and self._open and self._open[-1].awaits_value:
             # Nothing is written, so there is no place of it; parsers differ, the key is what one looks for.
             place = self._open[-1].children[-1].place
-        if any("\ud800" <= character <= "\udfff" for character in text):
+        if _HALF_CHARACTER.search(text):
             self._refuse(event, "the escapes make half a character", r"write \U and eight digits, or the character")
         return ScalarNode(plain_value(text) if is_plain else text, text, place)
 

@@ -14,7 +14,7 @@ GROUPS: dict[str, tuple[Part, ...]] = {
     "sensors": (Part.SENSORS, Part.SENSOR, Part.TURN),
     "reports and reminders": (Part.REPORT, Part.REMINDER),
 }
-"""Every part is in one of them."""
+"""The parts of the work by the names that the report groups them under; every part is in one group."""
 
 
 def shares(slot: Slot, budget: LoopBudget) -> list[tuple[str, Took, str]]:

@@ -84,8 +84,8 @@ class BoardModelSpec(Written):
         "chosen: sda and scl are told to machine.I2C; fixed: each bus has its own.", default=UartPins.CHOSEN
     )
     watchdog: BoardWatchdogSpec | None = described("Its watchdog. Without it it has none.", default=None)
-    usb: bool = described("Whether MicroPython's prompt is on a USB port, which can be a link.")
-    wifi: bool = described("Whether it has Wi-Fi.")
+    usb: bool = described("True: MicroPython's prompt is on a USB port, which can be a link.")
+    wifi: bool = described("True: the board has Wi-Fi.")
     timing: TimingSpec | None = described(
         "How fast it is. Without it, nothing is predicted of the time that the firmware takes.", default=None
     )

@@ -172,5 +172,5 @@ class Failsafe:
 
     @property
     def recovers(self) -> bool:
-        """Return whether it can be over."""
+        """Return whether the failsafe can end again: a latched one stays until the restart."""
         return not self.spec.latch

@@ -47,7 +47,7 @@ class ReceivedField:
 
     @property
     def is_extension(self) -> bool:
-        """Return whether MAVLink 1 does not have it."""
+        """Return whether the field is an extension, which frames of MAVLink 1 lack."""
         return self.field.definition.is_extension
 
     @property

@@ -283,7 +283,7 @@ class Component(Cited):
 
     @property
     def instances(self) -> int:
-        """Return how many of it there are."""
+        """Return the number of instances of the component."""
         return len(self.parts)
 
     @property

@@ -4,7 +4,7 @@ import re
 
 _CODE = r"<!--.*?-->|<(?P<kept>style|script|title|svg|pre)\b.*?</(?P=kept)>|<[^>]*>"
 _PARTS = re.compile(rf"(?P<code>{_CODE})|[^<]+", re.DOTALL)
-"""Markup, and what stands as it is, before text."""
+"""Matches markup and elements to be left as they are (``code``), or else a run of text."""
 _WORD = re.compile(r"[^\s&]{9,}")
 _AFTER = re.compile(r"(?<=[\w\]])(::|[_/:=,]+|[.](?!\d)|(?<=[a-z])(?=[A-Z][a-z]))(?=[\w\[])")
 _HYPHENED = re.compile(r"[^\W_]{1,24}-\d+(?:\.\d+)*(?![^\W_])|(?<![\w-])--[a-z][a-z-]{1,20}")

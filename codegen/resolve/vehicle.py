@@ -168,7 +168,7 @@ def resolve_parameters(
         for member in families.members(name, written):
             parameter = _resolve_parameter(member, citation, report)
             if parameter is None and member.instance == 0:
-                break  # the others of the family would say the same
+                break  # the other members would give the same findings
             if parameter is None:
                 continue
             if member.name in parameters or (member.instance and member.name in spec.parameters):

@@ -125,7 +125,7 @@ class Passage:
             self._end(process, watch)
         elif not self.waits and now_s - self._heard_s > silence_s:
             problem = f"the firmware does not let time pass any more ({silence_s:g} s without a sign of it)"
-            self.interrupt(watch)  # it says where it stands
+            self.interrupt(watch)  # the traceback tells where the firmware hangs
             where = _place(self.recording.traceback, self._program.folders)
             self.recording.problem = problem + where
 

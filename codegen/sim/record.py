@@ -65,7 +65,7 @@ class Recording:
 
     @property
     def all(self) -> tuple["Recording", ...]:
-        """This one and those beside it."""
+        """Return this recording and those of the programs that run beside it."""
         return (self, *self.beside)
 
     @property
@@ -116,7 +116,7 @@ class Recording:
         return any(stretch.course(label) for stretch in self.stretches)
 
     def true(self, label: str, at_ms: float) -> float | None:
-        """Return what is true of a number in its unit; None where nothing is, or is said to be."""
+        """Return the true value of a quantity, in its unit; None where it is unknown, or the scenario has no course."""
         course = self.course(label, at_ms)
         value = None if course is None else course.value(at_ms)
         return float(value) if is_number(value) else None
@@ -133,12 +133,12 @@ class Recording:
 
     @property
     def lines(self) -> tuple[Line, ...]:
-        """The numbers to tell of: those with a course, and those that were told and did not stay the same."""
+        """Return the numbers to report: those with a course, and those whose reported values changed."""
         return tuple(line for line in self.program.lines if self.has_course(line.label) or self._varied(line.label))
 
     @property
     def drawn(self) -> tuple[Line, ...]:
-        """Return the lines that did not stay the same."""
+        """Return the numbers whose reported values changed, which are worth a chart."""
         return tuple(line for line in self.lines if self._varied(line.label))
 
     @property
@@ -328,7 +328,7 @@ class Recording:
 
 
 def _stated(event: Event, program: str) -> Happening | None:
-    """Return what an event of the scenario is, where the firmware does not tell of it."""
+    """Return an event of the scenario that the firmware does not report itself, as an entry of the record."""
     if isinstance(event, Fault):
         return Happening(event.at_ms, Kind.FAULT, fault_text(event), program=program, of=event.of)
     if isinstance(event, Sending):

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
+from codegen.diagnostics import Report
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
 from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.source_kind import Output
@@ -22,27 +23,28 @@ def in_tuple(items: Iterable[str]) -> str:
 
 def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output, Fraction] | None:
     """An output as it is declared, and how many of its steps make one of its units; None after a finding."""
-    known = len(list(around.report))
-    unit = find_unit(spec.unit, spec.at("unit"), around.report)
-    step = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), around.report)
+    found = Report()
+    unit = find_unit(spec.unit, spec.at("unit"), found)
+    step = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), found)
     steps = None if unit is None or step is None else ratio(unit, step)
     if name and not _NAME.fullmatch(name):
-        around.report.add(BAD_SOURCE, spec.place, f"{name} cannot be the name of an output")
+        found.add(BAD_SOURCE, spec.place, f"{name} cannot be the name of an output")
     if unit is not None and step is not None and steps is None:
         why = obstacle(unit, step)
         message = f"{unit.name or 'a number'} cannot be rounded to {step.name}"
         rule = UNCARRIED_CONVERSION if why else UNIT_MISMATCH
-        around.report.add(rule, spec.at("stored"), f"{message}: {why}" if why else message)
+        found.add(rule, spec.at("stored"), f"{message}: {why}" if why else message)
     if steps is not None:
         low = -SMALL_INT_MAX if spec.min is None else spec.min * steps
         high = SMALL_INT_MAX if spec.max is None else spec.max * steps
         for key, end in (("min", Fraction(low)), ("max", Fraction(high))):
             if end.denominator != 1 or abs(end) > SMALL_INT_MAX:
                 message = f"{key} is {end} steps of {step.name if step else ''}, no whole number of at most 30 bits"
-                around.report.add(BAD_SOURCE, spec.at(key), message)
+                found.add(BAD_SOURCE, spec.at(key), message)
         if low > high:
-            around.report.add(BAD_SOURCE, spec.at("max"), "max is below min")
-    if len(list(around.report)) > known or step is None or steps is None:
+            found.add(BAD_SOURCE, spec.at("max"), "max is below min")
+    around.report.extend(found)
+    if list(found) or step is None or steps is None:
         around.failed = True
         return None
     return Output(name, step, int(low), int(high), spec.doc or ""), steps

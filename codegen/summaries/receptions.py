@@ -37,7 +37,7 @@ def received_rows(table: Reception) -> tuple[ReceivedRow, ...]:
 
 
 def condition_words(table: Reception) -> str:
-    """``gps_id 1``: what else a message has to have; nothing where that is nothing."""
+    """Return the values that a message must have to be taken, as "gps_id 1"; empty where none is asked for."""
     return ", ".join(f"{field.name} {number}" for field, number in table.conditions)
 
 

@@ -189,7 +189,7 @@ class Failsafe:
         return holding(self._words, self._rows)
 
     def _mixed_up(self):
-        """Return which level that is on would not be worse than the one before it, in words, or None."""
+        """Return the first level, in words, that is on and no worse than the one before it; None for none."""
         for pair in _BATTERY_INVERTED:
             if self._is_inverted(pair):
                 return pair[2]

@@ -350,7 +350,7 @@ class SystemState:
                     places = (_BATTERY_COUNT, _BATTERY_FAILURES)
                     first = failed(read, every, places, self.tell_battery, error, first)
         except (KeyboardInterrupt, SystemExit):
-            self._start_battery()  # that was the end of this one
+            self._start_battery()  # a generator that was interrupted cannot go on
             raise
 
     def tell_battery(self, told, instance, error=None):

@@ -1,5 +1,5 @@
 # Generated from templates/receiver/contest.py: do not edit.
-# Inputs: 2ca413bbfb3044bb
+# Inputs: 91a908aa4128b586
 """Detects two senders with the same ids that report one number: their reports alternate, as never after a swap."""
 
 from readings import elapsed
@@ -150,7 +150,7 @@ class Series:
         return self.turns >= _TURNS and not goes_on
 
     def _differing(self, said):
-        """Return the names of what is as the other series had it, and not as it was said last."""
+        """Return the names of the values that fit the other series, and not the last values of this one."""
         return [name for name in said if _is_apart(said[name], self._other[1][name], self._head[1][name])]
 
 
@@ -177,7 +177,7 @@ def _ahead(head, sequence):
 
 
 def _is_apart(value, before, between):
-    """Tell whether a number is much nearer to the one before than to the one in between."""
+    """Tell whether a value is much nearer to the one before than to the one in between."""
     for known in (value, before, between):
         if type(known) not in (int, float):
             return False

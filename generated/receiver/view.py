@@ -1,5 +1,5 @@
 # Generated from templates/receiver/view.py: do not edit.
-# Inputs: 16c6eb662790420e
+# Inputs: 142277ddd7cf97ad
 """The view of one instance, from all messages that report it."""
 
 from consumption import Consumption
@@ -58,7 +58,7 @@ class View:
 
     @property
     def swaps(self):
-        """Return how often it was another one than before."""
+        """Return how often another one took the place of what was reported before."""
         return self._owners.swaps
 
     @property

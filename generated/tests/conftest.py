@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 45a36aed6854cc4b
+# Inputs: 150716c8a3748092
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -70,7 +70,7 @@ def once(request, tmp_path_factory):
             return _awaited(path)
         try:
             made = make()
-        except AssertionError as error:  # who waits for it is told, too
+        except AssertionError as error:  # processes that wait for the result get the error, too
             made = {"": str(error)}
         path.with_suffix(".part").write_text(json.dumps(made))
         path.with_suffix(".part").replace(path)

@@ -30,7 +30,7 @@ class Seldom:
         self._told_ms = None
 
     def __call__(self, now_ms, text, detail):
-        """Tell it, if it is time; return whether it was told."""
+        """Log a text, if the last one is long enough ago; return whether it was logged."""
         self._count += 1
         if self._told_ms is not None and 0 <= time.ticks_diff(now_ms, self._told_ms) < _PAUSE_MS:
             return False
@@ -125,7 +125,7 @@ class Poller:
             self._log(f"notice: {self.name} works again")
 
     def _is_set_up(self, now_ms):
-        """Set it up, if that is due; return whether it is."""
+        """Set the sensor up, if that is due; return whether it is set up."""
         if self._due_ms is not None and 0 < time.ticks_diff(self._due_ms, now_ms) <= self._retry_ms:
             self._count_failure()
             return False

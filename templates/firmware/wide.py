@@ -51,13 +51,13 @@ def _attribute(place, about, at, put_at):
 
 
 def about_whole(halves, low, high, name, told, numerator=1, denominator=1):
-    """Return what a whole number is about."""
+    """Return the description of a whole number, as it is told above."""
     told = told or (low, high)
     return halves, low, high, told[0], told[1], name, None, numerator, denominator
 
 
 def about_real(halves, name, low, high, told, numerator, denominator):
-    """Return what a float is about."""
+    """Return the description of a float, as it is told above."""
     code, largest = ("<f", b"\xff\xff\x7f\x7f") if halves == 2 else ("<d", b"\xff\xff\xff\xff\xff\xff\xef\x7f")
     most = unpack_from(code, largest)[0]
     low, high = -most if low is None else low, most if high is None else high

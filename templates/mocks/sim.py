@@ -127,6 +127,7 @@ class Simulation:
             return main.vehicle_class()()
 
         main.new_vehicle = new_vehicle
+        main.compile_at = lambda level: level  # there is room for the numbers of lines
         self._main = main
         self._pace = sim_pace.Pace(self._speed)
         mock_asyncio.on_wait(self._on_wait)

@@ -148,7 +148,7 @@ class Series:
         return self.turns >= _TURNS and not goes_on
 
     def _differing(self, said):
-        """Return the names of what is as the other series had it, and not as it was said last."""
+        """Return the names of the values that fit the other series, and not the last values of this one."""
         return [name for name in said if _is_apart(said[name], self._other[1][name], self._head[1][name])]
 
 
@@ -175,7 +175,7 @@ def _ahead(head, sequence):
 
 
 def _is_apart(value, before, between):
-    """Tell whether a number is much nearer to the one before than to the one in between."""
+    """Tell whether a value is much nearer to the one before than to the one in between."""
     for known in (value, before, between):
         if type(known) not in (int, float):
             return False

@@ -56,7 +56,7 @@ class View:
 
     @property
     def swaps(self):
-        """Return how often it was another one than before."""
+        """Return how often another one took the place of what was reported before."""
         return self._owners.swaps
 
     @property

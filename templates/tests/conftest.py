@@ -68,7 +68,7 @@ def once(request, tmp_path_factory):
             return _awaited(path)
         try:
             made = make()
-        except AssertionError as error:  # who waits for it is told, too
+        except AssertionError as error:  # processes that wait for the result get the error, too
             made = {"": str(error)}
         path.with_suffix(".part").write_text(json.dumps(made))
         path.with_suffix(".part").replace(path)

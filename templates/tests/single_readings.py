@@ -63,7 +63,7 @@ def fails_alone(facts, fresh):
 def failures_of(board, facts):
     """Return how many readings of the first instance failed in a row."""
     inputs = getattr(board, facts["name"] + "_inputs", None)
-    return 0 if inputs is None else inputs.figures()[0]  # what is not read at all has none
+    return 0 if inputs is None else inputs.figures()[0]  # without inputs there are no failures
 
 
 def ages_alone(facts, fresh):
@@ -132,7 +132,7 @@ def allocates_nothing(facts, fresh):
         take = getattr(state, "update_" + facts["component"])
         take(board)
         set_count(board, facts, facts["full_scale"])
-        take(board)  # what there is to warn about is said now
+        take(board)  # warnings are logged now, before memory is counted
         for count in range(0, facts["full_scale"] + 1, 195):
             set_count(board, facts, count)
             before = mem_total()
@@ -190,7 +190,7 @@ def is_summed_exactly(facts, fresh):
         summed_over(facts, board, state, settings, totals, [gap, gap + 1, gap, 1, 3, gap // 2, gap + 1, gap - 1])
         for each in facts["sums"]:
             near = 1 if each["times"] is None else each["parts"] // 100000
-            for part in (each["parts"] - near, 0):  # as little as can be less than a step, and all of it
+            for part in (each["parts"] - near, 0):  # just short of a step, then exactly at one
                 fill(facts, board, state, settings, totals, each, part, near)
     mock_time.set_ticks_us(0)
 

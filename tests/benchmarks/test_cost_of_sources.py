@@ -24,8 +24,8 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, float]:
     folder = tmp_path_factory.mktemp("cost")
     shutil.copytree(PROJECTS / "sensors" / "specs", folder / "specs")
     subprocess.run([Path(sys.executable).parent / "codegen", "build"], cwd=folder, check=True, capture_output=True)
-    modules = [folder / "generated" / name for name in ("firmware", "mocks")]
-    costs, said = cost.instructions("cost_sources.py", 0, modules, folder)
+    modules = cost.compiled([folder / "generated" / name for name in ("firmware", "mocks")], folder / "compiled")
+    costs, said = cost.instructions("cost_sources.py", 0, [modules], folder)
     assert {name: said[name] for name in ("gga", "rmc", "gsa", "vtg", "gsv")} == dict.fromkeys(
         ("gga", "rmc", "gsa", "vtg", "gsv"), 1
     )

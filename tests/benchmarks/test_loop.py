@@ -26,8 +26,9 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, tuple[int,
     plan = Plan(system, system.program)
     plan.count_passes()
     plan.count_messages()
-    modules = module_folders(results.ROOT / "generated", "firmware", "mocks")
-    rows = {row.name: row for row in loop.rows_of("rover", plan, modules, tmp_path_factory.mktemp("loop"))}
+    folder = tmp_path_factory.mktemp("loop")
+    modules = cost.compiled(module_folders(results.ROOT / "generated", "firmware", "mocks"), folder / "compiled")
+    rows = {row.name: row for row in loop.rows_of("rover", plan, [modules], folder)}
     costs = measured_costs()
     found = {name: (row.instructions, costs.instructions(row.work)) for name, row in rows.items()}
     sent = [found[name] for name in rows if name.startswith("message ")]

@@ -40,7 +40,7 @@ def test_the_name_of_the_clocks_is_taken(tmp_path, monkeypatch, capsys):
     own = "components:\n  clock:\n    doc: d\n    quantities:\n      turn: {doc: d, initial: 0, min: 0, max: 1}\n"
     state.write_text(state.read_text().replace("components:\n", own, 1))
     monkeypatch.chdir(tmp_path)
-    assert main(["check"]) == 1
+    assert main(["build"]) == 1
     told = capsys.readouterr().out
     assert "specs/state.yaml:3:3: error bad-component: clock is the component of what tables name as clock" in told
     assert "hint: choose another name" in told

@@ -10,6 +10,7 @@ import pytest
 from test_broken_tables import ROOT, Case, name_of
 
 from codegen.cli import main
+from codegen.diagnostics import MOST
 
 COMMANDS, VEHICLE, STATE = "commands.yaml", "vehicle.yaml", "state.yaml"
 HORN = "  MAV_CMD_USER_3: {doc: Sounds the horn., method: sound_horn, requirement: FR-301.2}"
@@ -107,3 +108,19 @@ def test_a_command_that_programs_answer_otherwise_only(tmp_path, monkeypatch, ca
     built = {path.name for path in Path("generated/firmware").iterdir()}
     assert {"own_commands.py", "long_commands.py"} <= built
     assert not {"mode_service.py", "command_cancel.py"} & built
+
+
+def test_of_thousands_of_unknown_commands_those_that_are_shown_have_a_hint(tmp_path, monkeypatch, capsys):
+    """The nearest names of so many commands are looked for as often as somebody reads them."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    commands = tmp_path / "specs" / COMMANDS
+    unknown = "".join(f"  MAV_CMD_USER_1{n}: {{method: m{n}, doc: d, allowed: always}}\n" for n in range(2000))
+    commands.write_text(commands.read_text().replace("commands:\n", f"commands:\n{unknown}", 1))
+    asked = []
+    monkeypatch.setattr("codegen.resolve.commands.commands.did_you_mean", lambda name, _: asked.append(name) or "x")
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 1
+    assert 0 < len(asked) <= MOST
+    out = capsys.readouterr().out
+    assert out.count(" error unknown-enum-entry: MAV_CMD has no entry MAV_CMD_USER_1") == MOST
+    assert out.count("\n  hint: x\n") == MOST

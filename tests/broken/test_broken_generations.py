@@ -77,6 +77,7 @@ def test_only_a_program_announces(tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.requirement("FR-00072.8")
+@pytest.mark.usefixtures("without_output")
 @pytest.mark.parametrize(
     ("file", "old", "new", "place"),
     [
@@ -88,7 +89,7 @@ def test_both_by_default_is_warned_about(file, old, new, place, tmp_path, monkey
     """A warning with the price of both, of the old and of the new one; it does not stop the build."""
     changed(tmp_path, (file, old, new))
     monkeypatch.chdir(tmp_path)
-    assert main(["check"]) == 0
+    assert main(["build"]) == 0
     warned = [line for line in capsys.readouterr().out.splitlines() if " both-generations: " in line]
     assert len(warned) == 1
     assert f"{place or 'specs/parameters.yaml'}" in warned[0]
@@ -99,10 +100,11 @@ def test_both_by_default_is_warned_about(file, old, new, place, tmp_path, monkey
     assert any(line.startswith("both ") and price in line for line in told.splitlines()), told
 
 
+@pytest.mark.usefixtures("without_output")
 def test_one_by_default_is_not(tmp_path, monkeypatch, capsys):
     """The shipped specification sends one generation, and so does a fixed one."""
-    changed(tmp_path, ("streams.yaml", "parameter: BATT_REPORT", "send: new"))
-    for folder in (ROOT, tmp_path):
-        monkeypatch.chdir(folder)
-        main(["check"])
+    for name, changes in (("shipped", ()), ("fixed", [("streams.yaml", "parameter: BATT_REPORT", "send: new")])):
+        changed(tmp_path / name, *changes)
+        monkeypatch.chdir(tmp_path / name)
+        assert main(["build"]) == 0
         assert "both-generations" not in capsys.readouterr().out

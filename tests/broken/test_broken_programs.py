@@ -134,3 +134,13 @@ def test_a_program_is_not_built_alone(specification: Path, capsys: pytest.Captur
     """Its output lies in that of the project which lists it."""
     assert main(["--project", str(specification / "smart_battery" / "codegen.yaml"), "check"]) == 1
     assert len(errors(capsys)) == 1
+
+
+def test_a_table_that_cannot_be_read_is_not_missed(specification: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A program that lists its message adds no finding to the one at the table."""
+    path = specification / "smart_battery" / "messages" / "battery_info.yaml"
+    path.write_text(path.read_text().replace("message:", "massage:", 1))
+    assert main(["check"]) == 1
+    printed = capsys.readouterr().out
+    assert " error unknown-key: " in printed
+    assert "no-table" not in printed

@@ -5,6 +5,8 @@ from test_broken_generations import changed
 
 from codegen.cli import main
 
+pytestmark = pytest.mark.usefixtures("without_output")
+
 SECOND = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
 MULTIPLIER = "    default: 3.95\n"
 

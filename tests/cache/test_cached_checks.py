@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from short_documents import shorten_documents
 
 from codegen.cli import main
 from codegen.commands import document_findings, documents
@@ -27,8 +28,7 @@ DOCUMENT = "specs/requirements/FR-00068-battery-status-telemetry.md"
 OTHER_DOCUMENT = "specs/requirements/FR-00069-voltage-conversion.md"
 
 WHOLE = ("FR-00068", "FR-00069", "FR-00073")
-KEPT = ("Metadata", "Acceptance Criteria")
-"""Of other documents the copies have these sections: reading takes time, and the cache does the same with each."""
+"""Documents that the copies have as they are: the cache does the same with each, and reading takes time."""
 
 WRONG = """
 ## What is wrong
@@ -74,10 +74,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def _copied(parent: Path) -> Path:
     folder = parent / "project"
     shutil.copytree(ROOT / "specs", folder / "specs")
-    for document in (folder / "specs" / "requirements").glob("*.md"):
-        if document.name[:8] not in WHOLE:
-            title, *sections = document.read_text().split("\n## ")
-            document.write_text("\n## ".join([title, *(each for each in sections if each.startswith(KEPT))]) + "\n")
+    shorten_documents(folder / "specs", WHOLE)
     file = folder / DOCUMENT
     file.write_text(file.read_text() + WRONG)
     return folder

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from rover_alone import without_programs
 
 from codegen.cli import main
 from codegen.tool import cache
@@ -52,6 +53,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The rover with a test of its own as a commit, which is the working directory."""
     folder = tmp_path / "project"
     shutil.copytree(ROOT / "specs", folder / "specs")
+    without_programs(folder / "specs")
     (folder / "tests").mkdir()
     (folder / "tests" / "test_it.py").write_text(MARKED)
     git(folder, "init", "--quiet")

@@ -6,7 +6,7 @@ from functools import cache
 import pytest
 
 from codegen.claims import check_claims
-from codegen.claims.reading import Reference, read_document
+from codegen.claims.reading import Reading, Reference, read_document
 from codegen.commands.codec import read_codec_dialect
 from codegen.commands.documents import with_other_dialects
 from codegen.diagnostics import Diagnostic, Report
@@ -26,6 +26,12 @@ def reference() -> Reference:
 
 
 @pytest.fixture(scope="session")
-def check() -> Check:
+def read() -> Callable[[str], Reading]:
+    """Return what reads a text."""
+    return lambda text: with_other_dialects(read_document(text, PATH, reference()), DISK)
+
+
+@pytest.fixture(scope="session")
+def check(read: Callable[[str], Reading]) -> Check:
     """What is found in a text, in its order."""
-    return lambda text: check_claims(with_other_dialects(read_document(text, PATH, reference()), DISK))
+    return lambda text: check_claims(read(text))

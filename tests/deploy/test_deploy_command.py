@@ -210,15 +210,18 @@ def test_a_folder_that_hides_a_module(board: Board, run: Any) -> None:
 def test_an_exception_of_the_program_is_a_finding(
     deployed: tuple[Path, str], tmp_path: Path, run: Any, project: Path
 ) -> None:
+    """Functions in its traceback have the names that they have in the source."""
     pump = (project / "pump.py").read_text()
-    (project / "pump.py").write_text("raise ValueError('no water')\n")
+    (project / "pump.py").write_text("from messages import Heartbeat\n\nHeartbeat(unknown=False).water\n")
     try:
         with powered(Path(shutil.copy(deployed[0], tmp_path / "flash")), told=PICO, starts=True) as board:
             code, said = run("--port", board.port, "--log", "2")
     finally:
         (project / "pump.py").write_text(pump)
     assert code == 1
-    assert "error program-ended: an exception, with which the program runs on: ValueError: no water" in said
+    assert "error program-ended: an exception, with which the program runs on: AttributeError: " in said
+    assert re.search(r'^  File "pump", line 3, in <module>$', said, re.MULTILINE), said
+    assert re.search(r'^  File "fields", line 1, in _without_suffix$', said, re.MULTILINE), said
 
 
 def test_a_module_of_yours_with_a_generated_name(board: Board, run: Any, project: Path) -> None:

@@ -11,6 +11,7 @@ import pytest
 from codegen.commands.build import firmware_modules
 from codegen.diagnostics import Report
 from codegen.emit.mpy import BYTECODE, compiled
+from codegen.emit.short_names import TABLE, read_table, readable
 from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,6 +32,12 @@ from state import SystemState
 try:
     SystemState().calibrate_battery("much", 7)
 except Exception as error:
+    sys.print_exception(error)
+import messages
+from mavlink import Link
+try:
+    Link(None, version=1).encode(messages.BatteryStatusV2())
+except ValueError as error:
     sys.print_exception(error)
 """
 
@@ -55,9 +62,15 @@ def board(tmp_path: Path) -> Path:
 
 
 def test_tracebacks_name_functions_of_generated_modules_and_lines_of_own_ones(board: Path) -> None:
-    """A failure within a generated module is found by the function; one in the user's call, by the line."""
+    """A failure within a generated module is found by the function, where it is private by the file beside the modules;
+    one in the user's call, by the line.
+    """
     command = [str(Path(sys.executable).parent / "micropython"), "-c", SCRIPT]
     done = subprocess.run(command, cwd=board, capture_output=True, text=True, check=True)
     said = done.stdout + done.stderr
     assert re.search(r'File "rover", line 5, in broken', said), said
     assert re.search(r'File "state", line 1, in calibrate_battery', said), said
+    named = re.search(r'^ *File "frames_plain", line 1, in _\d+$', said, re.MULTILINE)
+    assert named, said
+    names = read_table((board / TABLE).read_text())
+    assert readable(named[0], names) == '  File "frames_plain", line 1, in _write_frame'

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from codegen.cli import main
+from codegen.diagnostics import MOST
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
 from codegen.diff.report.markdown import code, plain, review_markdown
@@ -145,3 +146,18 @@ def test_a_side_with_errors_says_so_in_every_format(
         assert "uint99_t" in said
     main(["diff", str(old), str(new), "--fail-on", "never"])
     assert "has 2 errors, and what they concern may be missing (--allow-errors" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("form", [form for form in READERS if form not in ("json", "markdown")])
+def test_of_many_errors_of_a_side_some_are_shown_and_the_others_counted(
+    form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As in every list of findings; what is for programs has all of them, and a comment has fewer."""
+    old, new = tmp_path / "old.xml", tmp_path / "new.xml"
+    old.write_text(XML.format(FIELD.format("uint8_t", "a")))
+    new.write_text(XML.format("".join(FIELD.format("uint88_t", f"f{number}") + "\n" for number in range(150))))
+    assert main(["diff", str(old), str(new), "--format", form]) == 1
+    captured = capsys.readouterr()
+    said = READERS[form](captured.out + (captured.err if form == "text" else ""))
+    assert said.count("uint88_t") == MOST
+    assert "50 more of these" in said

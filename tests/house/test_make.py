@@ -33,14 +33,11 @@ STEPS = [
     "ruff format --check",
     "python -m pytest -n auto --dist worksteal --junit-xml=build/results/pytest.xml",
     "codegen trace --results build/results/*.xml",
-    "codegen build --check",
-    "codegen check",
-    "python benchmarks/report.py --state",
 ]
 """One after the other."""
 
-TYPES = "mypy "
-"""Beside them."""
+BESIDE = ["mypy ", "codegen build --check", "codegen check", "python benchmarks/report.py --state"]
+"""Likewise, beside them."""
 
 
 @pytest.fixture
@@ -78,8 +75,18 @@ def test_make_test_runs_every_step(checkout: Path) -> None:
     ran = run(checkout, "make", "test")
     assert (ran.returncode, ran.stderr) == (0, "")
     calls = called(checkout)
-    calls.remove(TYPES)
-    assert calls == STEPS
+    assert [call for call in calls if call not in BESIDE] == STEPS
+    assert [call for call in calls if call in BESIDE] == BESIDE
+
+
+def test_what_runs_beside_is_shown_in_its_turn(checkout: Path) -> None:
+    """Whatever ends first."""
+    program = checkout / ".venv" / "bin" / "python"
+    program.write_text(f'{TOOL[:-1]}\ncase "$*" in *-n*) sleep 0.5 ;; esac\n')
+    ran = run(checkout, "make", "test")
+    titles = [line.removeprefix("== ").strip() for line in ran.stdout.splitlines() if line.startswith("== ")]
+    assert titles[:5] == ["ruff check", "ruff format", "pytest", "pytest", "mypy"]
+    assert titles[5:] == ["codegen trace", "codegen build --check", "codegen check", "stored benchmarks"]
 
 
 def test_what_mypy_says_is_shown(checkout: Path) -> None:
@@ -102,18 +109,18 @@ def test_suites_of_further_programs_run_beside_the_others(checkout: Path, failin
     program = checkout / ".venv" / "bin" / "python"
     program.write_text(f'{TOOL[:-1]}\ncase "$*" in *no:xdist*) echo "of $*" ;; esac\n')
     ran = run(checkout, "make", "test", FAILING=suites[("one", "two").index(failing)] if failing else "nothing")
-    assert sorted(set(called(checkout)) - {*STEPS, TYPES}) == suites
+    assert sorted(set(called(checkout)) - {*STEPS, *BESIDE}) == suites
     assert (ran.returncode != 0) == bool(failing)
     shown = ran.stdout.partition("== pytest generated/one/tests generated/two/tests\n")[2].partition("\n\n")[0]
     assert [name for name in ("one", "two") if f"generated/{name}/tests" not in shown] == ([failing] if failing else [])
     assert ("Not good yet: pytest generated/one/tests generated/two/tests" in ran.stdout) == bool(failing)
 
 
-@pytest.mark.parametrize("step", [*STEPS, TYPES])
+@pytest.mark.parametrize("step", [*STEPS, *BESIDE])
 def test_one_failing_step_fails_make_test_and_the_others_still_run(checkout: Path, step: str) -> None:
     ran = run(checkout, "bash", ".ci/run", FAILING=step)
     assert ran.returncode != 0
-    assert len(called(checkout)) == len([*STEPS, TYPES])
+    assert len(called(checkout)) == len([*STEPS, *BESIDE])
     assert "Not good yet: " in ran.stdout
 
 
@@ -121,7 +128,7 @@ def test_ci_runs_wherever_it_is_called_from(checkout: Path, tmp_path_factory: py
     elsewhere = tmp_path_factory.mktemp("elsewhere")
     ran = run(elsewhere, "bash", str(checkout / ".ci" / "run"))
     assert ran.returncode == 0
-    assert len(called(checkout)) == len([*STEPS, TYPES])
+    assert len(called(checkout)) == len([*STEPS, *BESIDE])
 
 
 def test_install_only_when_pyproject_changed(checkout: Path) -> None:

@@ -91,7 +91,6 @@ def test_installed_command_generates_the_committed_bytes(installed: Path, tmp_pa
     rover = tmp_path / "pico-trail"
     assert tree(rover / "specs") == tree(ROOT / "specs")
     run(*codegen_of_wheel, "build", cwd=rover, PYTHONPATH=str(installed))
-    run(*codegen_of_wheel, "check", cwd=rover, PYTHONPATH=str(installed))
     generated, committed = tree(rover / "generated"), tree(ROOT / "generated")
     assert sorted(generated) == sorted(committed)
     assert [path for path in generated if generated[path] != committed[path]] == []

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from short_documents import shorten_documents
 
 from codegen.cli import main
 
@@ -44,8 +45,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def project(folder: Path) -> Path:
-    """The same with a copy of the shipped specification."""
+    """The same with a copy of the shipped specification, of which two documents are whole."""
     shutil.copytree(ROOT / "specs", folder / "specs")
+    shorten_documents(folder / "specs", ["FR-00068", "ADR-00018"])
     return folder
 
 

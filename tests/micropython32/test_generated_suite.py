@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import run_suite, scripts_of
+from rover_alone import without_programs
 from test_interpreter import MICROPYTHON32
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -25,12 +26,14 @@ SCRIPTS = [path.name.removesuffix("_checks.py") for path in CHECKS]
 @pytest.fixture(scope="module")
 def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The suite of the rover."""
-    return _built(ROOT, tmp_path_factory.mktemp("rover"))
+    folder = tmp_path_factory.mktemp("rover")
+    shutil.copytree(ROOT / "specs", folder / "specs")
+    without_programs(folder / "specs")
+    return _built(folder)
 
 
-def _built(project: Path, folder: Path) -> Path:
+def _built(folder: Path) -> Path:
     """The suite of a project, built without machine code."""
-    shutil.copytree(project / "specs", folder / "specs")
     with (folder / "specs" / "codegen.yaml").open("a") as settings:
         settings.write("machine_code: false\n")
     subprocess.run([sys.executable, "-m", "codegen", "build"], cwd=folder, check=True, capture_output=True)
@@ -57,7 +60,8 @@ def test_program_passes_with_words_of_32_bits(suite: Path, script: str, monkeypa
 @pytest.mark.parametrize("project", ["rows", "wide_values"])
 def test_wide_numbers_with_words_of_32_bits(project: str, tmp_path: Path) -> None:
     """Numbers of up to 64 bits and floats go out as they were set, and allocate nothing."""
-    tests = _built(ROOT / "tests" / "projects" / project, tmp_path)
+    shutil.copytree(ROOT / "tests" / "projects" / project / "specs", tmp_path / "specs")
+    tests = _built(tmp_path)
     for file in ("test_frames.py", "test_behaviour.py"):
         done = run_suite(tests, file, options=("-k", "micropython"), micropython=MICROPYTHON32)
         assert done.returncode == 0, done.stdout[-3000:]

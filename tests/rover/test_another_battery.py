@@ -8,6 +8,7 @@ from pathlib import Path
 
 import generated_suite
 import pytest
+from rover_alone import without_programs
 from test_change_goes_everywhere import ROOT, apply, run
 from whole_program import module_folders
 
@@ -17,10 +18,17 @@ PROGRAM = "cpython-failsafe or cpython-arming or cpython-health or cpython-insta
 
 
 @pytest.fixture
-def project(tmp_path):
+def whole_project(tmp_path):
     """The shipped specification, to be changed."""
     subprocess.run(["cp", "-r", str(ROOT / "specs"), str(tmp_path)], check=True)
     return tmp_path
+
+
+@pytest.fixture
+def project(whole_project):
+    """The same of the rover alone."""
+    without_programs(whole_project / "specs")
+    return whole_project
 
 
 def suite_is_green(project: Path, selection: str) -> None:
@@ -86,12 +94,12 @@ def test_batteries_that_are_on_with_more_cells(project):
     assert "        _BATTERY_WARN_ABOVE,\n        (17333, 8667, 17333),\n" in state
 
 
-def test_fewer_cells_are_one_number(project):
+def test_fewer_cells_are_one_number(whole_project):
     """One cell, and the smart battery with four: what the suite starts from is not worth a warning."""
-    apply(project, "board.yaml", "    cells: 3\n", "    cells: 1\n")
-    apply(project, "smart_battery/board.yaml", "    cells: 3\n", "    cells: 4\n")
-    suite_is_green(project, "cpython and (behaviour or good_count)")
-    state = (project / "generated" / "smart_battery" / "firmware" / "state_plain.py").read_text()
+    apply(whole_project, "board.yaml", "    cells: 3\n", "    cells: 1\n")
+    apply(whole_project, "smart_battery/board.yaml", "    cells: 3\n", "    cells: 4\n")
+    suite_is_green(whole_project, "cpython and (behaviour or good_count)")
+    state = (whole_project / "generated" / "smart_battery" / "firmware" / "state_plain.py").read_text()
     assert "> 17333 and" in state
 
 

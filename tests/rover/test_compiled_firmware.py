@@ -83,6 +83,17 @@ def test_firmware_compiles_for_the_boards_processors(project: Path, architecture
     assert "frames_plain" in compiled  # an interpreter of another kind takes it instead
 
 
+def test_what_the_users_code_names_keeps_its_name(project: Path) -> None:
+    """As in a deploy, and in the same words: its class derives from a generated one."""
+    assert codegen(project, "--mpy", "bytecode").returncode == 0
+    modules = project / "build" / "bytecode"
+    assert b"_guard" not in (modules / "vehicle.mpy").read_bytes()
+    (project / "rover.py").write_text("from vehicle import Vehicle\n\nclass Rover(Vehicle):\n    _guard = None\n")
+    assert codegen(project, "--mpy", "bytecode").returncode == 0
+    assert b"_guard" in (modules / "vehicle.mpy").read_bytes()
+    assert "=_guard" not in (modules / "short_names.txt").read_text()
+
+
 def test_machine_code_can_be_done_without(project: Path) -> None:
     """`machine_code: false` leaves neither viper nor native code; the frames stay the same."""
     with (project / "specs" / "codegen.yaml").open("a") as file:

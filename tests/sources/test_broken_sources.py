@@ -1,5 +1,7 @@
 """Sensors and quantities that cannot be: each is reported at its place, with what to do."""
 
+import cProfile
+import pstats
 import shutil
 from pathlib import Path
 
@@ -171,3 +173,48 @@ def test_is_reported(sources, quantity, expected, folder, monkeypatch, capsys):
     for words in expected:
         assert words in told
     assert told.count(": error ") == bool(errors), told
+
+
+def test_work_grows_as_the_number_of_wrong_outputs(folder, monkeypatch):
+    """Calls are counted: from n outputs that cannot be to 2 n as many more as from none to n."""
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+
+    def calls(count):
+        outputs = ", ".join(f"N{number}: {{unit: rad}}" for number in range(count))
+        (folder / "specs" / "board.yaml").write_text(
+            f"sources:\n  imu: {{driver: user, class: imu.Imu, outputs: {{{outputs}}}}}\n"
+        )
+        profile = cProfile.Profile()
+        assert profile.runcall(main, ["check"]) == 1
+        return pstats.Stats(profile).total_calls
+
+    calls(1)  # imports
+    few, some, many = (calls(number) for number in (1, 400, 800))
+    assert (many - some) < 1.25 * (some - few)
+
+
+def test_a_driver_whose_outputs_cannot_be_read_is_one_finding(folder, monkeypatch, capsys):
+    """What takes a number of it says nothing more."""
+    driver = folder / "specs" / "drivers" / "laser.yaml"
+    driver.write_text(DRIVER.replace("{unit: m, stored: mm, min: 0, max: 100}", "fix.yaw"))
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN}\n")
+    depth = "  boat:\n    doc: d\n    quantities:\n      depth: {doc: d, unit: m, stored: mm, source: own.distance}\n"
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text() + depth)
+    monkeypatch.chdir(folder)
+    code = main(["check"])
+    driver.write_text(DRIVER)
+    told = capsys.readouterr().out
+    assert (code, told.count(": error ")) == (1, 1), told
+    assert "specs/drivers/laser.yaml:10:13: error wrong-type: a mapping is wanted here" in told
+
+
+def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):
+    """One UART is one part's, whichever kind of part that is."""
+    gps = "a: {driver: nmea, uart: 1, tx: 8, rx: 9, baud: 9600}"
+    radio = "links:\n  radio: {uart: 1, tx: 4, rx: 5, baud: 57600}\n"
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {gps}\n{radio}")
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    assert main(["check"]) == 1
+    assert "error shared-port: radio and a both take UART 1" in capsys.readouterr().out

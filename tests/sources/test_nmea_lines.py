@@ -15,6 +15,7 @@ from calendar import timegm
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -283,7 +284,10 @@ def cases() -> Iterator[list[bytes]]:
     yield [b"$GPGGA,*@9$*00$*", b"0", b"0"]  # the empty line is one
 
 
-STREAMS = list(cases())
+@cache
+def all_streams() -> list[list[bytes]]:
+    """Return the cases, drawn once."""
+    return list(cases())
 
 
 @pytest.mark.parametrize(
@@ -292,7 +296,7 @@ STREAMS = list(cases())
 )
 def test_lines_say_what_the_standard_says(interpreter: str, form: str, step: int, tmp_path: Path) -> None:
     """Whatever is broken, and wherever the pieces end; nothing is allocated."""
-    streams = STREAMS[::step]
+    streams = all_streams()[::step]
     firmware = ROOT / "codegen" / "sources" / "nmea" / "firmware"
     common = ROOT / "templates" / "firmware"
     for path in (

@@ -3,6 +3,7 @@
 import re
 from itertools import groupby
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
@@ -72,18 +73,12 @@ def _pair(reading: Reading, part: Span, places: list[int]) -> list[bool]:
     names = {term.written for _, term in part.sentence.within(0, len(part.text), "V")}
     if len(names) != 1 or len(places) != 1:
         return []
-    own = _entries(reading).get(names.pop())
+    own = entry_values(reading.enums).get(names.pop())
     return [] if own is None else [number(part.sentence.term(places[0])) == own]
 
 
 def _is_mostly_right(found: list[bool]) -> bool:
     return any(found) and _HALF * sum(found) >= len(found)
-
-
-@once
-def _entries(reading: Reading) -> dict[str, int]:
-    """Return the values of all entries by name."""
-    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
 
 
 def _run(reading: Reading, span: Span) -> tuple[Span, ...]:

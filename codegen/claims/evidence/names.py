@@ -97,7 +97,7 @@ def of_entry(reading: Reading, span: Span, at: int, name: str, rule: str) -> Evi
 
 
 def of_field(reading: Reading, span: Span, at: int, message: str, field: str, rule: str) -> Evidence:
-    """Return that of what is said of a field."""
+    """Return the evidence for a statement about a field, by how the place ``at`` is tied to the field's name."""
     terms = [
         (offset, term.value)
         for offset, term in span.sentence.within(*near(at), "FP")
@@ -113,7 +113,7 @@ def of_field(reading: Reading, span: Span, at: int, message: str, field: str, ru
         is_first = closed(span.text[:offset])
         is_listed = span.kind in (PassageKind.ITEM, PassageKind.ROW) or _DEFINES.match(span.text, offset) is not None
         is_own = is_bound and is_first and is_listed and not is_own_column(head_of(span, at))
-        is_amount = span.kind is PassageKind.ROW and rule == SCALING.id  # of two, one is of something else
+        is_amount = span.kind is PassageKind.ROW and rule == SCALING.id  # one of two amounts is another thing's
         if is_own and not span.is_code and not is_amount and is_clause(span, offset, at):
             return Evidence.ITEM
         if not is_beside(span, offset, at, message):

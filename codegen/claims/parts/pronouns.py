@@ -18,9 +18,8 @@ _ONE = (
     r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value"
     r"|number|byte|field|count|it)\b"
     r"|\bthe (?:latter|last one)\b"
-    r"|\b(?:the|this|that) (?:field|value|unit|number|array|list|text|string)"
-    r"(?= (?:is|has|comes?|goes|runs|counts?|holds?|carries|ends"
-    r"|stays|reads|stands)\b)"
+    r"|\b(?:the|this|that) (?:field|value|unit|number|array|list|text|string)(?= (?:is|has|comes?|goes|runs|counts?"
+    r"|holds?|carries|ends|stays|reads|stands)\b)"
 )
 _MANY = r"\b(?:they|them|both|these|all (?:of them|three|four))\b(?! F)"
 _PRONOUN = re.compile(rf"(?P<one>{_ONE})|(?P<many>{_MANY})")

@@ -42,7 +42,7 @@ class Topic:
 
     @property
     def around(self) -> tuple[WireMessage, ...]:
-        """All of them, by how near they are."""
+        """Return the messages of all groups, each once, the nearest first."""
         found = (*self.above, *self.headings, *self.earlier)
         return tuple({message.name: message for message in reversed(found)}.values())[::-1]
 

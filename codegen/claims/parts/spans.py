@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.cells import said_before
 from codegen.claims.parts.code_spans import code_spans, named_in
 from codegen.claims.parts.led import led_by, names_leading
@@ -32,7 +33,7 @@ def vocabulary(reading: Reading) -> Vocabulary:
     return Vocabulary(
         messages=reading.messages,
         enums=reading.enums,
-        entries={entry.name for enum in reading.enums.values() for entry in enum.entries},
+        entries=entry_values(reading.enums),
         fields=frozenset(field.name for name in named for field in reading.messages[name].fields),
     )
 

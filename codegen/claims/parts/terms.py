@@ -11,13 +11,12 @@ import re
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import lru_cache
 
 from codegen.claims.parts.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
+from codegen.claims.parts.worded_units import finer, unit_of_words, worded_unit
 from codegen.claims.reading import snake
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
-from codegen.model.units.nearest_unit import worded_unit as unit_of_word
 from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
@@ -216,17 +215,17 @@ def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
     """The unit that words or symbols are, with what was done to the number."""
     unit: Unit | None = None
     if found["scaled"]:
-        whole, power = _unit(found["scaledunit"]), _number(found["by"])
-        unit = _finer(whole, max(power, 1 / power)) if whole is not None and power else None
+        whole, power = unit_of_words(found["scaledunit"]), _number(found["by"])
+        unit = finer(whole, max(power, 1 / power)) if whole is not None and power else None
     elif found["units"]:
-        whole = _unit(found["whole"])
-        unit = _finer(whole, _SHARES[found["share"].rstrip("s")]) if whole is not None else None
+        whole = unit_of_words(found["whole"])
+        unit = finer(whole, _SHARES[found["share"].rstrip("s")]) if whole is not None else None
     elif found["long"] and _is_unit_word(found["long"].lower(), before):
-        unit = _unit(found["long"])
+        unit = unit_of_words(found["long"])
     elif found["power"]:
-        whole, power = _unit(found["small"]), _number(found["power"].split()[0])
+        whole, power = unit_of_words(found["small"]), _number(found["power"].split()[0])
         is_scaled = whole is not None and whole.dimension and power not in (None, 0, 1)
-        unit = _finer(whole, max(power, 1 / power)) if is_scaled and whole is not None and power else None
+        unit = finer(whole, max(power, 1 / power)) if is_scaled and whole is not None and power else None
     elif found["symbol"]:
         unit = worded_unit(found[0])
     return None if unit is None else ("U", unit)
@@ -326,23 +325,6 @@ def _is_quoted(text: str, start: int, end: int) -> bool:
     return start > 0 and text[start - 1] in "\"'" and text[end : end + 1] in ("'", '"')
 
 
-@lru_cache(maxsize=4096)
-def worded_unit(written: str) -> Unit | None:
-    """Return the unit of a word or a symbol, of those that no dialect uses, too: "feet"."""
-    return unit_of_word(written) or _OTHER_UNITS.get(written.lower())
-
-
-_FOOT = Unit("ft", (("m", 1),), Fraction(3048, 10000))
-_INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
-_OTHER_UNITS: Mapping[str, Unit] = {
-    **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
-    **dict.fromkeys(("inches", "inch"), _INCH),
-    **dict.fromkeys(("revolutions per minute",), Unit("rpm", (("deg", 1), ("s", -1)), Fraction(6))),
-    **dict.fromkeys(("per mille", "permille"), Unit("d%", (("%", 1),), Fraction(1, 10))),
-    **dict.fromkeys(("milli-g", "milli g"), Unit("mG", (("m", 1), ("s", -2)), Fraction(196133, 20000000))),
-}
-
-
 def constant_value(written: str) -> int | float | None:
     """The number of a name such as ``UINT16_MAX``, ``u16::MAX`` or ``NaN``, or of digits."""
     if "nan" in written.lower():
@@ -380,22 +362,3 @@ def _number(written: str) -> Fraction | None:
         return Fraction(text)
     except (ValueError, ZeroDivisionError):
         return None
-
-
-def _unit(written: str) -> Unit | None:
-    """The unit of words: "centi degrees", "metres per second squared", "deg C"."""
-    if (other := _OTHER_UNITS.get(written.lower())) is not None:
-        return other
-    text = " ".join(written.replace("-", " ").split())
-    text = re.sub(r"\b(nano|micro|milli|centi|deci|hecto|kilo|mega) ", r"\1", text)
-    text = re.sub(r"/(?:sec|second)\b", " per second", text)
-    squared = re.sub(r" (?:a|per) second (?:squared|per second)$", "", text)
-    if squared != text:
-        inner = worded_unit(squared)
-        return Unit.parse(f"{inner.name}/s/s") if inner is not None else None
-    return worded_unit(text) or worded_unit(text.replace(" a ", " per ")) or worded_unit(text.lower())
-
-
-def _finer(unit: Unit, parts: int | Fraction) -> Unit:
-    """The unit of which ``parts`` are one of another."""
-    return Unit(f"{unit.name}/{parts}", unit.dimension, unit.scale / Fraction(parts), unit.pi, unit.zero)

@@ -8,9 +8,9 @@ from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import of_field
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import measuring
+from codegen.claims.statements.scaling.field_units import of_field
 from codegen.claims.statements.subjects import About, about, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

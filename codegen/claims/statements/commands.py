@@ -7,8 +7,8 @@ from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import PARAMETER, as_sure
-from codegen.claims.statements.field_units import is_same_unit
 from codegen.claims.statements.fields import number
+from codegen.claims.statements.scaling.field_units import is_same_unit
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry

@@ -3,13 +3,13 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
-from codegen.once import once
 
 _NAMED = (
     re.compile(
@@ -44,7 +44,7 @@ def _listed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _ROW.finditer(span.text) if not span.is_code else ():
         terms = [*span.sentence.within(*found.span(), "VN")]
         told = [(name.written, at, term) for (_, name), (at, term) in zip(terms[::2], terms[1::2], strict=True)]
-        own = _entry_values(reading)
+        own = entry_values(reading.enums)
         wrong = [(name, at, term) for name, at, term in told if own.get(name, number(term)) != number(term)]
         for name, at, term in wrong if 2 * len(wrong) < len(told) else ():
             text = f"{name} is {own[name]}, not {term.written}"
@@ -56,7 +56,7 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     if "V" not in span.text:
         return
     yield from _listed(reading, span)
-    values = _entry_values(reading)
+    values = entry_values(reading.enums)
     for form in _NAMED:
         for found in form.finditer(span.text):
             if (
@@ -99,12 +99,6 @@ _CALLED = re.compile(r"[\w\])>]\((?:[^()]|\([^()]*\))*$")
 _IN_LIST = re.compile(r"\b[NQSV], $")
 """A longer list, of which nobody can tell what belongs to what: "3, NAME, 0"."""
 _OF_VALUES = ("", "csv", "tsv", "text", "txt")
-
-
-@once
-def _entry_values(reading: Reading) -> dict[str, int]:
-    """The values of all entries by name."""
-    return {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
 
 
 def _begins_with_number(span: Span, offset: int) -> bool:

@@ -114,7 +114,7 @@ _NEAR = 60
 def _kinds(
     reading: Reading, span: Span, names: Sequence[int], kind_at: int | None = None, *, is_extension: bool
 ) -> Iterator[Diagnostic]:
-    """The fields that are not of the kind that is said of them."""
+    """Yield a finding for each named field that is no extension though called one, or the reverse."""
     low, high = span.bounds(names[0])
     if re.search(r"\bwithout\b|\bpropos|\bwould\b|\bshould\b|\bmake\b|\?", span.text[low:high]):
         return

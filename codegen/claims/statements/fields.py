@@ -127,7 +127,7 @@ def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:
 
 
 def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField], bool]) -> About | None:
-    """The field of which something is said and not true: the last one, or any where it is said of all."""
+    """Return a named field that a claim is wrong for: the last one, or any where all are meant; else None."""
     found = each_about(reading, said)
     gap = said.span.text[said.end : offset] if offset >= said.end else ""
     is_of_all = len(said.names) > 1 and re.match(

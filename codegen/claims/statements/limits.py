@@ -10,8 +10,8 @@ from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
-from codegen.claims.statements.field_units import has_unit, of_field
 from codegen.claims.statements.fields import Said, number, said_of_fields
+from codegen.claims.statements.scaling.field_units import has_unit, of_field
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
@@ -32,8 +32,8 @@ _TOP = re.compile(
     r" of M?F)?"
     r"|maximum|max\.?|upper (?:limit|end|bound)|limit|(?:values|numbers|anything) (?:above|over|beyond)|\u2264|<=)"
     r"(?: (?:of|in|for) (?:the )?(?:field )?[MF])*(?: in M)?"
-    r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?"
-    r"(?: (?:is|at|of|being|only))*[ :=]*(?P<value>[NQ])"
+    r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?(?: (?:is|at|of|being|only))*"
+    r"[ :=]*(?P<value>[NQ])"
 )
 _OVER = re.compile(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"
@@ -58,7 +58,7 @@ _NOT_ONE = re.compile(r"\bnot\b(?! (?:be|go|get|exceed|hold|carry|count|reach|mo
 _TOPS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MAX")}))
 _BOTTOMS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MIN") and value < 0}))
 _CAN_SHOW = re.compile(r"\b(?:can|could|may) show\b")
-"""What a field can show is what it can carry."""
+"""Words for the range of a field: it can show no more than it carries."""
 _FAR = 90
 _UNITS_BEHIND = re.compile(r" ?U\b")
 

@@ -3,13 +3,12 @@
 import re
 from collections.abc import Iterator
 
+from codegen.claims.enum_names import flags
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
-from codegen.model.dialect.dialect import EnumDefinition
-from codegen.once import once
 
 _FLAG = r"V(?: ?\(N\))?"
 _JOIN = r"(?: ?(?:\||\+|,|&|and|plus|with|or)+ ?)+"
@@ -35,23 +34,16 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             if _MORE.match(span.text, found.end()) or _LESS.search(before) or "or" in found["flags"]:
                 continue
             names = [str(term.value) for _, term in span.sentence.within(*found.span("flags"), "V")]
-            flags = _flags(reading)
+            by_name = flags(reading.enums)
             value = number(span.sentence.term(found.start("sum")))
-            enums = {flags[name][0].name for name in names if name in flags}
-            if value is None or len(enums) != 1 or any(name not in flags for name in names):
+            enums = {by_name[name][0].name for name in names if name in by_name}
+            if value is None or len(enums) != 1 or any(name not in by_name for name in names):
                 continue
             total = 0
             for name in names:
-                total |= flags[name][1]
+                total |= by_name[name][1]
             if total != value:
                 written = span.sentence.term(found.start("sum")).written
                 text = f"{' | '.join(names)} is {total}, not {written}"
                 rule = as_sure(ENTRY_VALUE, is_sure=True)
                 yield reading.found(rule, span.place(found.start("sum")), f"{' '.join(names)} {written}", text)
-
-
-@once
-def _flags(reading: Reading) -> dict[str, tuple[EnumDefinition, int]]:
-    """The entries of all bitmasks by name, each with its enum and value."""
-    masks = (enum for enum in reading.enums.values() if all(not e.value & (e.value - 1) for e in enum.entries))
-    return {entry.name: (enum, entry.value) for enum in masks for entry in enum.entries}

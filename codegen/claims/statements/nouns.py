@@ -7,10 +7,10 @@ from codegen.claims.parts.sentence import StatedType
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import TYPE, UNIT, as_sure
-from codegen.claims.statements.field_units import has_unit
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.own_units import is_told_behind
 from codegen.claims.statements.quantities import quantities
+from codegen.claims.statements.scaling.field_units import has_unit
+from codegen.claims.statements.scaling.own_units import is_told_behind
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

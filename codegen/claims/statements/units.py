@@ -23,10 +23,10 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.rules import UNIT, as_sure
 from codegen.claims.statements.columns.scaled import factor_beside
-from codegen.claims.statements.factors import factors, turns
-from codegen.claims.statements.field_units import has_unit, shown_units
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
-from codegen.claims.statements.own_units import is_told_behind
+from codegen.claims.statements.scaling.factors import factors, turns
+from codegen.claims.statements.scaling.field_units import has_unit, shown_units
+from codegen.claims.statements.scaling.own_units import is_told_behind
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind

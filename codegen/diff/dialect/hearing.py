@@ -25,7 +25,7 @@ def taken_for(message: WireMessage, theirs: Mapping[int, WireMessage]) -> Notice
 
 
 def gravest(notices: Iterable[Notice]) -> Notice:
-    """The notice that is the least of one."""
+    """Return the gravest of several notices: the one by which a receiver notices a change least."""
     return min(notices, key=_GRAVITY.index)
 
 

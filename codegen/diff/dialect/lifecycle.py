@@ -11,7 +11,7 @@ from codegen.source import Place
 def lifecycle_changes(
     subject: str, old: Lifecycle, new: Lifecycle, places: tuple[Place, Place], messages: Sequence[str]
 ) -> Iterator[Change]:
-    """Yield at most one change, which says all of it."""
+    """Yield one change with the lifecycle before and after, if these differ."""
     if old != new:
         yield changed(LIFECYCLE, subject, _said(old), _said(new), places, messages=messages)
 

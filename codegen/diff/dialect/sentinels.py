@@ -33,7 +33,7 @@ def is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
 
 
 def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:
-    """Return what comes of it: nothing where the text says the same in the other version."""
+    """Return the effect of another sentinel; it breaks nobody where both descriptions name the value."""
     before, after = (side.sentinel for side in (old, new))
     texts = old.definition.description, new.definition.description
     if before is not None and after is not None:

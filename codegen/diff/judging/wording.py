@@ -234,7 +234,7 @@ def _without(words: Iterable[str], around: Collection[str]) -> list[str]:
 
 
 def _unmatched(before: Iterable[str], after: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return what each side has that the other does not have in any spelling."""
+    """Return the words of each text that the other lacks, be it in full or shortened."""
     gone, come = [], list(after)
     for word in before:
         match = next((other for other in come if other == word), None) or next(

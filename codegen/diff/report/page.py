@@ -7,7 +7,7 @@ from codegen.diff.change import Area, Reach, Weight
 from codegen.diff.report.excerpt import difference
 from codegen.diff.report.grouping import Group, consequence, line_text, notice_text, numbers_of
 from codegen.diff.report.markdown import TITLES
-from codegen.diff.report.review import Review, elsewhere_text
+from codegen.diff.report.review import Review, elsewhere_text, fault_findings
 from codegen.diff.system.bandwidth import Bandwidth
 from codegen.frozen import dataclass
 from codegen.render.templates import render_page
@@ -105,7 +105,7 @@ def review_page(found: Review) -> str:
         head=found.head,
         head_line=f"{found.head_line[0].upper()}{found.head_line[1:]}.",
         mood=mood,
-        notes=(*(f"{label}, {fault.place.shown()}: {fault.message}" for label, fault in found.faults), *found.notes),
+        notes=(*(f"{fault.place.shown()}: {fault.message}" for fault in fault_findings(found)), *found.notes),
         summary=tuple(_summary(found, area) for area in Area),
         rows=tuple(_row(each, group) for group in found.groups for each in (group, *group.following)),
         bandwidth=tuple(_table(program, each) for program, each in found.bandwidth if each.is_changed),

@@ -5,13 +5,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import StrEnum
 
-from codegen.diagnostics import Diagnostic, Severity, shortened_list
+from codegen.diagnostics import Diagnostic, Report, Severity, shortened_list
 from codegen.diff.change import Area
 from codegen.diff.following import with_following
 from codegen.diff.report.excerpt import difference
 from codegen.diff.report.grouping import Group, consequence, counted, grouped, notice_text
 from codegen.diff.system.bandwidth import Bandwidth
 from codegen.diff.system.system import Comparison
+from codegen.findings.shortened import shortened
 from codegen.frozen import dataclass
 from codegen.source import Place
 
@@ -126,9 +127,12 @@ def _grave_kinds(group: Group) -> Iterator[str]:
         yield FailOn.PERSON.value
 
 
-def fault_finding(label: str, fault: Diagnostic) -> Diagnostic:
-    """An error of a side as a finding of the comparison."""
-    return replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")
+def fault_findings(found: Review) -> Report:
+    """Return the errors of either side as findings of the comparison: of each kind as many as tell what is wrong."""
+    report = Report()
+    for label, fault in found.faults:
+        report.extend([replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")])
+    return shortened(report)
 
 
 def as_finding(group: Group) -> Diagnostic:

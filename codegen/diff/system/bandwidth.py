@@ -36,7 +36,7 @@ class LinkRow:
 
     @property
     def is_overloaded(self) -> bool:
-        """Return whether more is sent than it carries, and more of it than before."""
+        """Return whether the link has to carry more than it can, and a greater share than before."""
         return self.share > _ALL and (self.share_before is None or self.share > self.share_before)
 
 

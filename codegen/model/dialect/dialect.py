@@ -22,7 +22,7 @@ class Lifecycle:
 
 
 IN_USE = Lifecycle()
-"""The lifecycle of what nothing is said about."""
+"""The lifecycle of a definition that the dialect neither deprecates nor marks as work in progress."""
 
 
 class CommandParameter(NamedTuple):

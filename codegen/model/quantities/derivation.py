@@ -85,7 +85,7 @@ class Derivation(ABC):
 
     @property
     def is_of_lowest(self) -> bool:
-        """Return whether it is the lowest."""
+        """Return whether the quantity is the lowest value of a list."""
         return False
 
     @property
@@ -154,12 +154,12 @@ class Derivation(ABC):
 
     @property
     def sums(self) -> "Sum | None":
-        """Return what it is the sum of over time; None where it is none."""
+        """Return the sum over time that the quantity is; None where it is no sum."""
         return None
 
     @property
     def remains(self) -> "Rest | None":
-        """Return what a sum leaves of what; None where it is no such thing."""
+        """Return the remainder that the quantity is, a whole less a sum over time; None where it is none."""
         return None
 
     @property
@@ -213,7 +213,7 @@ class Derivation(ABC):
 
     @property
     def differs_by_instance(self) -> bool:
-        """Return whether what decides over it is not the same in all instances."""
+        """Return whether the limits that decide over a boolean differ between instances."""
         return False
 
     # the simulation

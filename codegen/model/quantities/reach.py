@@ -47,7 +47,7 @@ def _quantities(system: System) -> Iterator[Quantity]:
 
 
 def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
-    """Return what goes out as it is kept."""
+    """Return the smallest and the largest stored value that a field carries without changing it."""
     return (scaling.low, scaling.high) if quantity.storage.is_float else smallest_and_largest(answer, scaling)
 
 

@@ -84,7 +84,7 @@ class Source(ABC):
     @property
     @abstractmethod
     def polling(self) -> Polling:
-        """Return what it has in common with all others."""
+        """Return the settings that sensors of all kinds have: name, period, time limit, time to a new set-up."""
 
     @property
     @abstractmethod
@@ -163,7 +163,7 @@ class Source(ABC):
 
     @property
     def tells_new(self) -> bool:
-        """Return whether a turn may bring some of its numbers and not others.
+        """Return whether one reading of the sensor may renew some of its numbers and leave others as they were.
 
         The last of the driver's values has a bit for each output that is new then, and one for the time.
         """

@@ -37,7 +37,7 @@ class CommandParamSpec(Written):
     min: Fraction | None = described("Smallest value that is accepted, in unit.", default=None)
     max: Fraction | None = described("Largest value that is accepted, in unit.", default=None)
     whole: bool | None = described(
-        "Whether only whole numbers are accepted; default: where the dialect's increment is whole, and for enums.",
+        "True: only whole numbers are accepted. Default: where the dialect's increment is whole, and for enums.",
         default=None,
     )
     enum: str | None = described(
@@ -73,7 +73,7 @@ class CommandSpec(Written):
         "Its parameters by their numbers, 1 to 7, in the order of the method's arguments.", default_factory=dict
     )
     long: bool = described(
-        "Whether it takes long: the method begins it, METHOD_progress() tells how far it is, METHOD_cancel() ends it.",
+        "True: it takes long. The method begins it, METHOD_progress() tells how far it is, METHOD_cancel() ends it.",
         default=False,
     )
 

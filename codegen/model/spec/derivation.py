@@ -26,7 +26,7 @@ class DerivationSpec(Written):
 
     @property
     def is_named(self) -> bool:
-        """Return whether that key is written; without it the others say nothing."""
+        """Return whether the derivation's own key is written; its further keys say nothing without that one."""
         return getattr(self, self.KEY) is not None
 
     @property
@@ -36,7 +36,7 @@ class DerivationSpec(Written):
 
     @property
     def has_limit(self) -> bool:
-        """Return whether it compares something with a limit, which can be for one of several, such as cells."""
+        """Return whether the derivation compares with a limit, which may be stated for one part, such as a cell."""
         return False
 
 
@@ -87,7 +87,7 @@ class FollowsSpec(DerivationSpec):
 
     @property
     def has_limit(self) -> bool:
-        """Return whether the limit is one of a quantity."""
+        """Return whether the limit is compared with a quantity that the boolean follows."""
         return self.follows is not None
 
 
@@ -193,12 +193,12 @@ class MeasuredSpec(DerivationSpec):
 
     @property
     def has_readings(self) -> bool:
-        """Return whether something is said of the ADC."""
+        """Return whether a key of the ADC is written, so that readings are taken."""
         return self.adc is not None or self.multiplier is not None or self.offset is not None
 
     @property
     def has_limit(self) -> bool:
-        """Return whether a warning has one."""
+        """Return whether a limit is stated above which a warning is logged."""
         return self.warn_above is not None
 
 

@@ -114,7 +114,7 @@ class FailsafeSpec(Written):
         "Text when it is over, with latch: false. Default: {name} is good again.", default=None
     )
     arming: bool = described(
-        "Whether the vehicle is not armed while the quantity is unknown, or beyond a threshold, or a level is reached.",
+        "True: arming is refused while the quantity is unknown or beyond a threshold, or a level is reached.",
         default=True,
     )
     to_arm: tuple[ConditionSpec, ...] = described(

@@ -71,7 +71,7 @@ class ActionSpec(Written):
     call: str = described("Name of the call.")
     doc: str = described("What it is for, for people.")
     mode: int | None = described("Drive mode that the vehicle then reports.", default=None)
-    disarm: bool = described("Whether the vehicle is disarmed.", default=False)
+    disarm: bool = described("True: the action disarms the vehicle.", default=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

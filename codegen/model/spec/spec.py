@@ -112,7 +112,7 @@ class ParameterSpec(Written):
     values: Mapping[str, str] = described(
         "What single values mean, by the value; no others are accepted then.", default_factory=dict
     )
-    reboot: bool = described("Whether a new value is used only after a restart.", default=False)
+    reboot: bool = described("True: a new value is used only after a restart.", default=False)
     was: Mapping[str, Fraction] = described(
         "Names that it had in earlier firmware, with what values of then are multiplied by: what is stored under them "
         "is taken over.",

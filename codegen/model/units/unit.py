@@ -27,6 +27,10 @@ class Unit:
     pi: int = 0
     zero: Fraction = Fraction(0)
 
+    def __hash__(self) -> int:
+        """Return a hash without the fractions, which take long and hardly tell units of one name apart."""
+        return hash((self.name, self.dimension))
+
     @staticmethod
     def parse(text: str | None) -> "Unit | None":
         """The unit that a dialect or a table spells so; None for text that is none.
@@ -47,6 +51,7 @@ NUMBER = Unit("", (), Fraction(1))
 """The unit of pure numbers, in fields and quantities that state none."""
 
 
+@cache
 def conversion(unit: Unit, other: Unit) -> AffineMap | None:
     """Return what turns a value in ``unit`` into one in ``other``; None across dimensions."""
     if unit.dimension != other.dimension:

@@ -69,7 +69,8 @@ def _entry(name: str, command: CommandSpec, vehicle: VehicleSpec, dialect: Diale
     entry = enum.entry(name) if enum else None
     if entry is None:
         known = [each.name for each in enum.entries] if enum else []
-        report.add(UNKNOWN_ENTRY, command.place, f"MAV_CMD has no entry {name}", did_you_mean(name, known))
+        message = f"MAV_CMD has no entry {name}"
+        report.add(UNKNOWN_ENTRY, command.place, message, lambda: did_you_mean(name, known))
         return None
     built_in = next((each for each in BUILT_IN if each.name == name), None)
     if built_in is not None and (built_in.needs is not Needs.MODES or vehicle.modes):

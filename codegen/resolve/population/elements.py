@@ -142,8 +142,9 @@ def _answered(
     name, first, last = match.groups()
     field = message.field(name)
     if field is None:
-        hint = did_you_mean(name, [field.name for field in message.fields])
-        report.add(UNKNOWN_FIELD, answer.place, f"{message.name} has no field {name}", hint)
+        known = [each.name for each in message.fields]
+        what = f"{message.name} has no field {name}"
+        report.add(UNKNOWN_FIELD, answer.place, what, lambda: did_you_mean(name, known))
         return
     if first is None:
         yield Elements(field, 0, field.count, answer, citation)

@@ -75,7 +75,7 @@ def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, repo
 def _report_shared(
     received: Iterable[PopulatedMessage], messages: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report
 ) -> None:
-    """A message of which there are several tables could be about anything that one of them is for."""
+    """Report each received message that has several tables: a receiver cannot tell which of them a frame is of."""
     for message in received:
         other = next((each for each in messages if each.wire is message.wire and each is not message), None)
         if other is not None:

@@ -140,7 +140,7 @@ def _check_age(around: Surroundings) -> None:
         around.bad("stale_after", f"{name} is not set by code, so stale_after says nothing")
     elif spec.boolean:
         around.bad("stale_after", f"{name} is a boolean, which is never unknown, so stale_after says nothing")
-    elif spec.initial is not None and not isinstance(spec.elements, str):  # which has a finding of its own
+    elif spec.initial is not None and not isinstance(spec.elements, str):  # such a list has a finding of its own, below
         hint = "leave out one of them"
         around.bad(
             "stale_after", f"{name} has an initial value in place of unknown, so stale_after says nothing", hint=hint

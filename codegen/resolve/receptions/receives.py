@@ -87,8 +87,9 @@ def _elements(
     match = _ELEMENT.fullmatch(key)
     field = wire.field(match[1]) if match else None
     if field is None:
-        hint = did_you_mean(key, [each.name for each in wire.fields])
-        report.add(UNKNOWN_FIELD, written.place, f"{wire.name} has no field {key}", hint)
+        known = [each.name for each in wire.fields]
+        message = f"{wire.name} has no field {key}"
+        report.add(UNKNOWN_FIELD, written.place, message, lambda: did_you_mean(key, known))
         return
     ranges = list(answered_ranges(key, wire))
     is_text = field.type.kind is Kind.CHAR

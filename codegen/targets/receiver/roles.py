@@ -8,7 +8,7 @@ from codegen.model.spec.receiver import RolesSpec
 UNITS: Mapping[str, str] = {"current": "A", "consumed": "Ah", "left": "Ah", "percent": "%", "full": "Ah"}
 """The units in which roles are computed; what is not among them is only compared."""
 LASTING = ("full", "serial", "cycles", "count")
-"""Roles of what stays as it is as long as what is reported is the same one."""
+"""Roles of values that never change for one thing: where one changes, another thing has taken its place."""
 
 
 def role_of(field: str, roles: RolesSpec) -> str | None:
@@ -17,7 +17,7 @@ def role_of(field: str, roles: RolesSpec) -> str | None:
 
 
 def describes(fields: Iterable[str], roles: RolesSpec) -> bool:
-    """Return whether a message with these fields is about what something is, not about what it does."""
+    """Return whether a message with these fields describes a thing that lasts, and not its present state."""
     return any(role_of(field, roles) in LASTING for field in fields)
 
 

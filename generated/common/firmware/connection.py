@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: d7ee6ffe5351295c
+# Inputs: ab8ed697d9ff05bc
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -18,8 +18,8 @@ from station import Station, TextSender
 _MAV_AUTOPILOT_INVALID = const(8)
 _MAV_TYPE_GCS = const(6)
 
-_MESSAGES = const(2)  # that are taken in in a pass, at most
-_REPLIES = const(8)  # that wait for the port
+_MESSAGES = const(2)  # the most that are read in a pass
+_REPLIES = const(8)  # the most that wait for the port
 _QUIET_MS = const(1000)  # between two texts about faults
 _FORGET_MS = const(1000)  # from one look at who is silent to the next
 _LOOK_MS = const(100)  # no later the streams and the port have a turn
@@ -81,7 +81,7 @@ class Connection:
             self._stations = port.stations(port, self._new_station, vehicle.SILENCE_MS)
             self.stations = self._stations.served
         self.station = self.stations[0]
-        self.station.text = 0  # what was said before there was a link
+        self.station.text = 0  # texts from before there was a link are sent, too
         self.streams = self.station.streams
         self.services = Services(vehicle, self)
         self.inbox = Inbox(port, link)
@@ -113,7 +113,7 @@ class Connection:
         is_alone = self._stations is None
         takers, tables = self.services._takers, self.tables
         stations, count = self.stations, len
-        is_left = False  # whether there is more to take in
+        is_left = False  # whether more messages have arrived
         first = turn = _ARRIVED  # what comes first in the next pass, and in this one
         changes = text = -1  # of parameters, and of texts, when the last pass began to send
         next_ms = now_ms = yield  # when something is due
@@ -168,7 +168,7 @@ class Connection:
                     changes = parameters.changes
                     text = log.last
                     least_ms = _LOOK_MS
-                    is_due = is_due and turn == _ARRIVED and count(stations) == 1  # else each has to be asked
+                    is_due = is_due and turn == _ARRIVED and count(stations) == 1  # else ask each station
                     for station in stations:
                         if (
                             is_due
@@ -265,7 +265,7 @@ class Connection:
             self._keep(self.station, (send, argument))
 
     def deliver_to_others(self, asking, send, argument):
-        """Deliver to all stations but the one that is asking, where it is one of this connection."""
+        """Deliver to all stations of this connection, without the one that is asking."""
         for station in self.stations:
             if station is not asking:
                 self._keep(station, (send, argument))
@@ -297,7 +297,7 @@ class Connection:
         return component != self.component_id
 
     def _has_place(self, message, number, now_ms):
-        """Turn to who has sent a message; return whether there is a place for who it is of."""
+        """Turn to the station that has sent a message; return False where there is no place for it."""
         if (  # no vehicle is a station
             number == _HEARTBEAT
             and message.wire[_TYPE] != _MAV_TYPE_GCS
@@ -328,7 +328,7 @@ class Connection:
         return station.streams.wait_ms(now_ms)
 
     def _end_pass(self, now_ms):
-        """End a pass in which there was something to do; return whether the port has more."""
+        """End a pass in which there was something to do; return whether more has arrived at the port."""
         if not 0 <= ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
             self._forget(now_ms)
         return self.port.poll(now_ms)
@@ -355,7 +355,7 @@ class Connection:
 
     def _send_waiting(self, waiting):
         while waiting and self._budget[0] > 0:
-            reply = waiting.pop(0)  # before it can raise: so a faulty one goes
+            reply = waiting.pop(0)  # taken out before it can raise: a faulty reply is not tried again
             if not self.port.is_up:
                 self.lost_replies += 1  # nobody expects it by the time that the port is up again
             elif not reply[0](reply[1]):

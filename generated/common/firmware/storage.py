@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/storage.py: do not edit.
-# Inputs: 85e372f1d5aedbf8
+# Inputs: 89f632bfa67cc98c
 """Keeps a few hundred bytes in flash so that a power cut, whenever it comes, leaves the old ones or the new ones.
 
 There are two files, and a save writes the one that does not hold the newest payload: magic, version, sequence number,
@@ -158,7 +158,7 @@ class Storage:
             magic, version, _, size = struct.unpack(_HEADER, header)
             if magic != _MAGIC or version != _VERSION:
                 raise ValueError("it begins with something else")
-            rest = file.read(size + _CRC_SIZE + 1)  # one more, which must not be there
+            rest = file.read(size + _CRC_SIZE + 1)  # one byte more, to see that the file ends there
         if len(rest) != size + _CRC_SIZE:
             raise ValueError("its length is wrong")
         image = header + rest

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 5ab562cbf5b508f3
+# Inputs: 8e8a1fbc07f87f3f
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -189,7 +189,7 @@ CHECKS = (
 LONG = (set_answers_with_the_value, refused_values_change_nothing)
 
 SUBJECT = PARAMETERS
-"""Without it there is nothing to check."""
+"""The parameters of the program; without any, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

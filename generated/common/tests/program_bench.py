@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 0015a63e3cb48259
+# Inputs: 9cc8a7adbaa90b51
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -60,7 +60,7 @@ class NotHereError(Exception):
 
 
 def needs(condition, what):
-    """Leave a check out where it is about nothing."""
+    """Leave a check out where the condition is false: ``what`` it is about is not there."""
     if not condition:
         raise NotHereError(what)
 
@@ -344,7 +344,7 @@ def new_craft(**arguments):
     machine.reset_analog()
     for measured in MEASURED:
         for instance in range(measured["instances"]):
-            if measured["are_on"][instance]:  # another one may have the pin of one that is off
+            if measured["are_on"][instance]:  # the pin of an instance that is off may be another one's
                 analog(measured, instance).source = good_count(measured, instance)
     return Craft(**arguments)
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stop_checks.py: do not edit.
-# Inputs: 7ee2d46df3a03c75
+# Inputs: 662939c6134a368d
 """The user's code: which class is started, and stop_motors(), called in each failure; a fault in it changes nothing."""
 
 import asyncio
@@ -218,7 +218,7 @@ CHECKS = (
 )
 
 SUBJECT = FORCE_ARM is not None
-"""Without it there is nothing to check."""
+"""True where the vehicle can be armed; if not, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 344f815efdf94c79
+# Inputs: 16bd5a87c2360abd
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -557,7 +557,7 @@ LONG = (
 )
 
 SUBJECT = PARAMETERS
-"""Without it there is nothing to check."""
+"""The parameters of the program; without any, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

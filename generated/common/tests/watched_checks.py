@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: afb4b0d449f6c94f
+# Inputs: 418f2d3fb21a7a62
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -295,7 +295,7 @@ class _Changed:
     """Stands for a failsafe whose level is another one now."""
 
     def update(self, _now_ms):
-        """Return that it is."""
+        """Return that the level has changed."""
         return 1
 
 

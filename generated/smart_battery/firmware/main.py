@@ -6,19 +6,24 @@ import asyncio
 import gc
 import sys
 
+import micropython
+
 vehicle = None
 
 
 def vehicle_class():
     """Return the class Pack of the user's module pack, or Vehicle where there is no such module."""
-    # First, while the heap is free: to compile what it imports takes most.
+    level = compile_at(3)  # without the numbers of lines, which would lie on the heap: those of your code stay
+    # First, while the heap is free: to compile what they import takes most.
+    import state  # noqa: F401, PLC0415
     import streams  # noqa: F401, PLC0415
     from vehicle import Vehicle  # noqa: PLC0415
 
+    compile_at(level)
     try:
         import pack  # noqa: PLC0415
     except ImportError as error:
-        if "pack" not in str(error):  # it is there, but something that it imports is not
+        if "pack" not in str(error):  # the module is there, but one that it imports is not
             raise
         return Vehicle
     if not issubclass(pack.Pack, Vehicle):
@@ -51,6 +56,15 @@ def collect_often(is_often):
     """
     if hasattr(gc, "threshold"):  # CPython, where the program is tried, has none
         gc.threshold(gc.mem_free() // 32 if is_often else -1)
+
+
+def compile_at(level):
+    """Set the level at which modules are compiled that are imported as sources; return the one before."""
+    if not hasattr(micropython, "opt_level"):  # CPython, where the program is tried, has none
+        return level
+    before = micropython.opt_level()
+    micropython.opt_level(level)
+    return before
 
 
 def main():

@@ -34,7 +34,7 @@ _LOOK_MS = const(100)  # from one look at what is watched to the next
 _FURTHEST_MS = const(1 << 21)  # nothing is due later: the ticks went half round while nobody asked
 _TICKS = const(0x3FFFFFFF)  # they are counted in 30 bits
 
-# Where scan_plain has what of each message, behind what is for all.
+# Positions in the times that scan_plain reads: those of each message, which stand behind the common ones.
 _DUE_MS = const(2)
 _LATE_BY = const(3)
 _PERIOD = const(4)
@@ -166,7 +166,7 @@ class Streams:
         self._steps = self._parameter_steps()
         self._settle_all()
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
-        self._is_waiting = False  # whether any of them is
+        self._is_waiting = False  # whether any announcement is to be sent
         self._seen = [state.words[_BATTERY_SWAPS_NUMBER]]
         self._looked_ms = self._next_ms
         self.connect()
@@ -385,7 +385,7 @@ class Streams:
         self._changes = self._parameters.changes
         self._settle_all()
         for index in range(len(_IDS)):
-            if self._times[_STEP * index + _LATE_BY] == OFF:  # perhaps it is not any more
+            if self._times[_STEP * index + _LATE_BY] == OFF:  # its stream may be on by now
                 self._restart(index, now_ms)
         steps = self._parameter_steps()
         if steps[0] != self._steps[0]:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: a9c38182d3525db2
+# Inputs: bddefe67e62e8967
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -53,13 +53,13 @@ def _attribute(place, about, at, put_at):
 
 
 def about_whole(halves, low, high, name, told, numerator=1, denominator=1):
-    """Return what a whole number is about."""
+    """Return the description of a whole number, as it is told above."""
     told = told or (low, high)
     return halves, low, high, told[0], told[1], name, None, numerator, denominator
 
 
 def about_real(halves, name, low, high, told, numerator, denominator):
-    """Return what a float is about."""
+    """Return the description of a float, as it is told above."""
     code, largest = ("<f", b"\xff\xff\x7f\x7f") if halves == 2 else ("<d", b"\xff\xff\xff\xff\xff\xff\xef\x7f")
     most = unpack_from(code, largest)[0]
     low, high = -most if low is None else low, most if high is None else high

@@ -48,7 +48,7 @@ class LongCommands:
         self._guard = Guard()
 
     def running(self, method):
-        """Return what goes on by this method, or None."""
+        """Return the running command that this method of the vehicle does, or None."""
         for running in self._running:
             if running.method == method:
                 return running
@@ -70,14 +70,14 @@ class LongCommands:
                     self.tell(running)
 
     def named(self, number):
-        """Return what goes on as the command with this number, or None."""
+        """Return the running command with this number, or None."""
         for running in self._running:
             if running.number == number:
                 return running
         return None
 
     def tell(self, running):
-        """Tell who asked that it goes on; if that is lost, the next one tells more."""
+        """Tell the station that asked how far its command is; a lost message is made good by the next one."""
         running.connection.turn_to(running.station)
         self._send((running, dialect.MAV_RESULT_IN_PROGRESS))
 
@@ -91,7 +91,7 @@ class LongCommands:
         running.connection.deliver(self._send, (running, result))
 
     def say(self, running, text):
-        """Say something about it to everybody."""
+        """Send a text about a running command to all stations."""
         self._vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, running.title + ": " + text)
 
     def _ask(self, running):

@@ -16,7 +16,7 @@ _ARMED = const(2)  # whether the vehicle has to be armed for it; None: either wa
 _STATIONS = const(3)  # whether only ground stations may ask
 _LONG = const(4)
 _PARAMS = const(5)
-_INT_PARAMS = const(6)  # those of COMMAND_INT, where it carries a position; () where they are the same
+_INT_PARAMS = const(6)  # the parameters as COMMAND_INT has them, with a position; () where they are the same
 _FRAMES = const(7)  # in which COMMAND_INT may state that position
 
 # The parts of a parameter in command_table.py.
@@ -98,7 +98,7 @@ class OwnCommands:
 
 
 def called(guard, method, values=()):
-    """Return the MAV_RESULT of what a method of the vehicle says, or of an exception, and the text with it, or None."""
+    """Call a method of the vehicle; return the MAV_RESULT of its answer or exception, and its text or None."""
     with guard:
         return judged(method(*values))
     return dialect.MAV_RESULT_FAILED, told(guard.error)

@@ -156,7 +156,7 @@ class Storage:
             magic, version, _, size = struct.unpack(_HEADER, header)
             if magic != _MAGIC or version != _VERSION:
                 raise ValueError("it begins with something else")
-            rest = file.read(size + _CRC_SIZE + 1)  # one more, which must not be there
+            rest = file.read(size + _CRC_SIZE + 1)  # one byte more, to see that the file ends there
         if len(rest) != size + _CRC_SIZE:
             raise ValueError("its length is wrong")
         image = header + rest

@@ -27,9 +27,9 @@ class Peer:
         self.is_ready = False  # whether there may be something to read
         self._unsent = b""  # the end of a frame that was sent in part
         self._is_full = False  # whether the socket did not take the last frame as a whole
-        self._full_ms = None  # since when, as far as that was noticed
+        self._full_ms = None  # since when the socket is full, as noticed by send()
         self._kept = b""  # the beginning of a frame
-        self._kept_ms = None  # since when it is the same one, as far as that was noticed
+        self._kept_ms = None  # since when that beginning has not grown, as noticed by receive()
         self._brought = 0  # bytes that were received last, with what was kept
         self._guard = Guard()
 
@@ -53,7 +53,7 @@ class Peer:
         return not self._unsent
 
     def receive(self):
-        """Return what has arrived, behind the beginning of a frame that was there before; None for nothing."""
+        """Return the bytes that have arrived, after the kept beginning of a frame; None where nothing has arrived."""
         self.is_ready = False
         data = self._try_receive()
         if not data:

@@ -187,7 +187,7 @@ CHECKS = (
 LONG = (set_answers_with_the_value, refused_values_change_nothing)
 
 SUBJECT = PARAMETERS
-"""Without it there is nothing to check."""
+"""The parameters of the program; without any, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

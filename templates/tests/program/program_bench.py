@@ -58,7 +58,7 @@ class NotHereError(Exception):
 
 
 def needs(condition, what):
-    """Leave a check out where it is about nothing."""
+    """Leave a check out where the condition is false: ``what`` it is about is not there."""
     if not condition:
         raise NotHereError(what)
 
@@ -342,7 +342,7 @@ def new_craft(**arguments):
     machine.reset_analog()
     for measured in MEASURED:
         for instance in range(measured["instances"]):
-            if measured["are_on"][instance]:  # another one may have the pin of one that is off
+            if measured["are_on"][instance]:  # the pin of an instance that is off may be another one's
                 analog(measured, instance).source = good_count(measured, instance)
     return Craft(**arguments)
 

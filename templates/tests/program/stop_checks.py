@@ -216,7 +216,7 @@ CHECKS = (
 )
 
 SUBJECT = FORCE_ARM is not None
-"""Without it there is nothing to check."""
+"""True where the vehicle can be armed; if not, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

@@ -555,7 +555,7 @@ LONG = (
 )
 
 SUBJECT = PARAMETERS
-"""Without it there is nothing to check."""
+"""The parameters of the program; without any, these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)

@@ -293,7 +293,7 @@ class _Changed:
     """Stands for a failsafe whose level is another one now."""
 
     def update(self, _now_ms):
-        """Return that it is."""
+        """Return that the level has changed."""
         return 1
 
 

@@ -23,7 +23,7 @@ def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
         "for failsafe in failsafes:",
         f"    if failsafe.update(now_ms){' > 0' if recovers else ''}:",
         "        self._note_reached(failsafe)",
-        *(["self._set_status()  # something may be over"] if recovers else []),
+        *(["self._set_status()  # a failsafe may have ended"] if recovers else []),
         "if self._reached is not None:",
         "    self._follow_reached(failsafes)",
     )

@@ -25,7 +25,7 @@ class Argument:
 
 @dataclass(frozen=True, slots=True)
 class Settled:
-    """The arguments that at least one failsafe needs: ``same`` are those that all have, with the same value."""
+    """The arguments that at least one failsafe needs; ``same`` has those that have one value in all failsafes."""
 
     names: tuple[str, ...]
     same: dict[str, str]
@@ -51,11 +51,11 @@ class Settled:
         return name in self.names
 
     def is_same(self, name: str) -> bool:
-        """Return whether all have it, with one value."""
+        """Return whether all failsafes have the argument, with one value."""
         return name in self.same
 
     def only_some(self, name: str) -> bool:
-        """Return whether some do without it, as far as one can tell."""
+        """Return whether some failsafes have the argument, but not all with one value: others may lack it."""
         return name in self.names and name not in self.same
 
     def __call__(self, name: str) -> str:

@@ -70,7 +70,7 @@ class Columns:
 
     @property
     def constants(self) -> list[str]:
-        """The lines that say where a row has what, and what all have."""
+        """Return the constants: the position of each column in a row, and the values that all rows have in common."""
         places = [f"_{column} = const({place})" for place, column in enumerate(self.kept)]
         unused = {column for column in ("SLACK", "FACTOR", "OFF") if len(self.values(column)) == 1}
         unused -= {column for column, value in self.same.items() if value not in ("0" if column == "SLACK" else "1",)}

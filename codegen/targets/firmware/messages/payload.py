@@ -84,7 +84,7 @@ class SpelledCode(PayloadCode):
         return self.number_of(self.word(quantity.component, f"{quantity.name}_limit"))
 
     def floor(self, quantity: Quantity) -> str:
-        """The same of what has to be reached beside; empty where nothing has."""
+        """Return the expression for the floor, which has to be reached, too; empty where a quantity has none."""
         floors = quantity.derivation.own_floors
         if not differ(floors):
             return str(floors[0]) if floors else ""
@@ -108,7 +108,7 @@ class SpelledCode(PayloadCode):
         return name
 
     def condition(self, quantity: Quantity) -> tuple[str, str]:
-        """Return what is to be read into ``value``, if anything, and the condition."""
+        """Return the expression that ``value`` has to be read from (empty: none), and a boolean's condition."""
         if quantity.derivation.follows is None:
             return "", self.is_set(quantity)
         followed = self.layout.blocks[quantity.component].component.quantities[quantity.derivation.follows]
@@ -292,7 +292,7 @@ class SpelledCode(PayloadCode):
         return []
 
     def finished(self) -> list[str]:
-        """Return what says at the end that a message was not withheld, if the template does not."""
+        """Return the statements that report a message as not withheld; none where the template has them."""
         return []
 
     def cleared(self, length: int) -> list[str]:  # noqa: ARG002  in plain Python nobody else writes the payload

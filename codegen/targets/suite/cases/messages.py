@@ -175,7 +175,7 @@ def _case(
     ]
     for choice in message.represents.values():
         enabled = choice.component.enabled
-        if enabled is not None:  # so that it is about the first one
+        if enabled is not None:  # switched off, so that the message is about the first instance
             settings += [set_to(enabled, 0, number) for number in range(1, choice.component.instances)]
     return MessageCase(
         name=f"{message.name}.{name}",

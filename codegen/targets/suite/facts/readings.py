@@ -195,7 +195,7 @@ def _counts(reading: Reading) -> tuple[int, int]:
 
 
 def switched(reading: Reading) -> tuple[dict[str, int], tuple[Settings, ...]]:
-    """The settings with which it is read, and those with which it is not."""
+    """Return parameter values with which the reading is taken, and sets of values with which it is not."""
     switch, when = reading.component.switch, reading.conversion.channel.when
     on: dict[str, int] = {}
     off: list[Settings] = []

@@ -8,8 +8,8 @@ from functools import partial
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
-from codegen.claims.statements.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.claims.statements.fields import Said, claimed, number
+from codegen.claims.statements.scaling.field_units import described_units, is_same_unit, of_field, shown_units
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
@@ -31,8 +31,8 @@ _COMMENTED = re.compile(
 )
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
-    r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?"
-    r"(?P<unit>U),? (?:the |field )*$"
+    r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),?"
+    r" (?:the |field )*$"
 )
 _EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")

@@ -4,7 +4,7 @@ from collections.abc import Collection
 
 from codegen.claims.parts.sentence import NamedField, Term
 from codegen.claims.parts.span import Span
-from codegen.claims.statements.field_units import has_unit, of_field
+from codegen.claims.statements.scaling.field_units import has_unit, of_field
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
@@ -14,10 +14,7 @@ _BEHIND = 110
 
 
 def is_told_behind(span: Span, offset: int, field: WireField, names: Collection[int] = ()) -> bool:
-    """Return whether the field's own unit is told behind another one.
-
-    No names may be between but its own, and those that stand at ``names``.
-    """
+    """Return whether the field's own unit is told behind another one, no name but ``names`` and its own between."""
     if span.is_code or span.kind is PassageKind.ROW or not field.definition.units:
         return False
     for at, term in span.sentence.within(offset + 1, offset + _BEHIND, "U"):

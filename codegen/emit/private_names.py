@@ -1,0 +1,177 @@
+"""Names for what is a module's own, and which of them others can stand for.
+
+A name with one underscore in front is private, unless something finds it by its text: a string, a keyword of a call, a
+module that is not among these. Names of attributes meet where classes inherit from each other: modules of such classes
+are one scope.
+"""
+
+import ast
+import builtins
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from codegen.frozen import dataclass
+
+WORD = re.compile(r"[^\W\d]\w*")
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+
+
+@dataclass(frozen=True, slots=True)
+class Module:
+    """The syntax tree of a module, all its nodes, and what names are in it.
+
+    ``names`` is every name that is written in it, ``bound`` what it gives a name to itself, ``set_elsewhere`` the
+    attributes that it sets of objects whose class may be in any module. ``imports`` has the module that an imported
+    name comes from and what it is called there, "" for the module itself.
+    """
+
+    tree: ast.Module
+    nodes: tuple[ast.AST, ...]
+    classes: tuple[ast.ClassDef, ...]
+    names: frozenset[str]
+    bound: frozenset[str]
+    set_elsewhere: frozenset[str]
+    imports: Mapping[str, tuple[str, str]]
+
+
+def read_module(text: str) -> Module:
+    """Return a module of its text."""
+    tree = ast.parse(text)
+    nodes = tuple(ast.walk(tree))
+    classes = tuple(node for node in nodes if isinstance(node, ast.ClassDef))
+    return Module(
+        tree,
+        nodes,
+        classes,
+        names=frozenset(name for node in nodes for name in _names(node)),
+        bound=frozenset(name for node in nodes for name in bound_by(node)),
+        set_elsewhere=frozenset(_set_elsewhere(nodes, classes)),
+        imports=dict(pair for node in nodes for pair in _imports(node)),
+    )
+
+
+def words(text: str) -> list[str]:
+    """Return what in a text could be a name."""
+    return WORD.findall(text)
+
+
+def constant_of(node: ast.AST) -> str | None:
+    """Return the name of a statement ``NAME = const(...)``, None for every other one."""
+    if not (isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.value, ast.Call)):
+        return None
+    name, called = node.targets[0], node.value.func
+    is_const = isinstance(called, ast.Name) and called.id == "const"
+    return name.id if is_const and isinstance(name, ast.Name) else None
+
+
+def private_names(modules: Mapping[str, Module], others: Iterable[str]) -> dict[str, frozenset[str]]:
+    """Return in which scopes each private name is that can have another one; scopes are named as their first module.
+
+    ``others`` are the texts of all other modules of the program: what is a word there is left as it is.
+    """
+    fixed = {word for text in others for word in words(text)}
+    for module in modules.values():
+        fixed.update(_fixed(module, modules))
+    scopes = _scopes(modules)
+    bound = frozenset().union(*(module.bound for module in modules.values()))
+    everywhere = frozenset().union(*(module.set_elsewhere for module in modules.values()))
+    return {
+        name: frozenset(scope for at, scope in scopes.items() if name in everywhere or name in modules[at].names)
+        for name in bound - fixed
+        if name[0] == "_" and name[1:2] not in ("", "_")
+    }
+
+
+def _names(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Name):
+        yield node.id
+    elif isinstance(node, ast.Attribute):
+        yield node.attr
+    elif isinstance(node, (ast.keyword, ast.arg)) and node.arg:
+        yield node.arg
+    elif isinstance(node, ast.alias):
+        yield from (*node.name.split("."), *([node.asname] if node.asname else []))
+    elif isinstance(node, (ast.Global, ast.Nonlocal)):
+        yield from node.names
+    elif isinstance(node, (*_FUNCTIONS, ast.ClassDef, ast.ExceptHandler)) and node.name:
+        yield node.name
+
+
+def bound_by(node: ast.AST) -> Iterator[str]:
+    """Yield what a node gives a name to."""
+    is_read = isinstance(node, (ast.Name, ast.Attribute)) and isinstance(node.ctx, ast.Load)
+    if not is_read and not isinstance(node, (ast.alias, ast.keyword)):
+        yield from _names(node)
+
+
+def _set_elsewhere(nodes: Iterable[ast.AST], classes: Iterable[ast.ClassDef]) -> Iterator[str]:
+    own = {id(node) for each in classes for node in ast.walk(each)}
+    for node in nodes:
+        if isinstance(node, ast.Attribute) and not isinstance(node.ctx, ast.Load):
+            is_own = id(node) in own and isinstance(node.value, ast.Name) and node.value.id == "self"
+            if not is_own:
+                yield node.attr
+
+
+def _imports(node: ast.AST) -> Iterator[tuple[str, tuple[str, str]]]:
+    if isinstance(node, ast.ImportFrom):
+        yield from ((each.asname or each.name, (node.module or "", each.name)) for each in node.names)
+    elif isinstance(node, ast.Import):
+        yield from ((each.asname or each.name.partition(".")[0], (each.name, "")) for each in node.names)
+
+
+def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
+    """Yield the names in a module that something other than the compiler of ``modules`` reads."""
+    docs = {id(doc) for node in module.nodes for doc in _docstring(node)}
+    for node in module.nodes:
+        constant = constant_of(node)
+        if constant is not None:
+            yield constant  # the compiler puts the number in its place: there is no such name
+        elif isinstance(node, ast.Constant) and id(node) not in docs:
+            yield from words(node.value if isinstance(node.value, str) else str(node.value))
+        elif isinstance(node, ast.keyword) and node.arg:
+            yield node.arg
+    for name, (source, original) in module.imports.items():
+        if source not in modules or not original:
+            yield from (name, original)
+
+
+def _docstring(node: ast.AST) -> Iterator[ast.AST]:
+    first = node.body[0] if isinstance(node, (ast.Module, ast.ClassDef, *_FUNCTIONS)) and node.body else None
+    if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+        yield first.value
+
+
+def _scopes(modules: Mapping[str, Module]) -> dict[str, str]:
+    """Return the scope of each module: that of all modules with whose classes its own share their objects."""
+    scopes = {name: name for name in modules}
+    for name, module in modules.items():
+        for other in {
+            other for each in module.classes for base in each.bases for other in _origins(base, module, modules)
+        }:
+            joined = {scopes[name], scopes[other]}
+            scopes |= {each: min(joined) for each, scope in scopes.items() if scope in joined}
+    return scopes
+
+
+def _origins(base: ast.expr, module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
+    """Yield the modules that a base of a class may come from."""
+    own = {each.name for each in module.classes}
+    for node in ast.walk(base):
+        if isinstance(node, ast.Name) and node.id not in own and not hasattr(builtins, node.id):
+            if node.id not in module.imports:  # a variable
+                yield from (source for source, _ in module.imports.values() if source in modules)
+            else:
+                source, original = module.imports[node.id]
+                wanted = original or (base.attr if isinstance(base, ast.Attribute) else "")
+                yield from _way(source, wanted, modules)
+
+
+def _way(source: str, name: str, modules: Mapping[str, Module]) -> Iterator[str]:
+    """Yield a module, and those from which it has a name itself."""
+    if source in modules:
+        yield source
+        imports = modules[source].imports
+        if name in imports or "*" in imports:
+            further, original = imports.get(name) or imports["*"]
+            yield from _way(further, name if original == "*" else original, modules)
