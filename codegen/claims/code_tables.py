@@ -8,6 +8,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 
 _NAME = r"[A-Z][A-Z0-9_]{2,60}"
 _NAMED = re.compile(
@@ -38,7 +39,6 @@ _ROLE_OF_KEY = {"crcextra": "crc", "crc_extra": "crc", "minlength": "min_length"
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every line of every block of code."""
-    by_id = {message.id: message for message in reading.messages.values() if message.id >= 0}
     for code in reading.prose.code:
         role: str | None = None
         for line in code.lines:
@@ -48,9 +48,14 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 own = _role(line.text if line.text.rstrip().endswith("{") else line.text[: opened.start()])
                 role = own or (role if line.text.startswith((" ", "\t")) else None)
             if role is not None:
-                yield from _pairs(reading, line, role, by_id)
+                yield from _pairs(reading, line, role, _by_id(reading.messages))
             if line.text.startswith(("}", "]", ")")):
                 role = None
+
+
+@once
+def _by_id(messages: Mapping[str, WireMessage]) -> dict[int, WireMessage]:
+    return {message.id: message for message in messages.values() if message.id >= 0}
 
 
 def _role(head: str) -> str | None:

@@ -127,12 +127,9 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
 
 def _unreadable(side: "Unreadable") -> int:
     """Say why there is nothing to compare."""
-    from codegen.diagnostics import Report
     from codegen.findings.shortened import shortened
     from codegen.findings.text import finding_text
 
-    found = Report()
-    found.extend(side.findings)
-    for finding in shortened(found):
+    for finding in shortened(side.findings):
         print(finding_text(finding), file=sys.stderr)
     return _usage(side.message, side.hint)

@@ -4,13 +4,15 @@ import ast
 from collections.abc import Iterator, Mapping
 from io import StringIO
 
+from codegen.emit.private_names import read_module
+
 
 def direct(texts: Mapping[str, str]) -> dict[str, str]:
     """Return modules, by their names, that import from others of them past those that consist of one import.
 
     What is passed by stays as it is, for who imports it from elsewhere.
     """
-    trees = {name: ast.parse(text) for name, text in texts.items()}
+    trees = {name: read_module(text).tree for name, text in texts.items()}
     passed = {name: source for name, tree in trees.items() if (source := _source(tree)) in trees}
     return {name: _written(text, trees[name], passed) for name, text in texts.items()}
 

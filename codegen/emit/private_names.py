@@ -9,6 +9,7 @@ import ast
 import builtins
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from codegen.frozen import dataclass
 
@@ -34,8 +35,9 @@ class Module:
     imports: Mapping[str, tuple[str, str]]
 
 
+@lru_cache(maxsize=128)
 def read_module(text: str) -> Module:
-    """Return a module of its text."""
+    """Return a module of its text; several steps read the same texts, and none changes what it gets."""
     tree = ast.parse(text)
     nodes = tuple(ast.walk(tree))
     classes = tuple(node for node in nodes if isinstance(node, ast.ClassDef))

@@ -1,12 +1,15 @@
 """Findings that nobody would read to the end: of each kind as many are shown as tell what is wrong."""
 
 from collections import Counter
+from collections.abc import Iterable
 
 from codegen.diagnostics import MOST, Diagnostic, Report
 
 
-def shortened(report: Report) -> Report:
+def shortened(findings: Iterable[Diagnostic]) -> Report:
     """The first ``MOST`` findings of each rule, and one that counts the others, at the place of their first."""
+    report = Report()
+    report.extend(findings)
     counts: Counter[str] = Counter()
     shown = Report()
     left_out: dict[str, Diagnostic] = {}

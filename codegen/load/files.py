@@ -149,10 +149,7 @@ class Files:
     def _hash(self, path: str, content: bytes | None) -> str:
         if content is None:
             return ""
-        try:
-            real = real_path(path) if self.bounds is None else self.bounds.real_path(path)
-        except (OSError, ValueError):
-            real = path
+        real = real_path(path) if self.bounds is None else real_path(path, self.bounds.real_path)
         return hashlib.sha256(f"{real}\n".encode("utf-8", "surrogateescape") + content).hexdigest()
 
     def _content(self, path: str, report: Report, place: Place, most: int) -> bytes | None:

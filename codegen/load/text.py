@@ -2,6 +2,7 @@
 
 import os
 import re
+from collections.abc import Callable
 
 from codegen.diagnostics import Report, Rule
 from codegen.source import Place
@@ -43,10 +44,10 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def real_path(path: str) -> str:
-    """Return what makes two paths the same file, whatever links lead there."""
+def real_path(path: str, follow: Callable[[str], str] = os.path.realpath) -> str:
+    """Return what makes two paths the same file, whatever links lead there; ``follow`` follows them."""
     try:
-        return os.path.realpath(path)
+        return follow(path)
     except (OSError, ValueError):
         return path
 

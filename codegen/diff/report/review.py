@@ -129,10 +129,10 @@ def _grave_kinds(group: Group) -> Iterator[str]:
 
 def fault_findings(found: Review) -> Report:
     """Return the errors of either side as findings of the comparison: of each kind as many as tell what is wrong."""
-    report = Report()
-    for label, fault in found.faults:
-        report.extend([replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")])
-    return shortened(report)
+    return shortened(
+        replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")
+        for label, fault in found.faults
+    )
 
 
 def as_finding(group: Group) -> Diagnostic:
