@@ -1,5 +1,5 @@
 # ruff: noqa: T201  it says what it finds
-"""Gives codegen inputs with faults, thousands of them, in this process, and judges what it does with each.
+"""Gives codegen inputs with faults, thousands of them, and judges what it does with each, in children of this process.
 
 `make fuzz` draws them by lot: the same seed draws the same from the same sources. No input may end in anything but the
 exit codes 0, 1 and 2; findings have places in the project; nothing outside of it is read, quoted or written, and
@@ -16,16 +16,18 @@ import tempfile
 import time
 import warnings
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 import quality_results
+from fuzzing.children import EACH, in_children
 from results import ROOT
 
 FAILED = ROOT / "build" / "fuzz"
 MEMORY = 4 << 30
-"""Bytes that the process may have."""
+"""Bytes that a process may have."""
 HANGS_S = 300
-"""Seconds after which an input in which no Python runs any more ends the process."""
+"""Seconds after which an input in which no Python runs any more ends its process."""
 
 
 def main() -> int:
@@ -35,6 +37,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=10_000, help="inputs")
     parser.add_argument("--first", type=int, default=0, help="the number of the first")
     parser.add_argument("--minutes", type=float, default=90, help="after which no further input is drawn")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="inputs that are judged at a time")
     parser.add_argument("--seconds", type=float, default=10, help="of the processor, for one input")
     parser.add_argument("--small", action="store_true", help="only of small projects")
     parser.add_argument("--out", type=Path, default=FAILED, help="the folder for inputs that fail")
@@ -67,23 +70,39 @@ def _again(arguments: argparse.Namespace, folder: Path) -> int:
 
 
 def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
-    from fuzzing.case import drawn, store  # noqa: PLC0415  as above
-    from fuzzing.judge import judged  # noqa: PLC0415
+    from fuzzing.case import Case, drawn, store  # noqa: PLC0415  as above
+    from fuzzing.judge import Outcome, judged  # noqa: PLC0415
+    from fuzzing.samples import samples  # noqa: PLC0415
 
     from codegen.cli import main as codegen  # noqa: PLC0415
 
+    def judge(case: Case) -> Outcome:
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        with tempfile.TemporaryDirectory(dir=folder) as own:
+            outcome = judged(case, Path(own), codegen, arguments.seconds)
+        faulthandler.cancel_dump_traceback_later()
+        return outcome
+
+    def draw(number: int) -> Case:
+        return drawn(arguments.seed, number, is_small=arguments.small)
+
+    def batches() -> Iterator[range]:
+        last = arguments.first + arguments.count
+        for first in range(arguments.first, last, EACH):
+            if time.monotonic() - started > 60 * arguments.minutes:
+                print(f"{arguments.minutes:g} minutes are over")
+                return
+            yield range(first, min(first + EACH, last))
+
+    started = time.monotonic()
     codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
     slowest, seconds = (0.0, ""), 0.0
-    started = time.monotonic()
-    count = 0
-    for number in range(arguments.first, arguments.first + arguments.count):
-        if time.monotonic() - started > 60 * arguments.minutes:
-            print(f"{arguments.minutes:g} minutes are over")
-            break
-        case = drawn(arguments.seed, number, is_small=arguments.small)
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
-        outcome = judged(case, folder, codegen, arguments.seconds)
-        count += 1
+    # What a right project needs is imported and kept once, for all children.
+    right = next(each for each in samples() if each.name == ("minimal" if arguments.small else "rover"))
+    judge(Case("right", "project file", ("build",), right.files))
+    for number, found in in_children(lambda number: judge(draw(number)), batches(), arguments.jobs):
+        case = draw(number)
+        outcome = found or Outcome(-1, 0.0, ("its process ended",), "")
         codes[outcome.code] += 1
         kinds[case.kind] += 1
         slowest = max(slowest, (outcome.seconds, case.name))
@@ -94,15 +113,12 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
             if not target.exists():
                 store(case, target)
             print(f"{case.name} ({case.kind}, codegen {' '.join(case.command)}): {outcome.faults[0]}", flush=True)
-    faulthandler.cancel_dump_traceback_later()
     told = ", ".join(f"{number} with {code}" for code, number in sorted(codes.items()))
-    print(f"seed {arguments.seed}: {count} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
-    print(
-        f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {sum(failed.values())} have faults"
-    )
+    print(f"seed {arguments.seed}: {codes.total()} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
+    print(f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {failed.total()} have faults")
     if arguments.store:
-        found = {"inputs": count, "codes": dict(sorted(codes.items())), "faults": sum(failed.values())}
-        quality_results.store("fuzz", str(arguments.seed), {**found, "kinds": dict(sorted(kinds.items()))})
+        numbers = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
+        quality_results.store("fuzz", str(arguments.seed), {**numbers, "kinds": dict(sorted(kinds.items()))})
     return 1 if failed else 0
 
 
