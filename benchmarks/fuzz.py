@@ -97,9 +97,13 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
     started = time.monotonic()
     codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
     slowest, seconds = (0.0, ""), 0.0
-    # What a right project needs is imported and kept once, for all children.
-    right = next(each for each in samples() if each.name == ("minimal" if arguments.small else "rover"))
-    judge(Case("right", "project file", ("build",), right.files))
+    # What right inputs need is imported and kept once, for all children, which write no bytecode then.
+    right = {each.name: each.files for each in samples()}
+    project = right["minimal" if arguments.small else "rover"]
+    for command in (("build",), ("trace",), ("explain", "HEARTBEAT"), ("diff", "../before", ".")):
+        judge(Case("right", "project file", command, project, before=project))
+    judge(Case("right", "dialect alone", ("codec", "--dialect", "minimal.xml", "--out", "x"), right["dialect minimal"]))
+    sys.dont_write_bytecode = True
     for number, found in in_children(lambda number: judge(draw(number)), batches(), arguments.jobs):
         case = draw(number)
         outcome = found or Outcome(-1, 0.0, ("its process ended",), "")
