@@ -22,6 +22,7 @@ FOUND = {
     "seen-13": 40,
     "seen-14": 45,
     "seen-15": 43,
+    "seen-16": 30,
 }
 WRONG = {"seen-6": 1, "seen-7": 5, "seen-12": 6, "seen-13": 2, "seen-14": 1, "seen-15": 1}
 SURE = {
@@ -40,6 +41,7 @@ SURE = {
     "seen-13": 23,
     "seen-14": 18,
     "seen-15": 24,
+    "seen-16": 21,
 }
 
 

@@ -46,7 +46,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every amount with one number that is tied to it."""
     for at, term in span.sentence.within(0, len(span.text), "Q"):
         value = term.value
-        if isinstance(value, tuple) and isinstance(value[1], Unit) and value[0] is not None:
+        if isinstance(value, tuple) and isinstance(value[1], Unit) and value[0]:  # none is none in all units
             yield from _amount(reading, span, at, value[0], value[1])
     yield from _intervals(reading, span)
 

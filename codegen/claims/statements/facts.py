@@ -18,15 +18,21 @@ _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
+    r"|\bthe (?:later|last|new) additions?\b|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b"
 )
+_AND_REST = re.compile(
+    r"^,? (?:and|with) (?:all )?(?:the )?(?:following|next|later|others|rest|ones behind|ones after)\b(?: it)?"
+)
+_EXTENDS = re.compile(r"extension|addition")
 _VERBS = frozenset((
     "it", "they", "note",
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
-    "belongs", "among", "to", "in", "as",
+    "belongs", "among", "to", "in", "as", "sits", "sit", "lives", "live", "part",
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
     "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
     "type", "part", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
+    "which", "that",
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
@@ -80,7 +86,7 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
     for found in _GROUP.finditer(text) if _KIND.search(text) else ():
         kind = _KIND.search(text, found.end(), found.end() + _NEAR)
-        gap = text[found.end() : kind.start()] if kind is not None else ""
+        gap = _AND_REST.sub("", text[found.end() : kind.start()]) if kind is not None else ""
         words = re.findall(r"[A-Za-z]+", gap)
         is_tied = bool(_VERBS & set(words)) or re.search(r"[:(,|\u2013]", gap) is not None
         if (
@@ -92,7 +98,7 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
-        is_extension = "extension" in kind[0] and not kind[0].startswith("no")
+        is_extension = _EXTENDS.search(kind[0]) is not None and not kind[0].startswith("no")
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
         far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)

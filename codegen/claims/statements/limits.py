@@ -140,6 +140,8 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
     best = told[0]
     if best is None or low.value not in (best[0], 0, 1) or high.value in (best[1], *_TOPS):
         return
+    if best[1] in _TURNS and high.value == best[1] - 1:
+        return  # the last step before a full turn, which is none
     if best[1] and float(high.value) / best[1] > _SCALED:
         return  # the description has it in another unit
     written = span.sentence.term(high.offset).written
@@ -147,6 +149,7 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
     yield reading.found(as_sure(RANGE, is_sure=False), span.place(high.offset), f"{one.name} to {written}", words)
 
 
+_TURNS = (360, 3600, 36000)
 _SCALED = 50
 """So many times as much is the same in a smaller unit."""
 _RUNS = re.compile(

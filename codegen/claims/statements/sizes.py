@@ -47,6 +47,10 @@ _PAIRS = (
     re.compile(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
     re.compile(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes"),
     re.compile(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
+    re.compile(
+        r"(?P<first>N) bytes?(?: (?:of payload|in base|base))?,? (?:and |but )?the (?:full|whole|complete|extended)"
+        r"(?: one| payload| form)?(?: is| has|:)? (?P<then>N)\b"
+    ),
     re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
     re.compile(
         r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
@@ -119,7 +123,11 @@ _ABOUT = re.compile(
 _TOLERANCE = Fraction(1, 10)
 """By how much a size may be off that is called about so many bytes."""
 _BASE = re.compile(r"\bbase\b|without (?:the |its |any )?extensions?|\bminimum\b")
-_EXTENDED = re.compile(r"\bwith (?:the |its |all )?(?:extensions?|everything|them)\b|\bwith F")
+_EXTENDED = re.compile(
+    r"\bwith (?:the |its |all )?(?:extensions?|everything|them)\b|\bwith F"
+    r"|\b(?:full|whole|complete|extended|long) (?:one|payload|message|form|version)\b"
+    r"|\bthe (?:latter|whole|rest)\b|\bin full\b"
+)
 _UNSIGNED = re.compile(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
 
 
@@ -248,8 +256,20 @@ def _kind(size: _Size) -> str | None:
     return None if kind == "message" and not is_beside else kind
 
 
+_OTHER_LINK = re.compile(
+    r"\b(?:baud|uart|rs-?(?:232|422|485)|i2c|spi|can bus|s\.?bus|crsf|modbus|nmea|n2k|ubx|rtcm|dshot|sbd|lora|ais)\b"
+)
+"""Words of a paragraph about the frames of something else, if it names no message."""
+
+
 def _is_claim(size: _Size) -> bool:
     """Return whether the sentence states the size of a message, and not that of a part or of a supposed one."""
+    if (
+        not size.span.is_code
+        and _OTHER_LINK.search(size.span.text)
+        and not any(size.span.named(0, len(size.span.text)))
+    ):
+        return False
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
     if "sizeof" in size.words:
         return True

@@ -59,6 +59,8 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     ]
     if found := _about(value.name, before, [], is_sure=True):
         return found
+    if span.text[offset] == "P" and not span.is_code and any(span.sentence.within(low, offset, "MC")):
+        return None  # "in NAME the altitude is ..." is said of that message, however it calls it
     inside = [reading.messages[name] for at, name in span.named(max(low - _FAR, 0), low)][::-1]
     if after and not inside and (found := _about(value.name, [*after], [*span.topic.headings], is_sure=True)):
         return found

@@ -177,6 +177,8 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if span.is_code and not span.is_comment and elements is not None:
         stated = StatedType(stated.name, stated.bits, stated.sign, elements)
     one = about(reading, span, said.names[0])
+    if one is not None and _counts_fields(span, offset, one, stated):
+        return
     if one is not None and one.is_wrong(lambda field: has_type(field, stated)):
         written = _spelled(stated, span.sentence.term(offset).written)
         text = f"{one.name} is {typed(one.field.definition)}, not {written}"
@@ -203,8 +205,20 @@ def _is_contrast(said: Said, offset: int, one: About) -> bool:
 _BESIDE = 80
 
 
+def _counts_fields(span: Span, offset: int, one: About, stated: StatedType) -> bool:
+    """Return whether a number of elements counts fields: "`a`, `b` and `c`: three floats", "three floats `d_x/y/z`"."""
+    if stated.length is None or one.field.is_array or re.search(r"\[|;", span.sentence.term(offset).written):
+        return False
+    single = StatedType(stated.name, stated.bits, stated.sign)
+    alike = [field for field in one.message.fields if not field.is_array and has_type(field, single)]
+    named_here = {term.written for _, term in span.sentence.within(0, len(span.text), "FP")}
+    return has_type(one.field, single) and stated.length in (len(alike), len(named_here))
+
+
 def _found(reading: Reading, said: Said, offset: int, stated: StatedType, words: str) -> Iterator[Diagnostic]:
     one = claimed(reading, said, offset, lambda field: has_type(field, stated))
+    if one is not None and _counts_fields(said.span, offset, one, stated):
+        return
     if one is not None and not _is_contrast(said, offset, one):
         written = _spelled(stated, words)
         own = typed(one.field.definition)

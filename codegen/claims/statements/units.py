@@ -60,6 +60,12 @@ _SCALED_AFTER = re.compile(
     r" (?:screen|display)|here\b|is wrong"
     r"|was wrong|\?|, which is wrong)"
 )
+_ELSEWHERE = re.compile(
+    r" (?:in|on|at|by|for|from) (?:(?:the |an? )?(?:ais|n2k|nmea(?: N)?|ubx|j1939|can|ros|pgn|rtcm|i2c|s\.?bus"
+    r"|sensor|device|driver|datagram|bus|receiver)\b|(?:the )?(?!M)[a-z0-9.-]{2,16}(?: [a-z0-9.-]{1,12})?,"
+    r" (?:[a-z]+ ){0,4}(?:here\b|in M|in mavlink|on the (?:wire|link)))"
+)
+"""Behind the unit of another thing: "degrees in AIS, hundredths here"."""
 _GAP_LONG = 90
 _NUMBERED = re.compile(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?:N(?:\.\.\.?N|-N)?[:,] )")
 """A comment that begins with a place on the wire, "/* 16: rad */"."""
@@ -145,6 +151,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             or not _IS_SHORT.match(behind)
             or len(gap) > _GAP_LONG
             or _is_own(span, offset)
+            or _ELSEWHERE.match(behind)
         ):
             continue
         if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):

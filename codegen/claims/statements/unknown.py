@@ -134,10 +134,13 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """``UINT32_MAX`` beside a field that cannot carry it, without a word about it."""
     span = said.span
-    found = _BESIDE.match(span.text, said.end, said.until)
-    if found is None or span.is_code:
+    if span.is_code:
         return
-    offset = found.end() - 1
+    lead = _VALUE_FOR.search(span.text, max(said.before, said.start - 24), said.start)
+    found = lead or _BESIDE.match(span.text, said.end, said.until)
+    if found is None or (lead is None and _FOR_NEXT.match(span.text, found.end())):
+        return
+    offset = lead.start() if lead is not None else found.end() - 1
     term = span.sentence.term(offset)
     value = number(term)
     if value is None or not term.written.isupper():
@@ -152,6 +155,9 @@ def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
+_VALUE_FOR = re.compile(r"S (?:for|in|with|at) (?:the |both |all )?(?:fields? )?$")
+_FOR_NEXT = re.compile(r" (?:for|in|with|at) (?:F|P|the |both |all )")
+"""Behind a value that belongs to what follows it: "`a`, UINT8_MAX for `b`"."""
 _BESIDE = re.compile(r"(?:[\s:=(\u2013-]|\bis\b|\bT\b|,){0,6}S")
 
 

@@ -72,7 +72,8 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         is_division = found["how"].startswith("divid") or found["how"] in ("/", "\u00f7")
         stated = 1 / Fraction(value) if is_division else Fraction(value)
         one = claimed(reading, said, found.start(), partial(turns, unit=unit, stated=stated))
-        if one is not None and not (form in (_SIGN, _COMMENTED) and _is_raw(unit, one.field)):
+        is_turned = form in (_SIGN, _COMMENTED) or _comes_from(span, (said.end, found.start()), unit, stated)
+        if one is not None and not (is_turned and _is_raw(unit, one.field)):
             shown = text_of(span, found)
             words = f"{one.name} is in {one.field.definition.units}, which {shown} does not agree with"
             yield reading.found(
@@ -94,6 +95,13 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             yield reading.found(
                 as_sure(SCALING, is_sure=one.is_sure), span.place(found.start()), f"{one.name} {shown}", words
             )
+
+
+def _comes_from(span: Span, bounds: tuple[int, int], unit: Unit, stated: Fraction) -> bool:
+    """Return whether a unit before a factor is made another one by it: "the sensor has mm/s, divided by 1000 m/s"."""
+    given = (term.value for _, term in span.sentence.within(*bounds, "U"))
+    turned = (conversion(each, unit) for each in given if isinstance(each, Unit))
+    return any(each is not None and each.ratio == stated for each in turned)
 
 
 def _is_raw(unit: Unit, field: WireField) -> bool:
