@@ -21,6 +21,15 @@ _UPPER = 60
 """The most lines above or below a member in which its type is looked for."""
 
 
+_COMMENT = re.compile(r"//|/\*|^\s*\*|#\s|<!--")
+
+
+def _declared(line: str) -> "re.Match[str] | None":
+    """Match the declaration of a type; the words of a comment, "message unit", are none."""
+    found = _TYPE.search(line)
+    return None if found is None or _COMMENT.search(line, 0, found.start()) else found
+
+
 def is_of_type(reading: Reading, place: Place, message: str) -> bool:
     """Return whether the type around a line bears the name of a message, in whatever way a language spells it."""
     name = _type_around(reading, place)
@@ -47,7 +56,7 @@ def _type_around(reading: Reading, place: Place) -> str | None:
     for code in _blocks_at(reading, place.line):
         lines, index = code.lines, place.line - code.place.line
         for line in reversed(lines[max(index - _UPPER, 0) : index + 1]):
-            found = _TYPE.search(line.text)
+            found = _declared(line.text)
             if found is not None and found["name"]:
                 return found["name"]
             if line.place.line < place.line and _CLOSED.match(line.text):
@@ -67,7 +76,7 @@ _BEHIND = re.compile(r"\s*\}\s*(?P<name>[A-Za-z_]\w*)\s*;")
 @once
 def _types(reading: Reading) -> tuple[str, ...]:
     """The names of all types that the code of a document declares."""
-    found = (_TYPE.search(line.text) or _BEHIND.match(line.text) for code in reading.prose.code for line in code.lines)
+    found = (_declared(line.text) or _BEHIND.match(line.text) for code in reading.prose.code for line in code.lines)
     return tuple(each["name"] for each in found if each is not None and each["name"])
 
 
@@ -101,11 +110,11 @@ def members_of_type(reading: Reading, place: Place) -> tuple[str, ...]:
         first = index
         while (
             first > max(index - _UPPER, 0)
-            and not _TYPE.search(lines[first].text)
+            and not _declared(lines[first].text)
             and not _CLOSED.match(lines[first - 1].text)
         ):
             first -= 1
-        if not _TYPE.search(lines[first].text):
+        if not _declared(lines[first].text):
             return ()
         names = []
         for line in lines[first + 1 : first + 2 * _UPPER]:

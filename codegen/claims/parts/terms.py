@@ -96,7 +96,7 @@ _SHORT_UNITS = frozenset((
 """Units that are as often a word or a name: they are read only where a unit has to stand."""
 _UNIT_PLACE = re.compile(
     r"(?:\b(?:in|how many|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
-    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/]|^|U,? (?:and|or) )\s?['\"]?$"
+    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/>\u2192]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
     r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are)\b"
