@@ -35,6 +35,10 @@ _TOP = re.compile(
     r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?(?: (?:is|at|of|being|only))*"
     r"[ :=]*(?P<value>[NQ])"
 )
+_UP_TO = re.compile(
+    r"(?:\bup to [NQ](?= (?:can|could|may|fit|fits|(?:is|are) possible)\b)"
+    r"|\b(?:enough for|values|numbers|readings) up to [NQ])"
+)
 _OVER = re.compile(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"
     r" than)? ?(?P<value>[NQ])"
@@ -88,12 +92,12 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
     low = max(said.before, said.start - 40)
     lead = _OVER.search(text, low, said.start)
     for found, is_certain in (
-        (_TOP.search(text, low, said.until), True),
+        (_TOP.search(text, low, said.until) or _UP_TO.search(text, said.end, said.until), True),
         (_SPAN.search(text, said.end, said.until), False),
     ):
         if found is None or (found.end() <= said.end and found["value"] is None):
             continue
-        at = found.start("value")
+        at = found.end() - 1 if found.re is _UP_TO else found.start("value")
         if (at < said.end and found is not lead) or at - said.end > _FAR:
             continue
         gap = _CAN_SHOW.sub("", text[low:at])

@@ -98,6 +98,8 @@ def _step(span: Span, found: "re.Match[str]") -> Unit | None:
         value = span.sentence.term(found.start("amount")).value
         if isinstance(value, tuple):
             amount, unit = value
+        elif not isinstance(value, Fraction):
+            return None
         else:
             amount, unit = value, span.sentence.term(found.end("amount") - 1).value
     if not isinstance(amount, int | Fraction) or not amount or not isinstance(unit, Unit) or not unit.dimension:
