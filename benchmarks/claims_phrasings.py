@@ -322,6 +322,16 @@ def _sentinel(chance: random.Random) -> Fact | None:
     return _with(words, shown, chance.choice(wrong))
 
 
+def _unfilled(chance: random.Random) -> Fact | None:
+    found = _of_field(chance, lambda field: field.is_array and (unknown_values(field) or ([], ""))[1].isupper())
+    if found is None:
+        return None
+    _, field, words = found
+    known = unknown_values(field)
+    assert known is not None
+    return _with(words, known[1], chance.choice(["0", "-1", "9999"]))
+
+
 _EXTENSIONS = (
     (
         "an extension",
@@ -509,6 +519,7 @@ MAKERS: Mapping[str, Maker] = {
     "id": _id,
     "crc": _crc,
     "sentinel": _sentinel,
+    "unfilled": _unfilled,
     "extension": _extension,
     "offset": _offset,
     "order": _order,
