@@ -421,6 +421,27 @@ def _enum(chance: random.Random) -> Fact | None:
     return _with({**words, "e": name}, value, chance.choice([value + 1, value + 2, max(value - 1, value + 3)]))
 
 
+def _short(chance: random.Random) -> Fact | None:
+    """Three entries of a field by the ends of their names, of which the first has another value in the wrong twin."""
+    found = _entry_field(chance)
+    if found is None:
+        return None
+    words, entries = found
+    names = [name.split("_") for name, _ in entries]
+    shared = next((at for at in range(10) if len({tuple(each[: at + 1]) for each in names}) > 1), 0)
+    ends = [" ".join(each[shared:]).lower() for each in names]
+    told = [(end, name, value) for end, (name, value) in zip(ends, entries, strict=True) if _is_wordy(end)]
+    if len(told) < _ENOUGH:
+        return None
+    (s, _, v), (sb, eb, vb), (sc, ec, vc) = chance.sample(told, _ENOUGH)
+    more = {"s": s, "S": s.capitalize(), "sb": sb, "sc": sc, "eb": eb, "ec": ec, "vb": str(vb), "vc": str(vc)}
+    return _with(words, v, v + 20, **more)
+
+
+def _is_wordy(end: str) -> bool:
+    return all(len(word) > 3 for word in end.split()) and end.replace(" ", "").isalpha()
+
+
 def _misspelled(chance: random.Random, name: str) -> str:
     """A name with a word left out, a word more, a letter less or two words swapped."""
     words = name.split("_")
@@ -524,6 +545,7 @@ MAKERS: Mapping[str, Maker] = {
     "offset": _offset,
     "order": _order,
     "enum": _enum,
+    "short": _short,
     "no_field": _no_field,
     "no_message": _no_message,
     "no_entry": _no_entry,

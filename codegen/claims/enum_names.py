@@ -15,6 +15,16 @@ def entry_values(enums: Enums) -> Mapping[str, int]:
 
 
 @once
+def enums_of_entries(enums: Enums) -> Mapping[str, frozenset[str]]:
+    """Return the names of the enums that have an entry, by the name of the entry."""
+    found: dict[str, frozenset[str]] = {}
+    for name, enum in enums.items():
+        for entry in enum.entries:
+            found[entry.name] = found.get(entry.name, frozenset()) | {name}
+    return found
+
+
+@once
 def all_names(enums: Enums) -> frozenset[str]:
     """Return the names of all enums and entries, and those of entries without the name of their enum before them."""
     bare = {entry.name.removeprefix(f"{name}_") for name, enum in enums.items() for entry in enum.entries}

@@ -28,6 +28,7 @@ from codegen.claims.statements import (
     order,
     placed,
     read_out,
+    short_names,
     sizes,
     steps,
     tables,
@@ -97,3 +98,4 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     yield from commands.check(reading, parts)
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)
+    yield from short_names.check(reading, parts)
