@@ -64,8 +64,8 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
 def _of_span(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     if span.kind is PassageKind.ROW or span.kind is PassageKind.HEADING:
         return
-    listed = _pairs(_LISTED, span)
-    listed = listed if len(listed) > _FEWEST else _pairs(_DOTTED, span)
+    is_list = span.text.count("N") > _FEWEST
+    listed = _pairs(_DOTTED if "\u00b7" in span.text else _LISTED, span) if is_list else []
     if len(listed) > _FEWEST:
         yield from _of_list(reading, listed, [*_of_fields(reading, span), *_of_topic(reading, span)])
     if "V" in span.text:
@@ -76,7 +76,7 @@ def _of_span(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     if "C" in span.text and (ends := _pairs(_END, span)):
         for own in [*_of_fields(reading, span)][:1]:
             yield from _compared(reading, own, ends)
-    for found in _NUMBERED.finditer(span.text):
+    for found in _NUMBERED.finditer(span.text) if "P N" in span.text else ():
         one = about(reading, span, found.start("name"))
         enum = reading.enums.get(one.field.definition.enum or "") if one is not None else None
         if enum is not None and one is not None and all(each.definition.enum == enum.name for each in one.others):

@@ -22,6 +22,7 @@ from codegen.load.prose import PassageKind
 _NOUN = (
     r"(?:slots?|cells?|elements?|entry|entries|places?|positions?|sectors?|bins?|cores?|channels?|axis|axes|motors?)"
 )
+_STEMS = ("slot", "cell", "element", "entr", "place", "position", "sector", "bin", "core", "channel", "ax", "motor")
 _MENTIONED = re.compile(rf"\b(?P<noun>{_NOUN})\b")
 _UNFILLED = re.compile(
     r"\b(?:un(?:used|served|populated|connected|fitted)|absent|missing|invalid|empty|not (?:used|fitted|present"
@@ -55,7 +56,12 @@ _FEWEST = 3
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value of unfilled elements or fields of a part."""
-    if not _MENTIONED.search(span.text) or not _UNFILLED.search(span.text) or is_data(span):
+    if (
+        not any(stem in span.text for stem in _STEMS)
+        or not _MENTIONED.search(span.text)
+        or not _UNFILLED.search(span.text)
+        or is_data(span)
+    ):
         return
     if span.kind is PassageKind.ROW:
         return
