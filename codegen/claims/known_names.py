@@ -48,10 +48,11 @@ def names_of(reading: Reading) -> Names:
 
 
 def _followed(reading: Reading) -> Iterator[str]:
-    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
+    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``; entries are none."""
+    known = all_names(reading.enums)
     for passage in reading.prose.passages:
         for found in UPPER.finditer(passage.text):
-            words = found[0].split("_") if found[0] not in reading.messages else []
+            words = found[0].split("_") if found[0] not in reading.messages and found[0] not in known else []
             yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
 
 

@@ -17,6 +17,7 @@ _OF = re.compile(
     r"`?(?: field| value| array| member)? (?:of|from) (?:the )?(?:message )?`?(?P<message>[A-Z][A-Z0-9_]{3,60})\b"
 )
 _JOIN = re.compile(r"[` ]*(?:,|and|or|/|, and)[` ]*(?:the |an? )?")
+_OWN = re.compile(r"\b(?:our|ours|own|my|we add|extra)\b")
 _FEWEST = 2
 """Fields of the message in the same list."""
 
@@ -44,6 +45,25 @@ def is_among_fields(passage: Passage, low: int, high: int, message: WireMessage)
             own += message.field(passage.text[slice(*passage.codes[at])]) is not None
     words = {word for word in passage.text[low:high].split("_") if len(word) > _FEWEST}
     return own >= _FEWEST and any(words & set(field.name.split("_")) for field in message.fields)
+
+
+def is_joined_to_fields(passage: Passage, low: int, high: int, message: WireMessage) -> bool:
+    """Return whether "and", "or" or a comma joins a name to a field of a message in a sentence with more of them."""
+    index = passage.codes.index((low, high))
+    start, end = passage.sentence(low, high)
+    if _OWN.search(passage.text, start, end):
+        return False
+    own = {at for at in passage.codes if start <= at[0] and at[1] <= end and message.field(passage.text[slice(*at)])}
+    if (
+        len(own) <= _FEWEST
+        or _NAME.fullmatch(passage.text[low:high]) is None
+        or _NO_NAME.fullmatch(passage.text[low:high])
+    ):
+        return False
+    beside = [at for at in (index - 1, index + 1) if 0 <= at < len(passage.codes) and passage.codes[at] in own]
+    return any(
+        _JOIN.fullmatch(passage.text[min(high, passage.codes[at][1]) : max(low, passage.codes[at][0])]) for at in beside
+    )
 
 
 def names_field_of(passage: Passage, low: int, high: int, message: WireMessage) -> bool:

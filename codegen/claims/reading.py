@@ -15,7 +15,7 @@ from codegen.decode.decoded import decoded
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.findings.fingerprint import fingerprint
 from codegen.frozen import dataclass
-from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
+from codegen.load.prose import CodeBlock, Passage, PassageKind, Prose, read_prose
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
 from codegen.model.price import Range
 from codegen.model.stated_parameter import StatedParameter
@@ -175,6 +175,7 @@ def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
     names = {name for name in messages if is_about_mavlink or "_" in name}
     names |= {found[0] for found in _WORD.finditer(text) if _is_told_by_fields(messages.get(found[0]), text)}
     mentions = {id(passage): tuple(_mentions(passage.text, names)) for passage in prose.passages}
+    mentions.update(_of_headings(prose, messages, mentions))
     seen = [(message.definition.place.line, message.name) for message in proposed]
     for part in prose.parts:
         seen.extend(_sightings(part, names, mentions))
@@ -196,6 +197,25 @@ def read_parts(text: str, prose: Prose, reference: Reference) -> Reading:
         sightings=tuple(sorted(seen)),
         cited=frozenset(text.count("\n", 0, found.start()) + 1 for found in _CITED.finditer(text)),
     )
+
+
+def _of_headings(
+    prose: Prose, messages: Mapping[str, WireMessage], mentions: Mapping[int, tuple[Mention, ...]]
+) -> Iterator[tuple[int, tuple[Mention, ...]]]:
+    """The headings that name a message by the end of its name, where the document names others of its family."""
+    named = [name.split("_") for name in {each.name for found in mentions.values() for each in found}]
+    families = {"_".join(words[:end]) for words in named for end in range(_FAMILY, len(words))}
+    for passage in prose.passages if families else ():
+        if passage.kind is PassageKind.HEADING and not mentions[id(passage)] and _END.fullmatch(passage.text.strip()):
+            end = passage.text.strip().upper().replace(" ", "_")
+            name = next((name for family in families if (name := f"{family}_{end}") in messages), None)
+            if name is not None:
+                yield id(passage), (Mention(name, 0, len(passage.text)),)
+
+
+_END = re.compile(r"[A-Za-z]+(?: [A-Za-z]+){0,3}")
+_FAMILY = 2
+"""Words that names of messages share at the beginning, to be of a family."""
 
 
 def _is_told_by_fields(message: WireMessage | None, text: str) -> bool:

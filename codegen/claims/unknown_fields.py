@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from codegen.claims.about import Surroundings, message_about
 from codegen.claims.known_names import SHORT, Names, near_fields, same_field
-from codegen.claims.membership import is_among_fields, owner_of
+from codegen.claims.membership import is_among_fields, is_joined_to_fields, owner_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside
 from codegen.claims.rules import NO_FIELD
@@ -23,7 +23,8 @@ _IS_ELSE = re.compile(
     r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
 )
 _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
-_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
+_FIELD = re.compile(r"\b(?:fields?|extensions?)\s+[`]?$", re.IGNORECASE)
+_INTO = re.compile(r"\b(?:in|into)\s+[`]?$", re.IGNORECASE)
 _QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
 _FILES = frozenset(
     [
@@ -68,7 +69,11 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
             continue
         is_word = _SNAKE.fullmatch(name) is None
         message = owner or message_about(reading, passage, around, low, high)
-        if message is None or message.field(name) or (is_word and owner is None and not _is_meant(name, message)):
+        if message is None or message.field(name):
+            continue
+        is_end = is_word and _INTO.search(passage.text, max(low - 12, 0), low) and _is_end(name, message)
+        is_listed = is_joined_to_fields(passage, low, high, message)
+        if is_word and owner is None and not (is_end or is_listed or _is_meant(name, message)):
             continue
         if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
             continue
@@ -77,7 +82,7 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
         if any(each in passage.text for each in same_field(name, message)) and owner is None:
             continue  # the other side of a mapping
-        is_listed = is_among_fields(passage, low, high, message)
+        is_listed = is_listed or bool(is_end) or is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield no_field(reading, passage.place_at(low), message, name)
 
@@ -85,6 +90,11 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
 def _is_meant(name: str, message: WireMessage) -> bool:
     """Return whether a plain word in a code span is another word for a field."""
     return name.isidentifier() and name.islower() and bool(same_field(name, message))
+
+
+def _is_end(name: str, message: WireMessage) -> bool:
+    """Return whether a word is the last one of the name of one field: `frame` of ``coordinate_frame``."""
+    return sum(field.name.endswith(f"_{name}") for field in message.fields) == 1
 
 
 def no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:
@@ -115,5 +125,6 @@ def members(reading: Reading, passages: Sequence[Passage], around: Surroundings,
         name = found["name"]
         is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
         is_like = len(name) > SHORT and near_fields(name, message)
-        if name not in names.fields and (is_begun or is_like):
+        is_odd = is_table and len(own) > 2 and 2 * len(own) > len(begun) and _SNAKE.fullmatch(name) is not None
+        if name not in names.fields and (is_begun or is_like or is_odd):
             yield no_field(reading, passage.place_at(found.start("name")), message, name)

@@ -21,6 +21,7 @@ from codegen.model.units.unit import Unit
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
 _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+_ORDER += ["thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"]
 NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
 _PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
 _LONG_UNIT = (
@@ -38,7 +39,8 @@ _TERM = re.compile(
       |->)(?P<member>[A-Za-z]\w{{0,60}})(?:\[\d{{0,3}}\])?(?![\w(]))
   | (?P<capitals>(?<![\w.-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])|(?<![\w.-])[A-Z][A-Z0-9]{{2,}}(?![\w-]))
   | (?P<array>\[\s?(?P<inner>{_SCALAR})\s?;\s?(?P<held>\d{{1,4}})\s?\])
-  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?P<sort>floats|doubles|u?int(?:8|16|32
+  | (?P<elements>(?<![\w.,-])(?P<some>\d{{1,4}}|{"|".join(_ORDER)})[ ](?:[x\u00d7][ ])?(?P<sort>floats|doubles
+      |(?:(?<=x[ ])|(?<=\u00d7[ ]))(?:float|double)|u?int(?:8|16|32
       |64)(?:_t)?s?|(?:un)?signed[ ]bytes))\b
   | (?P<spelled>(?<![\w.-])(?:(?P<sign>unsigned|signed)[ ,]+)?(?P<bits>8|16|32
       |64)[ -]?bits?\b(?:[ ](?P<after>unsigned|signed)\b)?(?:[ ](?P<kind>integers?|ints?|numbers?|words?
