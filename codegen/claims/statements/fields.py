@@ -25,6 +25,7 @@ _SUBJECT = re.compile(
 )
 
 
+_SENTENCE = re.compile(r"[.!?:] (?:the )?$")
 _FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
 _MEMBER = re.compile(r"[a-z_]\.$")
 """Before the name of a member of another thing, ``T_wb.q``."""
@@ -112,6 +113,9 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
         return True
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
+        return True
+    is_first = begins or _SENTENCE.search(text, max(found.start() - 8, 0), found.start()) is not None
+    if is_first and span.kind is PassageKind.TEXT and _SUBJECT.match(text, found.end()):
         return True
     is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (

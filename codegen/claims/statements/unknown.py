@@ -33,7 +33,7 @@ _IS = (
     r"|marker|value|sentinel)\b){0,12}"
 )
 _FORMS = (
-    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:[a-z]+ (?:is|are) )?{NOTHING}"),
+    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:(?:[a-z]+ ){{1,3}}(?:is|are) )?{NOTHING}"),
     re.compile(
         rf"{NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
         rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
