@@ -332,6 +332,12 @@ def _unfilled(chance: random.Random) -> Fact | None:
     return _with(words, known[1], chance.choice(["0", "-1", "9999"]))
 
 
+def _effect(chance: random.Random) -> Fact:
+    """A value of one of the first eight channels, which no other message describes so, and another one."""
+    message = reference().dialect.messages["RC_CHANNELS_OVERRIDE"]
+    return _with({**_named(message), "c": str(chance.randrange(1, 9))}, 0, chance.choice([65535, 65534]))
+
+
 _EXTENSIONS = (
     (
         "an extension",
@@ -541,6 +547,7 @@ MAKERS: Mapping[str, Maker] = {
     "crc": _crc,
     "sentinel": _sentinel,
     "unfilled": _unfilled,
+    "effect": _effect,
     "extension": _extension,
     "offset": _offset,
     "order": _order,
