@@ -12,19 +12,19 @@ FOUND = {
     "seen-3": 86,
     "seen-4": 49,
     "seen-5": 93,
-    "seen-6": 64,
-    "seen-7": 63,
+    "seen-6": 66,
+    "seen-7": 65,
     "seen-8": 35,
-    "seen-9": 51,
-    "seen-10": 42,
-    "seen-11": 45,
-    "seen-12": 29,
-    "seen-13": 40,
-    "seen-14": 45,
-    "seen-15": 43,
-    "seen-16": 30,
+    "seen-9": 53,
+    "seen-10": 44,
+    "seen-11": 47,
+    "seen-12": 30,
+    "seen-13": 43,
+    "seen-14": 46,
+    "seen-15": 50,
+    "seen-16": 48,
 }
-WRONG = {"seen-6": 1, "seen-7": 5, "seen-12": 6, "seen-13": 2, "seen-14": 1, "seen-15": 1}
+WRONG = {"seen-6": 1, "seen-7": 4, "seen-12": 5, "seen-13": 2, "seen-14": 1, "seen-15": 1}
 SURE = {
     "seen-1": 36,
     "seen-2": 122,
@@ -32,7 +32,7 @@ SURE = {
     "seen-4": 33,
     "seen-5": 59,
     "seen-6": 40,
-    "seen-7": 34,
+    "seen-7": 35,
     "seen-8": 21,
     "seen-9": 20,
     "seen-10": 17,
@@ -41,7 +41,7 @@ SURE = {
     "seen-13": 23,
     "seen-14": 18,
     "seen-15": 24,
-    "seen-16": 21,
+    "seen-16": 23,
 }
 
 
