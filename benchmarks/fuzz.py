@@ -18,10 +18,14 @@ import warnings
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import quality_results
 from fuzzing.children import EACH, in_children
 from results import ROOT
+
+if TYPE_CHECKING:
+    from fuzzing.case import Case
 
 FAILED = ROOT / "build" / "fuzz"
 MEMORY = 4 << 30
@@ -70,9 +74,8 @@ def _again(arguments: argparse.Namespace, folder: Path) -> int:
 
 
 def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
-    from fuzzing.case import Case, drawn, store  # noqa: PLC0415  as above
+    from fuzzing.case import drawn, store  # noqa: PLC0415  as above
     from fuzzing.judge import Outcome, judged  # noqa: PLC0415
-    from fuzzing.samples import samples  # noqa: PLC0415
 
     from codegen.cli import main as codegen  # noqa: PLC0415
 
@@ -97,12 +100,8 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
     started = time.monotonic()
     codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
     slowest, seconds = (0.0, ""), 0.0
-    # What right inputs need is imported and kept once, for all children, which write no bytecode then.
-    right = {each.name: each.files for each in samples()}
-    project = right["minimal" if arguments.small else "rover"]
-    for command in (("build",), ("trace",), ("explain", "HEARTBEAT"), ("diff", "../before", ".")):
-        judge(Case("right", "project file", command, project, before=project))
-    judge(Case("right", "dialect alone", ("codec", "--dialect", "minimal.xml", "--out", "x"), right["dialect minimal"]))
+    for case in _right(is_small=arguments.small):
+        judge(case)
     sys.dont_write_bytecode = True
     for number, found in in_children(lambda number: judge(draw(number)), batches(), arguments.jobs):
         case = draw(number)
@@ -124,6 +123,19 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
         numbers = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
         quality_results.store("fuzz", str(arguments.seed), {**numbers, "kinds": dict(sorted(kinds.items()))})
     return 1 if failed else 0
+
+
+def _right(*, is_small: bool) -> Iterator["Case"]:
+    """Yield inputs without faults: what they need is imported and kept once, for all children, bytecode included."""
+    from fuzzing.case import Case  # noqa: PLC0415  as above
+    from fuzzing.samples import samples  # noqa: PLC0415
+
+    files = {each.name: each.files for each in samples()}
+    project = files["minimal" if is_small else "rover"]
+    for command in (("build",), ("trace",), ("explain", "HEARTBEAT"), ("diff", "../before", ".")):
+        yield Case("right", "project file", command, project, before=project)
+    codec = ("codec", "--dialect", "minimal.xml", "--messages", "all", "--out", "made")
+    yield Case("right", "dialect alone", codec, files["dialect minimal"])
 
 
 if __name__ == "__main__":
