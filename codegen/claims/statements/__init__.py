@@ -17,7 +17,6 @@ from codegen.claims.statements import (
     absent,
     amounts,
     commands,
-    effects,
     entries,
     epochs,
     facts,
@@ -28,16 +27,14 @@ from codegen.claims.statements import (
     nouns,
     order,
     placed,
-    read_out,
-    short_names,
     sizes,
-    steps,
     tables,
     types,
-    unfilled,
     units,
     unknown,
 )
+from codegen.claims.statements.scaling import read_out, steps
+from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
