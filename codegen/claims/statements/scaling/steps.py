@@ -1,4 +1,4 @@
-"""What one step of a field's number is said to be: "one count is 0.01 degC", "in units of 0.1 A", "2 deg per bit"."""
+"""Steps of a field's numbers, as they are told: "one count is 0.01 degC", "in units of 0.1 A", "2 deg per bit"."""
 
 import re
 from collections.abc import Iterator

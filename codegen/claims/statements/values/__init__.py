@@ -1,1 +1,1 @@
-"""What single values of fields mean: of elements that nothing fills, of numbered fields, of entries by short names."""
+"""Meanings of single values of fields: of elements that nothing fills, of numbered fields, of entries by short names."""

@@ -1,4 +1,4 @@
-"""What a value of numbered fields does: "0 releases channels 1 to 8", "to give back channel 12 send 0".
+"""Effects of values of numbered fields: "0 releases channels 1 to 8", "to give back channel 12 send 0".
 
 The descriptions of such fields say so: "A value of 0 means to release this channel". A document tells the same of
 several fields at once, by their numbers.
