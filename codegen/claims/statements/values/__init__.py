@@ -1,1 +1,1 @@
-"""Meanings of single values of fields: of elements that nothing fills, of numbered fields, of entries by short names."""
+"""Meanings of single values of fields: of elements that nothing fills, numbered fields, entries by short names."""
