@@ -1,9 +1,7 @@
 """Documents in memory, compared with the dialect that pymavlink ships."""
 
-import sys
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -14,7 +12,6 @@ from codegen.commands.documents import with_other_dialects
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.files import DISK
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))  # whose program scores the corpus
 PATH = "/documents/notes.md"
 
 Check = Callable[[str], list[Diagnostic]]
