@@ -1,5 +1,5 @@
 # ruff: noqa: T201  it says what it finds
-"""Gives codegen inputs with faults, thousands of them, in this process, and judges what it does with each.
+"""Gives codegen inputs with faults, thousands of them, and judges what it does with each, in children of this process.
 
 `make fuzz` draws them by lot: the same seed draws the same from the same sources. No input may end in anything but the
 exit codes 0, 1 and 2; findings have places in the project; nothing outside of it is read, quoted or written, and
@@ -16,16 +16,23 @@ import tempfile
 import time
 import warnings
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import quality_results
+from fuzzing.children import EACH, in_children
 from results import ROOT
+
+if TYPE_CHECKING:
+    from fuzzing.case import Case
+    from fuzzing.judge import Outcome
 
 FAILED = ROOT / "build" / "fuzz"
 MEMORY = 4 << 30
-"""Bytes that the process may have."""
+"""Bytes that a process may have."""
 HANGS_S = 300
-"""Seconds after which an input in which no Python runs any more ends the process."""
+"""Seconds after which an input in which no Python runs any more ends its process."""
 
 
 def main() -> int:
@@ -35,6 +42,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=10_000, help="inputs")
     parser.add_argument("--first", type=int, default=0, help="the number of the first")
     parser.add_argument("--minutes", type=float, default=90, help="after which no further input is drawn")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="inputs that are judged at a time")
     parser.add_argument("--seconds", type=float, default=10, help="of the processor, for one input")
     parser.add_argument("--small", action="store_true", help="only of small projects")
     parser.add_argument("--out", type=Path, default=FAILED, help="the folder for inputs that fail")
@@ -67,23 +75,12 @@ def _again(arguments: argparse.Namespace, folder: Path) -> int:
 
 
 def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
-    from fuzzing.case import drawn, store  # noqa: PLC0415  as above
-    from fuzzing.judge import judged  # noqa: PLC0415
-
-    from codegen.cli import main as codegen  # noqa: PLC0415
+    from fuzzing.case import store  # noqa: PLC0415  as above
 
     codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
     slowest, seconds = (0.0, ""), 0.0
     started = time.monotonic()
-    count = 0
-    for number in range(arguments.first, arguments.first + arguments.count):
-        if time.monotonic() - started > 60 * arguments.minutes:
-            print(f"{arguments.minutes:g} minutes are over")
-            break
-        case = drawn(arguments.seed, number, is_small=arguments.small)
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
-        outcome = judged(case, folder, codegen, arguments.seconds)
-        count += 1
+    for case, outcome in _judged(arguments, folder):
         codes[outcome.code] += 1
         kinds[case.kind] += 1
         slowest = max(slowest, (outcome.seconds, case.name))
@@ -94,16 +91,62 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
             if not target.exists():
                 store(case, target)
             print(f"{case.name} ({case.kind}, codegen {' '.join(case.command)}): {outcome.faults[0]}", flush=True)
-    faulthandler.cancel_dump_traceback_later()
     told = ", ".join(f"{number} with {code}" for code, number in sorted(codes.items()))
-    print(f"seed {arguments.seed}: {count} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
-    print(
-        f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {sum(failed.values())} have faults"
-    )
+    print(f"seed {arguments.seed}: {codes.total()} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
+    print(f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {failed.total()} have faults")
     if arguments.store:
-        found = {"inputs": count, "codes": dict(sorted(codes.items())), "faults": sum(failed.values())}
+        found = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
         quality_results.store("fuzz", str(arguments.seed), {**found, "kinds": dict(sorted(kinds.items()))})
     return 1 if failed else 0
+
+
+def _judged(arguments: argparse.Namespace, folder: Path) -> Iterator[tuple["Case", "Outcome"]]:
+    """Yield each input that is drawn, and what became of it."""
+    from fuzzing.case import drawn  # noqa: PLC0415  as above
+    from fuzzing.judge import Outcome, judged  # noqa: PLC0415
+
+    from codegen.cli import main as codegen  # noqa: PLC0415
+
+    def draw(number: int) -> "Case":
+        return drawn(arguments.seed, number, is_small=arguments.small)
+
+    def judge(case: "Case") -> Outcome:
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        with tempfile.TemporaryDirectory(dir=folder) as own:
+            outcome = judged(case, Path(own), codegen, arguments.seconds)
+        faulthandler.cancel_dump_traceback_later()
+        return outcome
+
+    for right in _right(is_small=arguments.small):
+        judge(right)
+    sys.dont_write_bytecode = True
+    ended = Outcome(-1, 0.0, ("its process ended",), "")
+    for number, outcome in in_children(lambda number: judge(draw(number)), _batches(arguments), arguments.jobs):
+        yield draw(number), outcome or ended
+
+
+def _batches(arguments: argparse.Namespace) -> Iterator[range]:
+    """Yield the numbers of inputs for one child after the other, until the time is over."""
+    started = time.monotonic()
+    last = arguments.first + arguments.count
+    for first in range(arguments.first, last, EACH):
+        if time.monotonic() - started > 60 * arguments.minutes:
+            print(f"{arguments.minutes:g} minutes are over")
+            return
+        yield range(first, min(first + EACH, last))
+
+
+def _right(*, is_small: bool) -> Iterator["Case"]:
+    """Yield inputs without faults: what they need is imported and kept once, for all children, bytecode included."""
+    from fuzzing.case import Case  # noqa: PLC0415  as above
+    from fuzzing.samples import samples  # noqa: PLC0415
+
+    files = {each.name: each.files for each in samples()}
+    project = files["minimal" if is_small else "rover"]
+    for command in (("build",), ("trace",), ("explain", "HEARTBEAT"), ("diff", "../before", ".")):
+        yield Case("right", "project file", command, project, before=project)
+    codec = ("codec", "--dialect", "minimal.xml", "--messages", "all", "--out", "made")
+    yield Case("right", "dialect alone", codec, files["dialect minimal"])
 
 
 if __name__ == "__main__":
