@@ -147,6 +147,27 @@ WHAT_IS_CERTAIN = [
     ),
     ("Message 31 is ATTITUDE.", "ATTITUDE has the id 30, not 31"),
     ("ATTITUDE has the id 31.", "ATTITUDE has the id 30, not 31"),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type,unit\neph,uint32_t,\nlat,int32_t,degE7\nfoo,x,y\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield;type;unit\neph;uint32_t;\nlat;int32_t;degE7\nlon;int32_t;degE7\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield;type;unit\neph;uint32_t;\nlat;int32_t;degE5\nlon;int32_t;degE7\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+        "GPS_RAW_INT.lat is in degE7, not degE5",
+    ),
+    (
+        "HEARTBEAT, SYS_STATUS, ATTITUDE, GPS_RAW_INT, STATUSTEXT and PARAM_VALUE are read.\n\n## VFR_HUD\n\nThe climb is in feet.",
+        "VFR_HUD.climb is in m/s, not feet",
+    ),
+    (
+        "HEARTBEAT, SYS_STATUS, ATTITUDE, GPS_RAW_INT, STATUSTEXT and PARAM_VALUE are read.\n\n## VFR_HUD\n\nThe climb of VFR_HUD is in feet.",
+        "VFR_HUD.climb is in m/s, not feet",
+    ),
     ("## ATTITUDE\n\n```c\nCRC_EXTRA = 3\n```", "ATTITUDE has the CRC_EXTRA 39, not 3"),
     ("HEARTBEAT:\n\n```\nid = 3\n```", "HEARTBEAT has the id 0, not 3"),
 ]
@@ -280,6 +301,36 @@ WHAT_IS_LIKELY = [
     ("HEARTBEAT.armed is set.", "HEARTBEAT has no field armed"),
     ("GPS_RAW is sent.", "there is no message GPS_RAW"),
     ("HEARTBEAT carries `roll`.", "HEARTBEAT has no field roll"),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type,unit\neph,uint32_t,\nlat,int32_t,degE7\nfoo,x,y\nbar,x,y\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type,unit\neph,uint32_t,\nlat,int32_t,degE7\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type,unit\neph,uint32_t,\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type\neph,uint32_t\nlat,int32_t\nlon,int32_t\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    (
+        "What GPS_RAW_INT sends:\n\n```\nfield,type,unit\neph,uint32_t\nlat,int32_t,degE7\nlon,int32_t,degE7\n```",
+        "GPS_RAW_INT.eph is uint16_t, not uint32_t",
+    ),
+    ("## VFR_HUD\n\nThe climb is in feet.", "VFR_HUD.climb is in m/s, not feet"),
+    ("## STATUSTEXT\n\nTexts have up to 60 characters.", "STATUSTEXT.text has 50 elements, not 60"),
+    (
+        "HEARTBEAT, SYS_STATUS, ATTITUDE, GPS_RAW_INT and PARAM_VALUE are read.\n\n## STATUSTEXT\n\nTexts have up to 60 characters.",
+        "STATUSTEXT.text has 50 elements, not 60",
+    ),
+    (
+        "HEARTBEAT, SYS_STATUS, ATTITUDE, GPS_RAW_INT and PARAM_VALUE are read.\n\n## VFR_HUD\n\nThe climb is in feet.",
+        "VFR_HUD.climb is in m/s, not feet",
+    ),
 ]
 WHAT_MAY_BE_RIGHT = [
     "`cog` of GPS_RAW_INT ends at 65535.",
@@ -396,6 +447,12 @@ WHAT_MAY_BE_RIGHT = [
     "Message 30 is ATTITUDE.",
     "ATTITUDE has the id 30.",
     "The ids of ATTITUDE and VFR_HUD are 30 and 74.",
+    "## VFR_HUD\n\nThe airspeed is in m/s.",
+    "## STATUSTEXT\n\nTexts have up to 50 characters.",
+    "## STATUSTEXT\n\nTexts have up to 49 characters.",
+    "HEARTBEAT, SYS_STATUS, ATTITUDE, GPS_RAW_INT, VFR_HUD and PARAM_VALUE are read.\n\n## STATUSTEXT\n\nTexts have up to 60 characters.",
+    "## STATUSTEXT\n\nThe text has not more than 60 characters.",
+    "| Message | ID |\n|---|---|",
 ]
 
 
