@@ -129,7 +129,7 @@ def is_told(finding: Diagnostic, faults: Iterable[Fault]) -> bool:
 
 
 _MARKS = {"=": "is", " < ": "comes before"}
-"""How findings word what labels write with signs: ``ENTRY=3``, ``roll < pitch``."""
+"""The words of findings for what labels write with signs: ``ENTRY=3``, ``roll < pitch``."""
 
 
 def documents(folder: str) -> Iterator[tuple[Path, list[Fault]]]:
