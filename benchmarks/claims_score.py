@@ -9,6 +9,7 @@ A folder is one of tests/claims/corpus. The README of the corpus says how it is 
 """
 
 import argparse
+import re
 import sys
 from collections.abc import Iterable, Iterator, Sized
 from dataclasses import dataclass
@@ -36,7 +37,7 @@ Fault = dict[str, Any]
 class Score:
     """The score of some documents: findings that are right, those that are wrong, faults found and all faults.
 
-    ``surely_found`` are the faults that certain findings find.
+    ``surely_found`` are the faults that certain findings find, ``told`` the right findings that say what is right.
     """
 
     right: int
@@ -46,6 +47,7 @@ class Score:
     sure: int
     sure_and_right: int
     surely_found: int
+    told: int
 
     @property
     def precision(self) -> float:
@@ -69,11 +71,11 @@ class Score:
         )
 
 
-def findings_of(path: Path) -> list[Diagnostic]:
+def findings_of(path: Path) -> tuple[Diagnostic, ...]:
     """Return what `codegen check` finds in a document, compared with the dialect."""
     report = Report()
     check_documents([str(path)], reference(), report)
-    return [*report]
+    return tuple(report)
 
 
 @cache
@@ -115,6 +117,21 @@ def judged(
     return right, wrong, found
 
 
+def is_told(finding: Diagnostic, faults: Iterable[Fault]) -> bool:
+    """Return whether a finding says what the dialect has in place of one of the faults that it is about."""
+    said = f"{finding.message} {finding.hint or ''}"
+    for fault in faults:
+        first, mark, second = re.fullmatch(r"(.*?)(?:( < |=)(.*))?", str(fault["dialect"])).groups()  # type: ignore[union-attr]
+        words = f"{first} {_MARKS[mark]} {second}" if mark else first
+        if is_about(finding, fault) and re.search(rf"(?<![\w.]){re.escape(words)}(?:_t)?(?!\w)", said):
+            return True
+    return False
+
+
+_MARKS = {"=": "is", " < ": "comes before"}
+"""The words of findings for what labels write with signs: ``ENTRY=3``, ``roll < pitch``."""
+
+
 def documents(folder: str) -> Iterator[tuple[Path, list[Fault]]]:
     """Yield each document of a folder with its faults."""
     for entry in yaml.safe_load((CORPUS / folder / "labels.yaml").read_text()):
@@ -123,7 +140,7 @@ def documents(folder: str) -> Iterator[tuple[Path, list[Fault]]]:
 
 def score(folders: Iterable[str], *, lists: bool = False) -> Score:
     """Return what came of all documents of some folders; `lists` prints what is not as it should be."""
-    total = [0] * 7
+    total = [0] * 8
     for folder in folders:
         for path, faults in documents(folder):
             right, wrong, found = judged(findings_of(path), faults)
@@ -136,6 +153,7 @@ def score(folders: Iterable[str], *, lists: bool = False) -> Score:
                 certain,
                 [finding for finding in right if finding.is_error],
                 judged(certain, faults)[2],
+                [finding for finding in right if is_told(finding, faults)],
             )
             total = [a + b for a, b in zip(total, map(len, parts), strict=True)]
             for finding in wrong if lists else ():

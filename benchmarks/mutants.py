@@ -59,7 +59,8 @@ class Mutant:
 def mutants_of(file: str, text: str) -> list[Mutant]:
     """All of a module, in the order of its text; none in annotations, decorators, defaults of types, or docstrings.
 
-    Neither are what only type checkers see, and whether ``zip`` checks lengths that are the same.
+    Neither are what only type checkers see, and whether ``zip`` checks lengths that are the same. A function that says
+    ``-> bool`` does not return None in place of False: type checkers see that, and who asks ``if`` does not.
     """
     maker = _Maker(file, text)
     maker.visit(ast.parse(text))
@@ -72,6 +73,7 @@ class _Maker(ast.NodeVisitor):
         self._file = file
         self._text = text
         self._lines = text.splitlines(keepends=True)
+        self._is_predicate = False
         self._starts = [0]
         for line in self._lines:
             self._starts.append(self._starts[-1] + len(line))
@@ -135,7 +137,9 @@ class _Maker(ast.NodeVisitor):
             self._put(*self._span(node), str(node.value + 1))
 
     def visit_Return(self, node: ast.Return) -> None:
-        if node.value is not None and not (isinstance(node.value, ast.Constant) and node.value.value is None):
+        value = node.value.value if isinstance(node.value, ast.Constant) else node.value
+        if value is not None and not (value is False and self._is_predicate):
+            assert node.value is not None
             self._put(*self._span(node.value), "None")
         self.generic_visit(node)
 
@@ -171,5 +175,7 @@ class _Maker(ast.NodeVisitor):
             self.visit(each)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        outer, self._is_predicate = self._is_predicate, isinstance(node.returns, ast.Name) and node.returns.id == "bool"
         for each in [*node.args.defaults, *filter(None, node.args.kw_defaults), *node.body]:
             self.visit(each)
+        self._is_predicate = outer

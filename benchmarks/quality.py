@@ -163,7 +163,7 @@ suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with th
 `make generator-mutation` puts faults of the same kinds into folders of `codegen/`, and runs the tests that reach the
 line for a minute or two, first those that reach what few others do. What fails has to pass without the fault. Faults
 without effect are listed in `benchmarks/equivalents.yaml`, too, and left out. Tests were written for what the run with
-seed 1 had not noticed; other seeds are as they were drawn.
+seed 1 had not noticed; other seeds are as they were drawn, and tests for what they left were written after that.
 
 {generator}
 

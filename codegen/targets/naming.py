@@ -2,7 +2,6 @@
 
 import json
 import keyword
-import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -98,10 +97,3 @@ def quoted(text: str) -> str:
 def prose(text: str) -> str:
     """Text of a table for a comment or a docstring: one line, without what would end or change it there."""
     return " ".join(text.split()).replace("\\", "/").replace('"', "'")
-
-
-def number(value: int | float | str) -> str:
-    """A number as a literal of the generated Python."""
-    if isinstance(value, float) and math.isnan(value):
-        return "NAN"
-    return str(value)

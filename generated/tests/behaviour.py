@@ -595,6 +595,38 @@ def battery_current_is_summed_exactly():
     single_readings.is_summed_exactly(BATTERY_CURRENT, reading_of)
 
 
+FIRST = (  # component, attribute, and what it has at the start, but for those that parameters switch on
+    ("battery", "voltage_mv", None),
+    ("battery", "current_ma", None),
+    ("battery", "consumed_mah", None),
+    ("battery", "energy_hj", None),
+    ("battery", "remaining_pct", None),
+    ("battery", "left_mah", None),
+    ("battery", "time_left_s", None),
+    ("battery", "counted_from_full", 0),
+    ("battery", "temperature_cdegc", None),
+    ("battery", "trend_mv_s", None),
+    ("battery", "health_number", 2),
+    ("battery", "failsafe_number", 0),
+    ("battery", "swaps_number", 0),
+    ("battery", "protected", 0),
+    ("battery", "lowest_cell_mv", None),
+    ("battery", "highest_cell_mv", None),
+    ("vehicle", "armed", 0),
+    ("vehicle", "ready", 0),
+    ("vehicle", "mode_number", 0),
+    ("vehicle", "status", 3),
+    ("vehicle", "load_dpct", 0),
+)
+
+
+def everything_starts_as_specified():
+    state = SystemState(log=Log())
+    for name, attribute, initial in FIRST:
+        found = getattr(getattr(state, name), attribute)
+        assert found == initial, (name, attribute, found)
+
+
 def every_value_allocates_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
@@ -1026,6 +1058,7 @@ CHECKS = (
     ("FR-00068.2", extra1_stream_keeps_its_rate),
     ("FR-00072", extra3_stream_keeps_its_rate),
     ("FR-00076.6", info_stream_keeps_its_rate),
+    ("", everything_starts_as_specified),
     ("", every_value_allocates_nothing),
     ("", what_is_limited_is_counted_and_told_once),
     ("", all_that_is_limited_is_told),

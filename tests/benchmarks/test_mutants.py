@@ -43,3 +43,19 @@ def test_a_fault_changes_one_place(mutant: Mutant) -> None:
     assert text[: mutant.start] == TEXT[: mutant.start]
     assert text[mutant.start + len(mutant.new) :] == TEXT[mutant.end :]
     assert TEXT.splitlines()[mutant.line - 1].strip() in mutant.shown(TEXT)
+
+
+def test_none_in_place_of_false_is_a_fault_only_where_it_can_be_told() -> None:
+    """Who asks ``if`` cannot tell them apart; a number is another thing."""
+
+    def returned(result: str, value: str) -> set[str]:
+        text = f"def f(){result}:\n    return {value}\n"
+        return {mutant.new for mutant in mutants_of("a.py", text)}
+
+    assert returned(" -> bool", "False") == {"True"}
+    assert returned(" -> bool", "True") == {"False", "None"}
+    assert returned("", "False") == returned(" -> bool | None", "False") == {"True", "None"}
+    assert returned(" -> int", "0") == returned(" -> bool", "0") == {"1", "None"}
+    assert returned("", "None") == set()
+    inner = "def f() -> bool:\n    def g():\n        return False\n    return False\n"
+    assert sum(mutant.new == "None" for mutant in mutants_of("a.py", inner)) == 1

@@ -207,3 +207,16 @@ def test_the_way_of_cells_tells_of_the_pack_and_of_single_cells(shipped: list[Pr
     assert way.xpath(".//li/@class") == ["sensor", "conversion", "state", "instead", "limits", "unknown", "wire"]
     for part in ("each of battery.cells", "no more than 14", "above 65534 spills", "65535, the dialect's [UINT16_MAX]"):
         assert part in way.text_content(), part
+
+
+def test_each_byte_stands_in_the_middle_of_its_cell(shipped: list[Program]) -> None:
+    """Cells are 30 wide, and lie side by side in each row; what is only in a signed frame has no bytes yet."""
+    for program in shipped:
+        for message, _, drawn in shown(program):
+            for block in drawn.xpath(".//svg"):
+                middles = [float(x) for x in block.xpath(".//text[@class='hex']/@x")]
+                assert middles in ([], [16 + 30 * at for at in range(len(middles))]), message.name
+                cells = [(float(each.get("x")), float(each.get("width"))) for each in block.xpath(".//g/rect[1]")]
+                ends = [1.0, *(x + width for x, width in cells)]
+                assert [x for x, _ in cells] == ends[:-1], message.name
+                assert not middles or ends[-1] == 1 + 30 * len(middles), message.name

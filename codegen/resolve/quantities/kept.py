@@ -243,7 +243,8 @@ def _initial(
 
 
 def _initial_text(around: Surroundings, written: str | bool | Fraction) -> str | None:
-    length = around.spec.text or 0
+    length = around.spec.text
+    assert length is not None
     if not isinstance(written, str):
         around.bad("initial", f"initial of {around.name} is not a text", hint=f"initial: '{_as_written(written)}'")
         return None

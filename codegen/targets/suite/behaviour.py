@@ -70,6 +70,7 @@ def behaviour_checks(
     checks += [
         BehaviourCheck(message.criterion, f"{message.identifier}_is_withheld_while_unknown") for message in withheld
     ]
+    checks.append(BehaviourCheck("", "everything_starts_as_specified"))
     checks.append(BehaviourCheck("", "every_value_allocates_nothing"))
     if any(quantity.beyond for component in components for quantity in component.quantities):
         checks.append(BehaviourCheck("", "what_is_limited_is_counted_and_told_once"))

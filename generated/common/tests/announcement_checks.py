@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 902327b4cdcf95b1
+# Inputs: a2405f3d79e844b2
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -129,7 +129,7 @@ def told_again_after_a_silence():
 
 
 def told_again_while_another_stays():
-    """Who is silent for long is new again, who went on in the meantime is not, in whatever order they came."""
+    """A component that was silent is new again; one that went on meanwhile is not, in whatever order they came."""
     for first in (0, 1):
         port = Port()
         craft = _craft(ports=[port])

@@ -395,6 +395,31 @@ def battery_steady_cycle_allocates_nothing():
     assert len(log.lines) <= 1, log.lines
 
 
+FIRST = (  # component, attribute, and what it has at the start, but for those that parameters switch on
+    ("battery", "voltage_mv", None),
+    ("battery", "current_ma", None),
+    ("battery", "consumed_mah", None),
+    ("battery", "energy_hj", None),
+    ("battery", "remaining_pct", None),
+    ("battery", "left_mah", None),
+    ("battery", "time_left_s", None),
+    ("battery", "counted_from_full", 0),
+    ("battery", "temperature_cdegc", None),
+    ("battery", "swaps_number", 0),
+    ("battery", "used_up", 0),
+    ("battery", "protected", 0),
+    ("battery", "lowest_cell_mv", None),
+    ("battery", "highest_cell_mv", None),
+)
+
+
+def everything_starts_as_specified():
+    state = SystemState(log=Log())
+    for name, attribute, initial in FIRST:
+        found = getattr(getattr(state, name), attribute)
+        assert found == initial, (name, attribute, found)
+
+
 def every_value_allocates_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
@@ -719,6 +744,7 @@ CHECKS = (
     ("FR-00074.3", extra1_stream_keeps_its_rate),
     ("FR-00074.3", extra3_stream_keeps_its_rate),
     ("FR-00074.4", info_stream_keeps_its_rate),
+    ("", everything_starts_as_specified),
     ("", every_value_allocates_nothing),
     ("", what_is_limited_is_counted_and_told_once),
     ("", all_that_is_limited_is_told),

@@ -127,7 +127,7 @@ def told_again_after_a_silence():
 
 
 def told_again_while_another_stays():
-    """Who is silent for long is new again, who went on in the meantime is not, in whatever order they came."""
+    """A component that was silent is new again; one that went on meanwhile is not, in whatever order they came."""
     for first in (0, 1):
         port = Port()
         craft = _craft(ports=[port])

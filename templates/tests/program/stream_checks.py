@@ -344,7 +344,7 @@ def _follows_requests(data_stream, streams):
 
 
 def an_interval_of_zero_is_the_streams_own():
-    """What SET_MESSAGE_INTERVAL calls the default is what holds without requests, though one came before it."""
+    """The default of SET_MESSAGE_INTERVAL is the rate without requests, though one came before it."""
     streams = [stream for stream in _by_parameter() if stream["data_stream"] is not None and stream["default"]]
     needs(streams, "a number of a stream")
     craft, (station, _) = _two_links()

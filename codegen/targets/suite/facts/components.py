@@ -27,6 +27,7 @@ class QuantityFacts:
     values as literals, of a list for all of it, and ``tried`` many of one value; ``is_unknown`` is how to compare it
     with none, as an end of an expression.
     ``row`` is a literal with some for the elements of a list of what more than a word holds, or nothing.
+    ``initial`` is what it has at the start, as a literal; of a list that of each value.
     ``within`` and ``beyond`` are literals of what code can set without a word, and of what is limited and told as
     ``called``.
     """
@@ -40,6 +41,7 @@ class QuantityFacts:
     is_unknown: str
     elements: int | None
     row: str
+    initial: str
     numerator: int
     denominator: int
     citation: str
@@ -212,6 +214,7 @@ def _quantity(quantity: Quantity, told: Reach) -> QuantityFacts:
         is_unknown=f"== {_alike(quantity, 'None')}" if quantity.elements else "is None",
         elements=quantity.elements[0] if quantity.elements else None,
         row=_row(quantity),
+        initial=literal_of(quantity.initial),
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation or ""),
