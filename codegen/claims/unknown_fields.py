@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside
 from codegen.claims.rules import NO_FIELD
 from codegen.diagnostics import Diagnostic, did_you_mean
-from codegen.load.prose import Passage
+from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
@@ -77,9 +77,17 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
         if any(each in passage.text for each in same_field(name, message)) and owner is None:
             continue  # the other side of a mapping
+        if passage.kind is PassageKind.ROW and owner is None and _is_mapped(passage.text, name, low, high, message):
+            continue
         is_listed = is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield no_field(reading, passage.place_at(low), message, name)
+
+
+def _is_mapped(row: str, name: str, low: int, high: int, message: WireMessage) -> bool:
+    """Return whether a row names the field elsewhere that a name is like: what somebody calls it."""
+    rest = f"{row[:low]}|{row[high:]}"
+    return any(re.search(rf"\b{re.escape(each)}\b", rest) is not None for each in near_fields(name, message))
 
 
 def _is_meant(name: str, message: WireMessage) -> bool:

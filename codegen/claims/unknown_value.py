@@ -1,6 +1,7 @@
 """The values that stand for unknown in a field: by the dialect's attribute, or else by the words of its description."""
 
 import re
+from functools import cache
 
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import named_number
@@ -43,6 +44,15 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
         if value is not None:
             return [value], written
     return None
+
+
+_STATE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|failed|not available)\b")
+
+
+@cache
+def described_unknowns(field: WireField) -> tuple[int, ...]:
+    """Return the values of a field that its description calls unknown or failed besides: "-1 = failed, 0 = unset"."""
+    return tuple(int(found["value"]) for found in _STATE.finditer(field.definition.description))
 
 
 _NEGATIVE = re.compile(

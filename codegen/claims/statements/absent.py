@@ -53,7 +53,7 @@ _USED = re.compile(
 )
 _NO_VALUE = re.compile(
     r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
-    r"|[a-z]+s (?:of|are|in)\b|\])"
+    r"|[a-z]+s (?:of|are|in)\b|\]|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores|antennas|receivers)\b)"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")

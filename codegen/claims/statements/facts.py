@@ -91,11 +91,24 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
+        if _IT.match(gap):  # which of several names "it" is, only the sense tells
+            names = [at for at, _ in span.sentence.within(span.bounds(found.start())[0], found.end(), "FP")]
+            if any(_is_so(reading, span, at, kind[0]) for at in names[:-1]):
+                continue
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
         is_extension = "extension" in kind[0] and not kind[0].startswith("no")
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
         far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
+
+
+_IT = re.compile(r"[.;!] it\b")
+
+
+def _is_so(reading: Reading, span: Span, offset: int, kind: str) -> bool:
+    """Return whether a field is an extension, where that is said, or a base field."""
+    one = about(reading, span, offset)
+    return one is not None and one.field.definition.is_extension == kind.startswith("ext")
 
 
 _THESE = re.compile(
@@ -130,6 +143,10 @@ def _kinds(
             )
 
 
+_AND_THE = re.compile(r"\band (?:then )?(?:the|its|all) [a-z]")
+"""Another thing whose place follows: "`count` (1), and the data from byte 7"."""
+
+
 def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = _OFFSET.search(text, said.end, said.until) or _AT.search(text, said.end, said.until)
@@ -137,6 +154,7 @@ def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         found is None
         or len(said.names) > 1
         or _NOT.search(text[said.end : found.start()])
+        or _AND_THE.search(text, said.end, found.start())
         or found.start() - said.end > 90
     ):
         return

@@ -29,6 +29,12 @@ _NOT = re.compile(
     r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
     r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
+_OF_ELSE = re.compile(
+    r"\b(?:bus|can|gateway|controllers?|adapter|bridge|receivers?|module|protocol|autopilots?|vendors?|sentences?|register|frames?"
+    r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?|uses?|has|have"
+    r"|counts?|speaks?|keeps?|prints?|carr(?:y|ies)|comes?)\b"
+)
+"""Another thing that the sentence is about, and what that does."""
 _IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
     "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
@@ -61,7 +67,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _IN.finditer(span.text):
         low, high = span.bounds(found.start())
-        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()]:
+        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()] or _OF_ELSE.search(span.text, low, high):
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
         words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE]

@@ -26,6 +26,7 @@ from codegen.claims.statements.columns.scaled import factor_beside
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
 from codegen.claims.statements.scaling.factors import factors, turns
 from codegen.claims.statements.scaling.field_units import has_unit, shown_units
+from codegen.claims.statements.scaling.keyed_factors import is_after_factor, keyed_factors
 from codegen.claims.statements.scaling.own_units import is_told_behind
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
@@ -50,7 +51,7 @@ _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
     COMPARED[:2],
     SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b",
-    r"\blimited\b", r"\bstep\b",
+    r"\blimited\b", r"\bstep\b", r"\bhelps?\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^), the \w",
@@ -69,7 +70,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every unit and every factor of a part."""
     for said in said_of_fields(span):
         yield from _compared(reading, said)
-        found = list(factors(reading, said))
+        found = [*keyed_factors(reading, said)] or list(factors(reading, said))
         yield from found or _unit(reading, said)
     yield from _steps(reading, span)
 
@@ -145,6 +146,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             or not _IS_SHORT.match(behind)
             or len(gap) > _GAP_LONG
             or _is_own(span, offset)
+            or is_after_factor(said, offset)
         ):
             continue
         if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):

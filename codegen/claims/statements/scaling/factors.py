@@ -62,7 +62,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if (
             found is None
             or found.end() <= said.end
-            or re.search(r"\bnot\b|n't|wrong|\bif you\b", text[start : found.start()])
+            or re.search(r"\bnot\b|n't|wrong|\bif you\b|\bremainder\b|\bmodulo\b|\brest\b", text[start : found.start()])
         ):
             continue
         value = number(span.sentence.term(found.start("number")))
@@ -83,7 +83,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if found is not None and span.kind is PassageKind.ROW and "Q" in text[: said.start]:
         return  # what is in steps of 0.1 deg in another format is turned into the field
     if found is not None and not re.search(
-        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=", text[said.end : found.start()]
+        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=|\bremainder\b|\bmodulo\b|\brest\b", text[said.end : found.start()]
     ):
         value = number(span.sentence.term(found.start("number")))
         is_power = value is not None and value >= 10 and str(value).strip("0") == "1"
