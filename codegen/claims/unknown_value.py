@@ -46,13 +46,20 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
     return None
 
 
-_STATE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|failed|not available)\b")
+_STATE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|not available)\b")
+_FAILURE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\bfail(?:ed|ure)\b")
 
 
 @cache
 def described_unknowns(field: WireField) -> tuple[int, ...]:
-    """Return the values of a field that its description calls unknown or failed besides: "-1 = failed, 0 = unset"."""
+    """Return the values of a field that its description calls unknown besides: "1 = invalid, 0 = unset"."""
     return tuple(int(found["value"]) for found in _STATE.finditer(field.definition.description))
+
+
+@cache
+def described_failures(field: WireField) -> tuple[int, ...]:
+    """Return the values of a field that its description has for a failure: "-1 = odometry has failed"."""
+    return tuple(int(found["value"]) for found in _FAILURE.finditer(field.definition.description))
 
 
 _NEGATIVE = re.compile(

@@ -17,7 +17,7 @@ from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
-from codegen.claims.unknown_value import unknown_values
+from codegen.claims.unknown_value import described_failures, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
@@ -180,11 +180,18 @@ def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[in
         return
     if not one.is_wrong(partial(is_unknown, value=float(value))):
         return
+    if known[1] == "negative" and "negative" in span.text[slice(*sentence)]:
+        return
+    if value in described_failures(one.field) and _FAILS.search(span.text, *sentence):
+        return
     is_told = _TOLD.search(span.text, *sentence) is not None
     if float(value) in _SMALL and not is_told:
         return
     text = f"{one.name} is unknown when it is {known[1]}, not {term.written}"
     yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
+
+
+_FAILS = re.compile(r"\bfail|\blost\b|\bbroken\b")
 
 
 def _is_element(span: Span, offset: int) -> bool:

@@ -143,7 +143,7 @@ def _kinds(
             )
 
 
-_AND_THE = re.compile(r"\band (?:then )?(?:the|its|all) [a-z]")
+_AND_THE = re.compile(r"\band (?:then )?(?:the|its|all) [a-zFP]")
 """Another thing whose place follows: "`count` (1), and the data from byte 7"."""
 
 

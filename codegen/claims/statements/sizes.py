@@ -291,7 +291,7 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
-    if near and all(at > size.offset for at, _ in near) and not is_row and not span.is_code:
+    if near and all(at > size.offset for at, _ in near) and not is_row and (span.is_comment or not span.is_code):
         gap = span.text[size.end : near[0][0]]
         if re.search(r"[,;:]|\b(?:where|while|whereas|against|unlike)\b", gap) or _OTHER_ONE.match(span.text, size.end):
             return ()  # "it takes 340 bytes, so a NAME with its 42 ...", "it has 25 bytes, NAME 23"

@@ -66,7 +66,7 @@ def _entry(said: Said) -> _Entry | None:
     if not value or not isinstance(stated, Unit):
         return None
     is_division = factor["how"].startswith(("div", "denom"))
-    turned = 1 / Fraction(value) if is_division else Fraction(value)
+    turned = abs(1 / Fraction(value) if is_division else Fraction(value))  # a sign turns an axis round
     return _Entry(factor.start("number"), unit.start("unit"), turned, stated)
 
 
@@ -76,7 +76,7 @@ def _bounds(span: Span, said: Said) -> tuple[int, int]:
     if opened is not None:
         end = span.text.find("}", opened.end())
         return opened.end(), end if end >= 0 else len(span.text)
-    low = max((found.end() for found in _ENTRY.finditer(span.text, said.before, said.start)), default=said.before)
+    low = max((found.end() for found in _ENTRY.finditer(span.text, said.before, said.start)), default=said.start)
     others = [at for at, _ in span.sentence.within(said.end, len(span.text), "F")]
     stop = _ENTRY.search(span.text, said.end)
     return low, min(stop.start() if stop is not None else len(span.text), *others[:1], len(span.text))
