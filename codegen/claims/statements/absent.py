@@ -23,21 +23,24 @@ from codegen.load.prose import PassageKind
 
 _THING = (
     r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
-    r"|aid|temperature|information|idea|clock|time)"
+    r"|aid|temperature|information|idea|clock|time|probe|thermometer|thermistor|homing|encoder|echo|dop|counter|antenna|compass"
+    r"|transponder|camera|estimator|beacon|tracker|load cell|gauge|meter|reference)"
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
+    r"|\b(?:got|gets|had|finds?|sees?|receives?) no [a-z]+|\b(?:loses?|lost) (?:its|the|their|track)\b"
+    r"|\bno (?:known |valid |own )?(?:values?|echo|lock|uid|number)\b"
     rf"|\b(?:lacks?|has no) an? |\b(?:fails?|failed|broken|defective|unplugged|disconnected)\b"
     r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
     r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
-    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
+    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:[a-z]+ )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
 )
 _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate)|does(?: not|n't)|until a|there (?:is|are) no |\bfail|\bbroken"
+    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its|the) reference|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -162,7 +165,7 @@ def _is_tied(text: str, at: int, start: int, end: int) -> bool:
     if start <= at < end:
         return True
     low, high = (at + 1, start) if at < start else (end, at)
-    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1))
+    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1)).replace("i.e.", "ie").removeprefix(" while")
     return high - low <= _FAR and not _GAP.search(gap) and not re.search(r"[NS]", gap)
 
 
@@ -191,7 +194,7 @@ def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[in
     yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
 
 
-_FAILS = re.compile(r"\bfail|\blost\b|\bbroken\b")
+_FAILS = re.compile(r"\bfail|\blost\b|\bloses?\b|\bbroken\b")
 
 
 def _is_element(span: Span, offset: int) -> bool:
