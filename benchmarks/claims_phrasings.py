@@ -322,6 +322,27 @@ def _sentinel(chance: random.Random) -> Fact | None:
     return _with(words, shown, chance.choice(wrong))
 
 
+def _element(chance: random.Random) -> Fact | None:
+    found = _of_field(
+        chance,
+        lambda field: (
+            field.count > 1
+            and field.type.name != "char"
+            and field.type.is_integer
+            and field.sentinel is not None
+            and field.sentinel.values[0] is not None
+        ),
+    )
+    if found is None:
+        return None
+    message, field, words = found
+    known = unknown_values(field)
+    assert known is not None
+    taken = {value for each in message.fields if (own := unknown_values(each)) for value in own[0]}
+    wrong = [value for value in (0, field.type.maximum // 2, field.type.maximum, field.type.maximum - 1) if value not in taken]
+    return _with(words, int(known[0][0]), chance.choice(wrong))
+
+
 _EXTENSIONS = (
     ("an extension", "extensions", "extension", "ext", "yes", "the extensions", "extension", "extension field"),
     ("a base field", "base fields", "base", "base", "no", "the base payload", "base", "base field"),
@@ -487,6 +508,7 @@ MAKERS: Mapping[str, Maker] = {
     "id": _id,
     "crc": _crc,
     "sentinel": _sentinel,
+    "element": _element,
     "extension": _extension,
     "offset": _offset,
     "order": _order,
