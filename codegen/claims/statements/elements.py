@@ -75,14 +75,11 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _candidates(reading: Reading, span: Span, found: "re.Match[str]") -> list[About]:
     """Return the fields whose elements may be meant: those that the sentence names, or all that have such elements."""
     low, high = span.bounds(found.start())
-    named = [about(reading, span, at) for at, _ in span.sentence.within(low, high, "F")]
-    if named:
+    for start, end in ((low, high), (max(low - _FAR, 0), low)):
+        named = [about(reading, span, at) for at, _ in span.sentence.within(start, end, "F")]
         own = [each for each in named if each is not None and _has_elements(each.field, found["noun"])]
-        return own if all(unknown_values(each.field) is not None for each in own) else []
-    before = [at for at, _ in span.sentence.within(max(low - _FAR, 0), low, "F")]
-    last = about(reading, span, before[-1]) if before else None
-    if last is not None and last.field.is_array and _has_elements(last.field, found["noun"]):
-        return [last] if unknown_values(last.field) is not None else []
+        if own:
+            return own if all(unknown_values(each.field) is not None for each in own) else []
     messages, is_sure = subjects(reading, span, found.start())
     return [*_of(messages[0], found["noun"])] if messages and is_sure and span.kind is not PassageKind.ROW else []
 
