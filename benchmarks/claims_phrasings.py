@@ -344,8 +344,10 @@ def _element(chance: random.Random) -> Fact | None:
 
 
 _EXTENSIONS = (
-    ("an extension", "extensions", "extension", "ext", "yes", "the extensions", "extension", "extension field"),
-    ("a base field", "base fields", "base", "base", "no", "the base payload", "base", "base field"),
+    ("an extension", "extensions", "extension", "ext", "yes", "the extensions", "extension", "extension field",
+     "one of the later additions"),
+    ("a base field", "base fields", "base", "base", "no", "the base payload", "base", "base field",
+     "part of the original message"),
 )
 
 
@@ -356,7 +358,7 @@ def _extension(chance: random.Random) -> Fact | None:
     if not fields:
         return None
     words = {**_named(message), "f": chance.choice(fields).name}
-    sides = [dict(zip(("v", "w", "pp", "e", "y", "p", "e", "b"), each, strict=True)) for each in _EXTENSIONS]
+    sides = [dict(zip(("v", "w", "pp", "e", "y", "p", "e", "b", "o"), each, strict=True)) for each in _EXTENSIONS]
     right, wrong = sides if is_extension else sides[::-1]
     return {**words, **right}, {**words, **wrong}
 

@@ -17,16 +17,18 @@ _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
 _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
-    r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
+    r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b|\bthe original (?:message|fields|definition|part)\b"
+    r"|\bthe (?:later|newer) (?:additions|fields)\b"
 )
+_ORIGINAL = ("base", "original")
 _VERBS = frozenset((
-    "it", "they", "note",
+    "it", "belongs", "they", "note",
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
     "belongs", "among", "to", "in", "as",
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
     "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
-    "type", "part", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
+    "type", "part", "which", "following", "one", "well", "ones", "others", "here", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
@@ -81,6 +83,9 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _GROUP.finditer(text) if _KIND.search(text) else ():
         kind = _KIND.search(text, found.end(), found.end() + _NEAR)
         gap = text[found.end() : kind.start()] if kind is not None else ""
+        gap = gap.replace(" and the following", " following").replace(" and all that follow", " following")
+        resumed = _RESUMED.search(gap)
+        gap = gap[resumed.start("what") - 2 :] if resumed is not None else gap
         words = re.findall(r"[A-Za-z]+", gap)
         is_tied = bool(_VERBS & set(words)) or re.search(r"[:(,|\u2013]", gap) is not None
         if (
@@ -91,17 +96,19 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
-        if _IT.match(gap):  # which of several names "it" is, only the sense tells
+        if _IT.match(gap) or (resumed is not None and resumed["what"] in ("it", "the field")):  # which of several names "it" is, only the sense tells
             names = [at for at, _ in span.sentence.within(span.bounds(found.start())[0], found.end(), "FP")]
             if any(_is_so(reading, span, at, kind[0]) for at in names[:-1]):
                 continue
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
-        is_extension = "extension" in kind[0] and not kind[0].startswith("no")
+        is_extension = not kind[0].startswith("no") and not any(word in kind[0] for word in _ORIGINAL)
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
         far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
 
 
+_RESUMED = re.compile(r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are|belongs?|c[ao]me|counts?)")
+"""A clause that goes on about the names before it."""
 _IT = re.compile(r"[.;!] it\b")
 
 
@@ -120,7 +127,7 @@ _CLAUSE = re.compile(
 """A clause of an item or a cell that is nothing else."""
 _NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
-_NEAR = 60
+_NEAR = 90
 """Characters between names and what kind of fields they are."""
 
 
