@@ -162,7 +162,7 @@ def _unit(chance: random.Random) -> Fact | None:
     is_spelled = chance.random() < _HALF
     right, wrong = (_SPELLED.get(unit, unit) if is_spelled else unit for unit in pair)
     rust = _RUST.get(field.type.name) or field.type.name.replace("uint", "u").replace("int", "i").removesuffix("_t")
-    return _with(words, right, wrong, rt=rust)
+    return _with(words, right, wrong, rt=rust, n=field.name.replace("_", " "))
 
 
 _HALF = 0.5

@@ -22,6 +22,7 @@ _IN = re.compile(
     r"|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
     r"|but|from|at|since|relative)\b))"
 )
+_VERB = re.compile(r"\b(?:is|are|comes?|given|reported|measured|sent|stored|expressed|always|all)\b")
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b"
     r"|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
@@ -71,6 +72,8 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
         words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE]
+        if not _VERB.search(found[0]) and span.kind is PassageKind.TEXT and not any(span.named(0, found.start())):
+            continue  # "Angles in degrees." is a note of something
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
@@ -118,8 +121,11 @@ def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
 
 
 def _is_like(word: str, token: str) -> bool:
-    stem = re.sub(r"(?:ies|y|es|s)$", "", word)
-    return len(stem) > 2 and re.sub(r"(?:ies|y|es|s)$", "", token) == stem
+    stem = _ENDING.sub("", word)
+    return len(word) > 2 and _ENDING.sub("", token) == stem
+
+
+_ENDING = re.compile(r"(?:ies|y|es|e|s)$")
 
 
 def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -136,11 +136,12 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     for offset, _ in span.sentence.within(said.end, said.until, "U"):
         gap, behind = _NUMBERED.sub(r"\1", text[said.end : offset]), text[offset + 1 :]
-        if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
+        if _is_of_else(said, _STORED.sub(" is in ", gap), behind) or (";" in gap and "N" in gap):
             return
         is_column = gap == " " and (
             span.is_comment or span.kind is PassageKind.ITEM
         )  # "heading, target_heading    deg"
+        gap = _STORED.sub(" is in ", gap)
         if (
             not (_PLACE.search(gap) or is_column)
             or not _IS_SHORT.match(behind)
@@ -154,6 +155,10 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         else:
             yield from _found(reading, said, offset)
         return
+
+
+_STORED = re.compile(r"^ (?:is|are) stored in (?=(?:whole |plain )?$)")
+"""Between a field and its unit: so it is on the wire."""
 
 
 def _before(said: Said) -> int | None:
@@ -228,6 +233,7 @@ def _last_clause(gap: str) -> str:
 _PRONOUN = re.compile(
     r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is"
     r"|are|has|comes?|counts?)\b)"
+    r"|\b(?:because|since|as) its(?= in $)"
 )
 
 

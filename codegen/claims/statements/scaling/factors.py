@@ -32,7 +32,7 @@ _COMMENTED = re.compile(
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
     r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),?"
-    r" (?:the |field )*$"
+    r" (?:you )?(?:(?:can |have to |must )?(?:divide|multiply) )?(?:the |field )*$"
 )
 _EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
