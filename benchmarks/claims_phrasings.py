@@ -125,6 +125,7 @@ def _type(chance: random.Random, spell: Mapping[str, str] | None = None) -> Fact
     if found is None:
         return None
     _, field, words = found
+    words = {**words, "n": field.name.replace("_", " ")}
     wrong = chance.choice([name for name in _TYPES if name != field.type.name])
     return _with(words, *((spell[name] if spell else name) for name in (field.type.name, wrong)))
 

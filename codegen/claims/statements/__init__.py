@@ -17,6 +17,7 @@ from codegen.claims.statements import (
     absent,
     amounts,
     commands,
+    described,
     elements,
     entries,
     epochs,
@@ -53,6 +54,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
+    (described.check, "T", ""),
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""

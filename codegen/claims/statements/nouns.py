@@ -30,13 +30,13 @@ _NOT = re.compile(
     r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
     r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
-_OF_ELSE = re.compile(
+OF_ELSE = re.compile(
     r"\b(?:bus|can|gateway|controllers?|adapter|bridge|receivers?|module|protocol|autopilots?|vendors?|sentences?|register|frames?"
     r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?|uses?|has|have"
     r"|counts?|speaks?|keeps?|prints?|carr(?:y|ies)|comes?)\b"
 )
 """Another thing that the sentence is about, and what that does."""
-_IDLE = frozenset((
+IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
     "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
     "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
@@ -68,10 +68,10 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _IN.finditer(span.text):
         low, high = span.bounds(found.start())
-        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()] or _OF_ELSE.search(span.text, low, high):
+        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()] or OF_ELSE.search(span.text, low, high):
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
-        words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE]
+        words = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
         if not _VERB.search(found[0]) and span.kind is PassageKind.TEXT and not any(span.named(0, found.start())):
             continue  # "Angles in degrees." is a note of something
         messages, is_sure = subjects(reading, span, found.start())
@@ -108,7 +108,7 @@ def _is_called(field: WireField, words: list[str]) -> bool:
     """Return whether all words occur in the name or in the first sentence of the description of a field."""
     text = field.definition.description.lower().partition(".")[0]
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " ")) + re.findall(r"[a-z]+", text)
-    return all(any(_is_like(word, token) for token in tokens) for word in words)
+    return all(any(is_like(word, token) for token in tokens) for word in words)
 
 
 def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
@@ -116,11 +116,12 @@ def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
     own = Unit.parse(field.definition.units)
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
     return own is not None and (
-        own.dimension == unit.dimension or all(any(_is_like(word, token) for token in tokens) for word in words)
+        own.dimension == unit.dimension or all(any(is_like(word, token) for token in tokens) for word in words)
     )
 
 
-def _is_like(word: str, token: str) -> bool:
+def is_like(word: str, token: str) -> bool:
+    """Return whether two words are forms of one."""
     stem = _ENDING.sub("", word)
     return len(word) > 2 and _ENDING.sub("", token) == stem
 
@@ -165,7 +166,7 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             field
             for _, field in fields
             if any(
-                _is_like(word, token) for word in re.findall("[a-z]+", lead) for token in field.name.lower().split("_")
+                is_like(word, token) for word in re.findall("[a-z]+", lead) for token in field.name.lower().split("_")
             )
         ]
         if len(fields) > 1:

@@ -1,0 +1,92 @@
+"""Types of fields that are only described: "the altitude is an int16_t", "current in cA, each as int16_t".
+
+The words are those of the field's name; its message is the one that the sentence is about. Every field of the message
+that these words may mean has to have another type.
+"""
+
+import re
+from collections.abc import Iterator
+
+from codegen.claims.layout import typed
+from codegen.claims.parts.span import Span
+from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import (
+    ASKED,
+    CHANGED,
+    COMPARED,
+    DENIED,
+    MISTAKEN,
+    OWN,
+    PAST,
+    PROPOSED,
+    REPLACED,
+    SUPPOSED,
+    TEMPORARY,
+    words,
+)
+from codegen.claims.rules import TYPE, as_sure
+from codegen.claims.statements.fields import stated_type
+from codegen.claims.statements.nouns import IDLE, OF_ELSE, is_like
+from codegen.claims.statements.subjects import subjects
+from codegen.claims.statements.types import has_type
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import PassageKind
+from codegen.model.dialect.dialect import WireField, WireMessage
+
+_IS = re.compile(
+    r"(?P<noun>(?:[a-zP][a-zP-]{1,24} ){0,2}(?:[a-z][a-z-]{2,24}|P))(?: (?:values?|fields?|counters?|readings?|numbers?))?"
+    r"(?: (?:of|in) M)?(?:,? (?:is|are|comes?|goes|travels?|arrives?|as|an?|in|sent|the|which|that|each|all|only|just|whole|full"
+    r"|U|given|reported|again|here|just|one|too|also|both|on the wire))+ (?P<type>T)\b(?!,? (?:or|and) T)"
+)
+_LINKED = re.compile(r"\b(?:is|are|comes?|goes|travels?|arrives?|as|in an?|each)\b[^.;]*$")
+_NOT = words(
+    DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, OWN, TEMPORARY[:1], ASKED, PROPOSED,
+    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread\b", r"\bfrom\b", r"\bparam", r"\bfile\b", r"\bcolumn", r"\bfirmware\b",
+    r"\bsensor", r"\bdriver", r"\bregister", r"\bstor", r"\bkeep", r"\bkept\b", r"\bvariable", r"\bserial\b", r"\blogs?\b",
+    r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\barray\b", r"\bsum\b", r"\bdatabase\b",
+)  # fmt: skip
+_MOST_WORDS = 3
+"""The last words before a type that can be the name of a field."""
+
+
+def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """Every type that a part states of what it only describes."""
+    if span.kind is PassageKind.ROW or span.is_code:
+        return
+    for found in _IS.finditer(span.text):
+        low, high = span.bounds(found.start())
+        at = found.start("type")
+        gap = span.text[found.end("noun") : at]
+        if not _LINKED.search(gap) or _NOT.search(span.text, low, high) or OF_ELSE.search(span.text, low, high):
+            continue
+        if "F" in span.text[_clause(span.text, low, found.start()) : at]:
+            continue
+        messages, is_sure = subjects(reading, span, found.start())
+        noun = span.source_text(*found.span("noun")).lower()
+        words_of = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
+        stated = stated_type(span.sentence.term(at))
+        meant = _called(messages[:1], words_of)
+        if not meant or not is_sure or any(has_type(field, stated) for field in _called(messages, words_of)):
+            continue
+        name, written = f"{messages[0].name}.{meant[0].name}", span.sentence.term(at).written
+        text = f"{name} is {typed(meant[0].definition)}, not {written}"
+        yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{name} {written}", text)
+
+
+def _clause(text: str, low: int, high: int) -> int:
+    """Return the offset at which the clause before an offset begins."""
+    return max(text.rfind(";", low, high), text.rfind(":", low, high), text.rfind(", ", low, high), low)
+
+
+def _called(messages: tuple[WireMessage, ...], words_of: list[str]) -> list[WireField]:
+    """The fields whose names have the last words before a type, as many of them as any name has."""
+    for count in range(min(len(words_of), _MOST_WORDS), 0, -1):
+        own = [field for message in messages for field in message.fields if _has_words(field, words_of[-count:])]
+        if own:
+            return own
+    return []
+
+
+def _has_words(field: WireField, words_of: list[str]) -> bool:
+    tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
+    return all(any(is_like(word, token) for token in tokens) for word in words_of)
