@@ -6,6 +6,7 @@ that these words may mean has to have another type.
 
 import re
 from collections.abc import Iterator
+from functools import partial
 
 from codegen.claims.layout import typed
 from codegen.claims.parts.span import Span
@@ -27,7 +28,7 @@ from codegen.claims.ruled_out import (
 from codegen.claims.rules import TYPE, as_sure
 from codegen.claims.statements.fields import stated_type
 from codegen.claims.statements.nouns import IDLE, OF_ELSE, is_like
-from codegen.claims.statements.subjects import subjects
+from codegen.claims.statements.subjects import about, subjects
 from codegen.claims.statements.types import has_type
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -61,6 +62,9 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         if "F" in span.text[_clause(span.text, low, found.start()) : at]:
             continue
+        if _PRONOUN.search(found["noun"]):
+            yield from _told_before(reading, span, found.start(), at)
+            continue
         messages, is_sure = subjects(reading, span, found.start())
         noun = span.source_text(*found.span("noun")).lower()
         words_of = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
@@ -71,6 +75,25 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         name, written = f"{messages[0].name}.{meant[0].name}", span.sentence.term(at).written
         text = f"{name} is {typed(meant[0].definition)}, not {written}"
         yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{name} {written}", text)
+
+
+_PRONOUN = re.compile(r"(?:^|\b(?:and|but|so|because|since|as) )(?:it|that|this|the field|the value|the number|the counter)$")
+_FAR = 200
+"""Characters before a pronoun in which the field that it may mean is named."""
+
+
+def _told_before(reading: Reading, span: Span, offset: int, at: int) -> Iterator[Diagnostic]:
+    """ "That is a 16-bit counter", where all fields that are named before it have another type."""
+    named = [about(reading, span, name) for name, _ in span.sentence.within(max(offset - _FAR, 0), offset, "F")]
+    own = [each for each in named if each is not None]
+    names = [term.letter for _, term in span.sentence.within(max(offset - _FAR, 0), offset, "FMC")]
+    if names[-1:] != ["F"]:
+        return
+    stated = stated_type(span.sentence.term(at))
+    if own and all(each.is_wrong(partial(has_type, stated=stated)) for each in own):
+        one, written = own[-1], span.sentence.term(at).written
+        text = f"{one.name} is {typed(one.field.definition)}, not {written}"
+        yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{one.name} {written}", text)
 
 
 def _clause(text: str, low: int, high: int) -> int:

@@ -19,7 +19,8 @@ from codegen.model.units.unit import Unit
 
 _IN = re.compile(
     r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given"
-    r"|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
+    r"|reported|measured|sent|stored|all|always|expressed))*(?: in (?:whole |plain )?| (?:is|are) (?:whole |plain |an? T (?:in|of) )?"
+    r"| whole | as an? T (?:in|of) )U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
     r"|but|from|at|since|relative)\b))"
 )
 _VERB = re.compile(r"\b(?:is|are|comes?|given|reported|measured|sent|stored|expressed|always|all)\b")
@@ -38,7 +39,7 @@ OF_ELSE = re.compile(
 """Another thing that the sentence is about, and what that does."""
 IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
-    "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
+    "values", "everything", "to", "for", "from", "only", "here", "whole", "plain", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
     "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
 ))  # fmt: skip
 _MOST_WORDS = 3
