@@ -110,7 +110,7 @@ def _above_from(line: Line, start: int) -> Callable[[int], Place]:
 
 
 _OWN_LINE = re.compile(r"\s*(?:#|//)")
-_ANY_COMMENT = re.compile(r"^\s*(?:#|//)", re.MULTILINE)
+_ANY_COMMENT = re.compile(r"(?:^|\s)(?:#|//)", re.MULTILINE)
 
 
 def _is_prose(line: str) -> bool:

@@ -23,6 +23,7 @@ def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, in
     lines, first = code.lines, 0
     while first < len(lines):
         if _COMMENT.match(lines[first].text) is None:
+            yield from _behind(lines[first], words)
             first += 1
             continue
         end = first
@@ -35,6 +36,24 @@ def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, in
         names = [] if _is_told(sentence) else _beside(lines, first, end, words)
         yield lines[first], lead.end(), led_by(names, sentence) if names else sentence, bool(names)
         first = end
+
+
+def _behind(line: Line, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:
+    """Yield the comment behind the only field of a line, led by it."""
+    comment = _TRAILING.search(line.text)
+    names = _fields_of(line.text, words) if comment is not None else []
+    if comment is None or len(names) != 1:
+        return
+    start = comment.start() + len(comment[0]) - len(comment[0].lstrip(" #/"))
+    text = line.text[start:]
+    sentence = read_sentence(text, 0, len(text), (), words)
+    is_of_else = "Q" in sentence.marked or _SUBJECT.search(sentence.marked) is not None
+    if not _is_told(sentence) and not is_of_else:
+        yield line, start, led_by(names, sentence), True
+
+
+_SUBJECT = re.compile(r"\b[a-z]+s (?:arrive|come|are|go|have)\b|\b(?:we|our|they)\b")
+"""Words of a comment that is about other things than the field of its line."""
 
 
 def _is_told(sentence: Sentence) -> bool:
@@ -53,9 +72,14 @@ def _beside(lines: Sequence[Line], first: int, end: int, words: Vocabulary) -> l
     before = lines[first - 1].text if first else ""
     behind = lines[end].text if end < len(lines) else ""
     for text in (before if _OF_FIELD.match(before) else "", behind):
-        stated = _TRAILING.sub("", text)
-        sentence = read_sentence(stated, 0, len(stated), ((0, len(stated)),), words)
-        names = [term for term in sentence.terms.values() if term.letter == "F"]
+        names = _fields_of(text, words)
         if len(names) == 1:
-            return [replace(names[0], start=0, end=0)]
+            return names
     return []
+
+
+def _fields_of(line: str, words: Vocabulary) -> list[Term]:
+    """The fields that a line names before its comment."""
+    stated = _TRAILING.sub("", line)
+    sentence = read_sentence(stated, 0, len(stated), ((0, len(stated)),), words)
+    return [replace(term, start=0, end=0) for term in sentence.terms.values() if term.letter == "F"]
