@@ -135,6 +135,7 @@ def _length(chance: random.Random) -> Fact | None:
     if found is None:
         return None
     _, field, words = found
+    words = {**words, "n": field.name.replace("_", " ")}
     return _with(words, field.count, chance.choice([field.count - 1, field.count * 2, field.count + 4]))
 
 

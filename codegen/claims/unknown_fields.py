@@ -65,6 +65,7 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         name = passage.text[low:high]
         owner = owner_of(passage.text, low, high, names)
         if name in names.fields and owner is None:
+            yield from _called(reading, passage, around, (low, high))
             continue
         is_word = _SNAKE.fullmatch(name) is None
         message = owner or message_about(reading, passage, around, low, high)
@@ -82,6 +83,24 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         is_listed = is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield no_field(reading, passage.place_at(low), message, name)
+
+
+_CALLED = re.compile(r"\b(?:is|are|was) (?:named|called) `?$|\bgoes by the name of `?$", re.IGNORECASE)
+_NOT_CALLED = re.compile(r"\b(?:not|in our|our|log|topic|there)\b", re.IGNORECASE)
+
+
+def _called(
+    reading: Reading, passage: Passage, around: Surroundings, span: tuple[int, int]
+) -> Iterator[Diagnostic]:
+    """ "The time stamp is named `time_usec`" below the heading of a message that has no field of that name."""
+    low, high = span
+    start, end = passage.sentence(low, high)
+    message = around.headings[0] if len(around.headings) == 1 and not reading.named(passage) else None
+    name = passage.text[low:high]
+    if message is None or message.field(name) is not None or not _CALLED.search(passage.text, start, low):
+        return
+    if not _NOT_CALLED.search(passage.text, start, end) and not is_aside(passage.text[start:end].lower()):
+        yield no_field(reading, passage.place_at(low), message, name)
 
 
 def _is_mapped(row: str, name: str, low: int, high: int, message: WireMessage) -> bool:

@@ -29,7 +29,7 @@ _LINKS = frozenset((
     "x", "would", "should", "sensor", "transmitter", "then", "with",
     "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces",
     "produce", "carried", "display", "when", "results", "reading",
-    "yields", "turns", "nothing", "than", "from",
+    "yields", "turns", "nothing", "than", "from", "therefore", "thus", "hence", "visible", "seen", "up", "turned",
 ))  # fmt: skip
 _NOUNS = re.compile(r"\b(?:height|altitude|speed|current|temperature|angle|heading|pressure|distance|humidity)\b")
 _COMPARED = re.compile(

@@ -37,14 +37,14 @@ from codegen.model.dialect.dialect import WireField, WireMessage
 _IS = re.compile(
     r"(?P<noun>(?:[a-zP][a-zP-]{1,24} ){0,2}(?:[a-z][a-z-]{2,24}|P))(?: (?:values?|fields?|counters?|readings?|numbers?))?"
     r"(?: (?:of|in) M)?(?:,? (?:is|are|comes?|goes|travels?|arrives?|as|an?|in|sent|the|which|that|each|all|only|just|whole|full"
-    r"|U|given|reported|again|here|just|one|too|also|both|on the wire))+ (?P<type>T)\b(?!,? (?:or|and) T)"
+    r"|U|arrays? of|given|reported|again|here|just|one|too|also|both|on the wire))+ (?P<type>T)\b(?!,? (?:or|and) T)"
 )
 _LINKED = re.compile(r"\b(?:is|are|comes?|goes|travels?|arrives?|as|in an?|each)\b[^.;]*$")
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, OWN, TEMPORARY[:1], ASKED, PROPOSED,
     r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread\b", r"\bfrom\b", r"\bparam", r"\bfile\b", r"\bcolumn", r"\bfirmware\b",
     r"\bsensor", r"\bdriver", r"\bregister", r"\bstor", r"\bkeep", r"\bkept\b", r"\bvariable", r"\bserial\b", r"\blogs?\b",
-    r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\barray\b", r"\bsum\b", r"\bdatabase\b",
+    r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\bsum\b", r"\bdatabase\b",
 )  # fmt: skip
 _MOST_WORDS = 3
 """The last words before a type that can be the name of a field."""

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 
-from codegen.claims.parts.span import Span
+from codegen.claims.parts.span import Span, head_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, as_sure
@@ -54,9 +54,25 @@ _NOT = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every such statement of a part."""
     yield from _extensions(reading, span)
+    yield from _placed(reading, span) if span.kind is PassageKind.ROW else ()
     for said in said_of_fields(span):
         yield from _offset(reading, said)
         yield from _enum(reading, said)
+
+
+_PLACED = re.compile(r"(?P<name>[FP]) ?\((?P<number>N)\)")
+_OFFSETS = re.compile(r"\boffsets?\b", re.IGNORECASE)
+
+
+def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "lat (8), lon (12)" below a heading with the word offset."""
+    for found in _PLACED.finditer(span.text) if any(_OFFSETS.search(head) for head in span.heads) else ():
+        at = found.start("number")
+        one, value = about(reading, span, found.start("name")), number(span.sentence.term(at))
+        if one is not None and _OFFSETS.search(head_of(span, at)) and one.is_wrong(lambda field: field.offset == value):  # noqa: B023
+            written = span.sentence.term(at).written
+            words = f"{one.name} begins at byte {one.field.offset}, not {written}"
+            yield reading.found(as_sure(OFFSET, is_sure=one.is_sure), span.place(at), f"{one.name} at {written}", words)
 
 
 def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -183,7 +199,7 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """The enum that a field is said to have."""
     span, text = said.span, said.span.text
     found = _ENUM.match(text, said.end, said.until)
-    if found is None or not made_of(found[0][:-1], _ENUM_IDLE):
+    if found is None or not made_of(_OF_THE.sub(" ", found[0][:-1]), _ENUM_IDLE):
         return
     offset = found.start("enum")
     written = span.sentence.term(offset).written
@@ -208,6 +224,9 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         yield reading.found(
             as_sure(ENUM_OF, is_sure=one.is_sure), span.place(offset), f"{one.name} {written}", words, hint
         )
+
+
+_OF_THE = re.compile(r" (?:of|in) (?:the|an?|this|that) [a-z]+ ")
 
 
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:

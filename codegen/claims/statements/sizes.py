@@ -100,7 +100,7 @@ _BEHIND = re.compile(
     r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|an?)(?: whole| full| complete"
     r"| v[12]| (?:un)?signed| mavlink N){0,4} (?:wire|link|line|frame|packet)|(?:of air )?per"
     r" frame|(?P<frame>frames?|packets?))"
-    r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
+    r"|(?: |-)(?P<message>long|large|in size|in total|in all\b|(?:[a-z]+ )?M\b)"
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
@@ -261,11 +261,21 @@ def _is_claim(size: _Size) -> bool:
         return True
     if _FIELD_OF.search(before) or _FOREIGN.search(size.clause):
         return False
+    if _WHOLE.match(size.behind) and not _SHORT.search(size.clause):
+        return size.first is not None or not _HYPOTHETICAL.search(size.clause)
+    if _FIRST_OF.search(before) and _OF_MESSAGE.match(size.behind):
+        return _versions(size) == {1} or _BASE.search(size.sentence) is not None
     if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
         return size.first is not None
     if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
         return False
     return size.first is not None or _GOES_ON.match(size.behind) is None
+
+
+_WHOLE = re.compile(r" (?:in base|in all|in total|altogether|all in all)\b")
+"""Behind the size of a whole message, whatever fields are listed before it."""
+_FIRST_OF = re.compile(r"\bfirst $")
+_OF_MESSAGE = re.compile(r" of (?:the )?M\b")
 
 
 def _is_amount(size: _Size) -> bool:
