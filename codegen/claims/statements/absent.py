@@ -40,7 +40,7 @@ _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its|the) reference|there (?:is|are) no |\bfail|\bbroken"
+    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading|dop|known [a-z]+)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its|the) reference|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -146,10 +146,12 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     names = {span.sentence.term(said.names[-1]).written for said in before}
     if len(names) != 1 or any(len(said.names) > 1 for said in before):
         return []
-    others = [at for at, _ in span.sentence.within(before[-1].end, high, "MEVC")]
+    of = _OF_IT.match(span.text, before[-1].end)
+    others = [at for at, _ in span.sentence.within(of.end() if of is not None else before[-1].end, high, "MEVC")]
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
+_OF_IT = re.compile(r" (?:of|in) (?:the )?M\b")
 _IT = re.compile(r"\b(?:it|there|this|the field)\b")
 _BEGINS = re.compile(r"[^a-zA-Z]*(?:the )?(?:field )?")
 _OF_SEVERAL = re.compile(

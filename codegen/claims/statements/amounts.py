@@ -119,6 +119,7 @@ _SENT_AS = re.compile(
     r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like"
     r"|in the form of)"
     r" (?:an?|the)? ?(?:value |number |integer )*"
+    r"| (?:reads?|shows up as|turns up as|is visible as|is seen as) (?:an? |the )?"
 )
 """Between an amount and its number, where no field is named."""
 

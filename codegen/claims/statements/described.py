@@ -46,6 +46,8 @@ _NOT = words(
     r"\bsensor", r"\bdriver", r"\bregister", r"\bstor", r"\bkeep", r"\bkept\b", r"\bvariable", r"\bserial\b", r"\blogs?\b",
     r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\bsum\b", r"\bdatabase\b",
 )  # fmt: skip
+_BEHIND = 20
+"""Characters behind a type in which a word can still rule it out."""
 _MOST_WORDS = 3
 """The last words before a type that can be the name of a field."""
 
@@ -58,7 +60,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         low, high = span.bounds(found.start())
         at = found.start("type")
         gap = span.text[found.end("noun") : at]
-        if not _LINKED.search(gap) or _NOT.search(span.text, low, high) or OF_ELSE.search(span.text, low, high):
+        if not _LINKED.search(gap) or _NOT.search(span.text, low, min(high, at + _BEHIND)) or OF_ELSE.search(span.text, low, high):
             continue
         if "F" in span.text[_clause(span.text, low, found.start()) : at]:
             continue

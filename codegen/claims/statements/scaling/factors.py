@@ -17,7 +17,7 @@ from codegen.model.units.unit import Unit, conversion
 
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
-    r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
+    r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in|and rounds?(?: it| them)? to(?: whole| full)?"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
     r"|speed))*)? (?P<unit>U)"
 )
