@@ -341,15 +341,37 @@ def _element(chance: random.Random) -> Fact | None:
     known = unknown_values(field)
     assert known is not None
     taken = {value for each in message.fields if (own := unknown_values(each)) for value in own[0]}
-    wrong = [value for value in (0, field.type.maximum // 2, field.type.maximum, field.type.maximum - 1) if value not in taken]
+    wrong = [
+        value
+        for value in (0, field.type.maximum // 2, field.type.maximum, field.type.maximum - 1)
+        if value not in taken
+    ]
     return _with(words, int(known[0][0]), chance.choice(wrong))
 
 
 _EXTENSIONS = (
-    ("an extension", "extensions", "extension", "ext", "yes", "the extensions", "extension", "extension field",
-     "one of the later additions"),
-    ("a base field", "base fields", "base", "base", "no", "the base payload", "base", "base field",
-     "part of the original message"),
+    (
+        "an extension",
+        "extensions",
+        "extension",
+        "ext",
+        "yes",
+        "the extensions",
+        "extension",
+        "extension field",
+        "one of the later additions",
+    ),
+    (
+        "a base field",
+        "base fields",
+        "base",
+        "base",
+        "no",
+        "the base payload",
+        "base",
+        "base field",
+        "part of the original message",
+    ),
 )
 
 

@@ -1,4 +1,4 @@
-"""Fields that JSON, YAML and TOML name beside their message, and that it does not have: ``message: WIND, field: wind_speed``."""
+"""Fields that data name beside their message, and that it does not have: ``message: WIND, field: wind_speed``."""
 
 import re
 from collections.abc import Iterator
@@ -14,7 +14,9 @@ from codegen.model.dialect.dialect import WireMessage
 
 _MESSAGE = re.compile(r"\b(?:message|msg|type|mavlink)[\"']?\s*[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
 _FIELD = re.compile(r"(?<![\w.])(?:field|member|attribute)[\"']?\s*[:=]\s*[\"']?(?P<field>[a-zA-Z]\w{0,60})\b(?!\.)")
-_PATH = re.compile(r"[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?:\[\d*\])?[\"']?\s*(?:[,}#/]|$)")
+_PATH = re.compile(
+    r"[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?:\[\d*\])?[\"']?\s*(?:[,}#/]|$)"
+)
 _ENTRY = re.compile(r"^\s*-\s|[{}]|^\s*\[\[|^[^\s\[].*:\s*$")
 """A line that begins or ends an entry: an item of YAML, a brace, a table of TOML, a key without indentation."""
 

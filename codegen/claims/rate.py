@@ -89,7 +89,8 @@ _OF_WHOLE = re.compile(r"(?:%|\bper ?cent|\bpart|\bshare|\bfraction|\bout) of (?
 
 
 _MORE = re.compile(
-    r"(?:/ ?s|\bps|per second|a second) (?:more|extra|less|on top|in addition|additional(?:ly)?)\b|\badds? (?:about |another )?\d",
+    r"(?:/ ?s|\bps|per second|a second) (?:more|extra|less|on top|in addition|additional(?:ly)?)\b|\badds? (?:about "
+    r"|another )?\d",
     re.IGNORECASE,
 )
 """Bytes per second that come on top of those of a message."""

@@ -89,9 +89,7 @@ _CALLED = re.compile(r"\b(?:is|are|was) (?:named|called) `?$|\bgoes by the name 
 _NOT_CALLED = re.compile(r"\b(?:not|in our|our|log|topic|there)\b", re.IGNORECASE)
 
 
-def _called(
-    reading: Reading, passage: Passage, around: Surroundings, span: tuple[int, int]
-) -> Iterator[Diagnostic]:
+def _called(reading: Reading, passage: Passage, around: Surroundings, span: tuple[int, int]) -> Iterator[Diagnostic]:
     """ "The time stamp is named `time_usec`" below the heading of a message that has no field of that name."""
     low, high = span
     start, end = passage.sentence(low, high)

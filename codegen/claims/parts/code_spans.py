@@ -53,14 +53,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
     if heads or code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
         return
     if code.language in DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
-        span = _block(code, topic, words)
-        if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
-            yield span
-        for line, start, sentence, is_led in data_comments(code, words) if _ANY_COMMENT.search(code.text) else ():
-            own = replace(topic, above=_near(reading, code, line) or topic.above)
-            kind = PassageKind.ITEM if is_led else PassageKind.TEXT
-            place_at = _above_from(line, start)
-            yield Span(sentence, kind, own, place_at, code.language, is_code=True, is_comment=True)
+        yield from _data(reading, code, topic, words)
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
     note: list[Line] = []
@@ -92,6 +85,17 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     True,
                 )
             note = []
+
+
+def _data(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    """A block of JSON or YAML as one part, and its comments, each with the field that it stands beside."""
+    span = _block(code, topic, words)
+    if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
+        yield span
+    for line, start, sentence, is_led in data_comments(code, words) if _ANY_COMMENT.search(code.text) else ():
+        own = replace(topic, above=_near(reading, code, line) or topic.above)
+        kind = PassageKind.ITEM if is_led else PassageKind.TEXT
+        yield Span(sentence, kind, own, _above_from(line, start), code.language, is_code=True, is_comment=True)
 
 
 def _near(reading: Reading, code: CodeBlock, line: Line) -> tuple[WireMessage, ...]:

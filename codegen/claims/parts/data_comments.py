@@ -1,4 +1,4 @@
-"""Comments on lines of their own in blocks of JSON and YAML, each with the message and the field that it stands beside."""
+"""Comments in blocks of JSON and YAML, each with the field that it stands beside."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -18,7 +18,8 @@ _OF_FIELD = re.compile(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signa
 def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:
     """Yield each comment: its first line, where its words begin there, its terms, and whether a name leads it.
 
-    One that names nothing is led by the field of the line before it, if that tells of one, or else of the line behind it.
+    One that names nothing is led by the field of its line, of the line before it if that tells of one, or else of the
+    line behind it.
     """
     lines, first = code.lines, 0
     while first < len(lines):
@@ -32,7 +33,9 @@ def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, in
         lead = _COMMENT.match(lines[first].text)
         assert lead is not None
         text = " ".join(_COMMENT.sub("", line.text, count=1).strip() for line in lines[first:end])
-        sentence = read_sentence(text, 0, len(text), tuple((at, at + len(name)) for at, name in _names(text, words)), words)
+        sentence = read_sentence(
+            text, 0, len(text), tuple((at, at + len(name)) for at, name in _names(text, words)), words
+        )
         names = [] if _is_told(sentence) else _beside(lines, first, end, words)
         yield lines[first], lead.end(), led_by(names, sentence) if names else sentence, bool(names)
         first = end

@@ -34,13 +34,16 @@ _ABSENT = re.compile(
     r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
     r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
-    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:[a-z]+ )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
+    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:[a-z]+ )?(?:reported|measured|fitted|connected|computed|set"
+    r"|seen|received)\b"
 )
 _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading|dop|known [a-z]+)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its|the) reference|there (?:is|are) no |\bfail|\bbroken"
+    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading"
+    r"|dop|known [a-z]+)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its"
+    r"|the) reference|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -56,7 +59,8 @@ _USED = re.compile(
 )
 _NO_VALUE = re.compile(
     r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
-    r"|[a-z]+s (?:of|are|in)\b|\]|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores|antennas|receivers)\b)"
+    r"|[a-z]+s (?:of|are|in)\b|\]|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores"
+    r"|antennas|receivers)\b)"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")

@@ -35,15 +35,19 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 
 _IS = re.compile(
-    r"(?P<noun>(?:[a-zP][a-zP-]{1,24} ){0,2}(?:[a-z][a-z-]{2,24}|P))(?: (?:values?|fields?|counters?|readings?|numbers?))?"
-    r"(?: (?:of|in) M)?(?:,? (?:is|are|comes?|goes|travels?|arrives?|as|an?|in|sent|the|which|that|each|all|only|just|whole|full"
+    r"(?P<noun>(?:[a-zP][a-zP-]{1,24} ){0,2}(?:[a-z][a-z-]{2,24}|P))(?: (?:values?|fields?|counters?|readings?"
+    r"|numbers?))?"
+    r"(?: (?:of|in) M)?(?:,? (?:is|are|comes?|goes|travels?|arrives?|as|an?|in|sent|the|which|that|each|all|only"
+    r"|just|whole|full"
     r"|U|arrays? of|given|reported|again|here|just|one|too|also|both|on the wire))+ (?P<type>T)\b(?!,? (?:or|and) T)"
 )
 _LINKED = re.compile(r"\b(?:is|are|comes?|goes|travels?|arrives?|as|in an?|each)\b[^.;]*$")
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, OWN, TEMPORARY[:1], ASKED, PROPOSED,
-    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread\b", r"\bfrom\b", r"\bparam", r"\bfile\b", r"\bcolumn", r"\bfirmware\b",
-    r"\bsensor", r"\bdriver", r"\bregister", r"\bstor", r"\bkeep", r"\bkept\b", r"\bvariable", r"\bserial\b", r"\blogs?\b",
+    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread\b", r"\bfrom\b", r"\bparam", r"\bfile\b", r"\bcolumn",
+    r"\bfirmware\b",
+    r"\bsensor", r"\bdriver", r"\bregister", r"\bstor", r"\bkeep", r"\bkept\b", r"\bvariable", r"\bserial\b",
+    r"\blogs?\b",
     r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\bsum\b", r"\bdatabase\b",
 )  # fmt: skip
 _BEHIND = 20
@@ -60,7 +64,11 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         low, high = span.bounds(found.start())
         at = found.start("type")
         gap = span.text[found.end("noun") : at]
-        if not _LINKED.search(gap) or _NOT.search(span.text, low, min(high, at + _BEHIND)) or OF_ELSE.search(span.text, low, high):
+        if (
+            not _LINKED.search(gap)
+            or _NOT.search(span.text, low, min(high, at + _BEHIND))
+            or OF_ELSE.search(span.text, low, high)
+        ):
             continue
         if "F" in span.text[_clause(span.text, low, found.start()) : at]:
             continue
@@ -79,7 +87,9 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{name} {written}", text)
 
 
-_PRONOUN = re.compile(r"(?:^|\b(?:and|but|so|because|since|as) )(?:it|that|this|the field|the value|the number|the counter)$")
+_PRONOUN = re.compile(
+    r"(?:^|\b(?:and|but|so|because|since|as) )(?:it|that|this|the field|the value|the number|the counter)$"
+)
 _FAR = 200
 """Characters before a pronoun in which the field that it may mean is named."""
 

@@ -24,10 +24,14 @@ _NOUN = (
 )
 _EMPTY = (
     r"(?:\bwithout (?!extension)[a-z]+|\bunused\b|\bempty\b|\binvalid\b|\bunknown\b|\bmissing\b|\babsent\b|\bunserved\b"
-    r"|\b(?:is|are|was|were|has|have|does|do|being) not\b|\bnot (?:used|fitted|served|there|known|measured|covered|connected)\b"
-    r"|\b(?:isn't|aren't|don't|doesn't)\b|\bnobody\b|\bno [a-z]+ (?:for|behind|in|at|on)\b"
-    r"|\b(?:above|beyond|behind|after|past|over) (?:the |your )?(?:real |actual |last |used )?(?:number|count|last|end|cell count)\b)"
+    r"|\b(?:is|are|was|were|has|have|does|do|being) not\b|\bnot (?:used|fitted|served|there|known|measured|covered"
+    r"|connected)\b"
+    r"|\b(?:isnt|arent|dont|doesnt)\b|\bnobody\b|\bno [a-z]+ (?:for|behind|in|at|on)\b"
+    r"|\b(?:above|beyond|behind|after|past|over) (?:the |your )?(?:real |actual |last |used )?(?:number|count|last"
+    r"|end|cell count)\b)"
 )
+_ANY = re.compile(r"\b(?:sector|element|slot|cell|channel|bin|entr(?:y|ie)|position|place|core|fan|bearing|ax[ei])s?\b")
+"""The cheap test before the forms."""
 _HOLDS = (
     r"(?:is|are|has|have|holds?|contains?|stays?|remains?|reads?|gets?|carr(?:y|ies)|shows?|set|filled|kept|left|sent|marked"
     r"|coded|must be|shall be|should be)(?: (?:always|then|all|just|set|filled|kept|sent|be|left|marked|coded))*"
@@ -35,27 +39,31 @@ _HOLDS = (
 )
 _FORMS = (
     re.compile(
-        rf"\b{_NOUN} (?:(?:of|in) (?:the )?[FM](?: (?:of|in) M)? ?)?[^.;:|]{{0,60}}?{_EMPTY}[^.;:|NS]{{0,50}}?\b{_HOLDS} (?P<value>[NS])"
+        rf"\b{_NOUN} (?:(?:of|in) (?:the )?[FM](?: (?:of|in) M)? ?)?[^.;:|]{{0,60}}?{_EMPTY}[^.;:"
+        rf"|NS]{{0,50}}?\b{_HOLDS} (?P<value>[NS])"
     ),
     re.compile(
-        rf"\b(?:unused|empty|invalid|unknown|missing|absent|unfilled|other|remaining) {_NOUN}(?: (?:of|in) (?:the )?[FM])?"
+        rf"\b(?:unused|empty|invalid|unknown|missing|absent|unfilled|other|remaining) {_NOUN}(?: (?:of|in) (?:the"
+        rf" )?[FM])?"
         rf"(?: (?:of|in) M)? (?:[a-z]+ ){{0,2}}?{_HOLDS} (?P<value>[NS])"
     ),
     re.compile(
-        rf"(?P<value>[NS]),? (?:marks|stands for|means|says|denotes|is for|is the value (?:for|of)) (?:an? |the |that the |that an? )?"
+        rf"(?P<value>[NS]),? (?:marks|stands for|means|says|denotes|is for|is the value (?:for|of)) (?:an? |the "
+        rf"|that the |that an? )?"
         rf"(?:unused |empty |missing |invalid )?{_NOUN} [^.;:|NS]{{0,40}}?{_EMPTY}"
     ),
 )
 _NO_VALUE = re.compile(r" ?(?:[-+*/%\u00d7]|U\b|[NS]\b|\.\.|to N|bytes|times|of\b|or\b|[a-z]+s\b(?<!\bas))|,? and N")
 _RULED_OUT = words(
-    PAST[:1], MISTAKEN, PROPOSED, REPLACED[:1], r"\bnot N\b", r"\bnot S\b", r"\bour (?!driver)", r"\bnever\b", r"\?", r"\bbytes?\b",
+    PAST[:1], MISTAKEN, PROPOSED, REPLACED[:1], r"\bnot N\b", r"\bnot S\b", r"\bour (?!driver)", r"\bnever\b", r"\?",
+    r"\bbytes?\b",
     r"\b(?:show|display|plot|log|print)", r"\bwrong\b",
 )  # fmt: skip
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every value that elements without a content are said to have."""
-    if span.is_code and not span.is_comment:
+    if (span.is_code and not span.is_comment) or not _ANY.search(span.text):
         return
     for form in _FORMS:
         for found in form.finditer(span.text):

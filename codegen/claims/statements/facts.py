@@ -17,7 +17,8 @@ _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
 _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
-    r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b|\bthe original (?:message|fields|definition|part)\b"
+    r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b|\bthe original (?:message|fields|definition"
+    r"|part)\b"
     r"|\bthe (?:later|newer) (?:additions|fields)\b"
 )
 _ORIGINAL = ("base", "original")
@@ -28,7 +29,8 @@ _VERBS = frozenset((
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
     "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
-    "type", "part", "which", "following", "one", "well", "ones", "others", "here", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
+    "type", "part", "which", "following", "one", "well", "ones", "others", "here",
+    "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
@@ -96,7 +98,13 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
-    for found in _GROUP.finditer(text) if _KIND.search(text) else ():
+    yield from _grouped(reading, span) if _KIND.search(text) else ()
+
+
+def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "`a` and `b` are extensions", "`c` belongs to the base fields", "`d` tells it; it is an extension"."""
+    text = span.text
+    for found in _GROUP.finditer(text):
         kind = _KIND.search(text, found.end(), found.end() + _NEAR)
         gap = text[found.end() : kind.start()] if kind is not None else ""
         gap = gap.replace(" and the following", " following").replace(" and all that follow", " following")
@@ -112,26 +120,29 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
-        if _IT.match(gap) or (resumed is not None and resumed["what"] in ("it", "the field")):  # which of several names "it" is, only the sense tells
-            names = [at for at, _ in span.sentence.within(span.bounds(found.start())[0], found.end(), "FP")]
-            if any(_is_so(reading, span, at, kind[0]) for at in names[:-1]):
-                continue
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
         is_extension = not kind[0].startswith("no") and not any(word in kind[0] for word in _ORIGINAL)
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
+        if _IT.match(gap) or (resumed is not None and resumed["what"] in ("it", "the field")):
+            names = [at for at, _ in span.sentence.within(span.bounds(found.start())[0], found.end(), "FP")]
+            if any(_is_so(reading, span, at, is_extension=is_extension) for at in names[:-1]):
+                continue  # which of several names "it" is, only the sense tells
         far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
 
 
-_RESUMED = re.compile(r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are|belongs?|c[ao]me|counts?)")
+_RESUMED = re.compile(
+    r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are"
+    r"|belongs?|c[ao]me|counts?)"
+)
 """A clause that goes on about the names before it."""
 _IT = re.compile(r"[.;!] it\b")
 
 
-def _is_so(reading: Reading, span: Span, offset: int, kind: str) -> bool:
+def _is_so(reading: Reading, span: Span, offset: int, *, is_extension: bool) -> bool:
     """Return whether a field is an extension, where that is said, or a base field."""
     one = about(reading, span, offset)
-    return one is not None and one.field.definition.is_extension == kind.startswith("ext")
+    return one is not None and one.field.definition.is_extension == is_extension
 
 
 _THESE = re.compile(

@@ -84,7 +84,9 @@ _HOLDS = frozenset((
     "max", "field", "consists", "T", "U", "M", "in", "provides", "reserves", "offers", "fits", "fit", "stores", "made",
     "there", "are", "room", "which",
 ))  # fmt: skip
-_REST = re.compile(r"[,;:.]? ?(?:and |while |but |so )?(?:(?:all|any) )?(?:the )?(?:other|others|remaining|rest|remainder)\b")
+_REST = re.compile(
+    r"[,;:.]? ?(?:and |while |but |so )?(?:(?:all|any) )?(?:the )?(?:other|others|remaining|rest|remainder)\b"
+)
 """Behind elements that are used, and not all that there are: "six cells, the other four are unknown"."""
 _LESS = re.compile(
     r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"

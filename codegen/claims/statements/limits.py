@@ -85,15 +85,20 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 
 _BEYOND = re.compile(
-    r"\b(?:more|anything|values?|numbers?|whatever is|what is) (?:is )?(?:than|above|over|beyond|larger than|greater than)"
-    r" (?P<value>[NQ]) (?:cannot|can not|can never|can't|will not|won't|does not|do not|doesn't|don't) (?:be (?:represented|sent"
+    r"\b(?:more|anything|values?|numbers?|whatever is|what is) (?:is )?(?:than|above|over|beyond|larger than|greater"
+    r" than)"
+    r" (?P<value>[NQ]) (?:cannot|can not|can never|cant|will not|wont|does not|do not|doesnt|dont) (?:be"
+    r" (?:represented|sent"
     r"|told|coded|encoded|expressed|reported|carried)|fit)\b(?: (?:into|in) (?:the )?(?:field )?(?P<name>F))?"
 )
 
 
+_CANNOT = re.compile(r"(?:not|cant|wont|doesnt|dont|never) (?:be|fit)\b")
+
+
 def _beyond(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "More than 255 cannot be represented", of the field behind it or of the one that the passage is about."""
-    for found in _BEYOND.finditer(span.text):
+    for found in _BEYOND.finditer(span.text) if _CANNOT.search(span.text) else ():
         before = [said for said in said_of_fields(span) if said.end <= found.start()]
         named = [said for said in said_of_fields(span) if found["name"] and found.start("name") in said.names]
         is_one = len({span.sentence.term(said.names[-1]).written for said in before}) == 1

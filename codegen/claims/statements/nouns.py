@@ -19,7 +19,8 @@ from codegen.model.units.unit import Unit
 
 _IN = re.compile(
     r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given"
-    r"|reported|measured|sent|stored|all|always|expressed))*(?: in (?:whole |plain )?| (?:is|are) (?:whole |plain |an? T (?:in|of) )?"
+    r"|reported|measured|sent|stored|all|always|expressed))*(?: in (?:whole |plain )?| (?:is|are) (?:whole |plain "
+    r"|an? T (?:in|of) )?"
     r"| whole | as an? T (?:in|of) )U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
     r"|but|from|at|since|relative)\b))"
 )
@@ -33,13 +34,15 @@ _NOT = re.compile(
 )
 OF_ELSE = re.compile(
     r"\b(?:bus|can|gateway|controllers?|adapter|bridge|receivers?|module|protocol|autopilots?|vendors?|sentences?|register|frames?"
-    r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?|uses?|has|have"
+    r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?"
+    r"|uses?|has|have"
     r"|counts?|speaks?|keeps?|prints?|carr(?:y|ies)|comes?)\b"
 )
 """Another thing that the sentence is about, and what that does."""
 IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
-    "values", "everything", "to", "for", "from", "only", "here", "whole", "plain", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
+    "values", "everything", "to", "for", "from", "here", "whole", "plain",
+     "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
     "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
 ))  # fmt: skip
 _MOST_WORDS = 3
@@ -69,12 +72,15 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _IN.finditer(span.text):
         low, high = span.bounds(found.start())
-        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()] or OF_ELSE.search(span.text, low, high):
+        if (
+            _is_note(span, found)
+            or _NOT.search(span.text, low, high)
+            or "F" in span.text[low : found.start()]
+            or OF_ELSE.search(span.text, low, high)
+        ):
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
         words = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
-        if not _VERB.search(found[0]) and span.kind is PassageKind.TEXT and not any(span.named(0, found.start())):
-            continue  # "Angles in degrees." is a note of something
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
@@ -103,6 +109,12 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             f"{messages[0].name}.{first.name} in {written}",
             text,
         )
+
+
+def _is_note(span: Span, found: "re.Match[str]") -> bool:
+    """Return whether a sentence without a verb notes something of nothing that is named: "Angles in degrees."."""
+    is_verbless = _VERB.search(found[0]) is None and span.kind is PassageKind.TEXT
+    return is_verbless and not any(span.named(0, found.start()))
 
 
 def _is_called(field: WireField, words: list[str]) -> bool:

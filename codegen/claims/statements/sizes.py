@@ -107,7 +107,8 @@ _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
 _FOREIGN = re.compile(
-    r"\b(?:rtcmN?|ubx|nmea|can ?fd|can|sbd|iN?c|spi|uart|serial|modbus|crsf|sbus|s\.bus|msp|udp|tcp|ip|ethernet|lora|rtp|ais"
+    r"\b(?:rtcmN?|ubx|nmea|can ?fd|can|sbd|iN?c|spi|uart|serial|modbus|crsf|sbus|s\.bus|msp|udp|tcp|ip|ethernet|lora"
+    r"|rtp|ais"
     r"|ads-?b|wi-?fi|usb|ppp|slip|hdlc|lte|iridium|dronecan|uavcan|bluetooth|ble|xbee|mqtt|raw|video|image|log)"
     r"(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
 )

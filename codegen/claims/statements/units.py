@@ -98,7 +98,8 @@ _BYTES = unit_named("bytes")
 
 
 _STEP_OF = re.compile(
-    r"\b(?:in|has|have|with|of) (?:a |the )?(?:steps|units|increments|multiples|resolution|lsb) of (?P<step>Q)(?=\s*(?:[,.;)|]|$|and\b|so\b))"
+    r"\b(?:in|has|have|with|of) (?:a |the )?(?:steps|units|increments|multiples|resolution|lsb) of"
+    r" (?P<step>Q)(?=\s*(?:[,.;)|]|$|and\b|so\b))"
 )
 
 
@@ -119,7 +120,17 @@ def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         yield reading.found(as_sure(UNIT, is_sure=False), place, f"{one.name} in {term.written}", text)
 
 
-_NOT_STEPS = words(DENIED, OWN, SHOWN, r"\bsensor", r"\bdriver", r"\bchip", r"\bconvert", r"\bround", r"\bknob|\bslider|\bsteps\b(?! of)")
+_NOT_STEPS = words(
+    DENIED,
+    OWN,
+    SHOWN,
+    r"\bsensor",
+    r"\bdriver",
+    r"\bchip",
+    r"\bconvert",
+    r"\bround",
+    r"\bknob|\bslider|\bsteps\b(?! of)",
+)
 
 
 def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -160,7 +160,8 @@ def _carries(field: WireField, value: float) -> bool:
 
 
 _COUNTS = re.compile(
-    r" ?(?:[/*+]|\.\.|to N|bytes|times|%|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores)\b)"
+    r" ?(?:[/*+]|\.\.|to N|bytes|times|%|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors"
+    r"|cores)\b)"
 )
 """Behind a number that is no value."""
 
