@@ -115,11 +115,17 @@ def _clause(text: str, low: int, high: int) -> int:
 
 def _called(messages: tuple[WireMessage, ...], words_of: list[str]) -> list[WireField]:
     """The fields whose names have the last words before a type, as many of them as any name has."""
+    fields = [field for message in messages for field in message.fields]
     for count in range(min(len(words_of), _MOST_WORDS), 0, -1):
-        own = [field for message in messages for field in message.fields if _has_words(field, words_of[-count:])]
-        if own:
+        own = [field for field in fields if _has_words(field, words_of[-count:])]
+        if own and (count == len(words_of) or all(_is_made_of(field, words_of) for field in own)):
             return own
     return []
+
+
+def _is_made_of(field: WireField, words_of: list[str]) -> bool:
+    """Return whether all words of a field's name are among some words."""
+    return all(any(is_like(word, token) for word in words_of) for token in re.findall(r"[a-z]+", field.name.lower()))
 
 
 def _has_words(field: WireField, words_of: list[str]) -> bool:

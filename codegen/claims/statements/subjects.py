@@ -74,6 +74,8 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
         return found
     holders = sum(message.field(value.name) is not None for message in topic.document)
     is_only = holders == 1 and not span.is_code
+    if span.text[offset] == "P" and not span.is_code and (topic.above or topic.headings):
+        return None  # an everyday word that is no field of the messages at hand
     if span.is_code and "_" not in value.name and not topic.earlier and len(topic.document) > 1:
         return None  # a plain word, "id" or "load", is as likely a member of somebody's own type
     return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)

@@ -110,7 +110,7 @@ def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     term = said.span.sentence.term(found.start("step"))
     amount, unit = term.value if isinstance(term.value, tuple) else (None, None)
-    if not amount or not isinstance(unit, Unit) or not unit.dimension:
+    if not amount or not isinstance(unit, Unit) or not unit.dimension or not _is_power(Fraction(amount)):
         return
     step = Unit(term.written, unit.dimension, unit.scale * Fraction(amount), unit.pi, unit.zero)
     one = claimed(reading, said, found.start(), partial(has_unit, unit=step))
@@ -118,6 +118,11 @@ def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         text = f"{one.name} {_own(one.field)}, not steps of {term.written}"
         place = said.span.place(found.start("step"))
         yield reading.found(as_sure(UNIT, is_sure=False), place, f"{one.name} in {term.written}", text)
+
+
+def _is_power(amount: Fraction) -> bool:
+    """Return whether an amount is a power of ten, as the steps of fields are."""
+    return re.fullmatch(r"10*|1/10+", str(amount)) is not None
 
 
 _NOT_STEPS = words(
@@ -129,6 +134,7 @@ _NOT_STEPS = words(
     r"\bchip",
     r"\bconvert",
     r"\bround",
+    r"\b(?:moves?|jumps?|rises?|changes?|falls?|goes)\b",
     r"\bknob|\bslider|\bsteps\b(?! of)",
 )
 

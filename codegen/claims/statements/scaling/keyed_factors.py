@@ -13,15 +13,19 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.fields import Said, claimed, number
 from codegen.claims.statements.scaling.factors import turns
+from codegen.claims.statements.scaling.field_units import of_field
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.model.units.unit import Unit
+from codegen.model.dialect.dialect import WireField
+from codegen.model.units.unit import Unit, conversion
 
 _FACTOR = re.compile(
     r"(?<![\w-])(?P<how>div(?:id\w*|isors?)?|denominator|factor|scal(?:e|ing)(?:_?factor)?|multipl\w*|mult?|gain|lsb|resolution"
     r"|slope)(?:_by)? ?[:=] ?(?P<number>N)(?![\w.])"
 )
 _UNIT = re.compile(r"(?<![\w-])(?:[a-z]+_)?units?(?:_\w+)? ?[:=] ?(?P<unit>U)")
+_TURNED = re.compile(r"(?<![\w-])(?:to|target|convert\w*|out\w*|display\w*|shown?\w*|offset|bias|add) ?[:=]")
+"""A key by which an entry does more to its number than a factor."""
 _ENTRY = re.compile(r"(?:^| )- |\}|\{|\[\[")
 """What ends an entry on either side: an item of YAML, a brace, a table of TOML."""
 
@@ -45,7 +49,7 @@ def is_after_factor(said: Said, offset: int) -> bool:
 def keyed_factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """A factor in the entry of a field that does not make its number one in the unit of the entry."""
     found = _entry(said)
-    one = claimed(reading, said, found.at, partial(turns, unit=found.unit, stated=found.factor)) if found else None
+    one = claimed(reading, said, found.at, partial(_turns, unit=found.unit, stated=found.factor)) if found else None
     if found is None or one is None or found.factor == 1:
         return
     span = said.span
@@ -54,13 +58,25 @@ def keyed_factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     yield reading.found(as_sure(SCALING, is_sure=False), span.place(found.at), f"{one.name} {written} {unit}", text)
 
 
+def _turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
+    """Return whether a factor, rounded to some digits, makes the number of a field one in a unit."""
+    own = Unit.parse(field.definition.units)
+    turned = conversion(own, of_field(unit, field)) if own is not None else None
+    is_near = turned is not None and turned.ratio is not None and abs(stated - turned.ratio) <= turned.ratio / _ROUNDED
+    return is_near or turns(field, unit, stated)
+
+
+_ROUNDED = 500
+"""A factor of a document is within one part in so many of the exact one."""
+
+
 def _entry(said: Said) -> _Entry | None:
     span = said.span
     if not is_data(span):
         return None
     low, high = _bounds(span, said)
     factor, unit = _FACTOR.search(span.text, low, high), _UNIT.search(span.text, low, high)
-    if factor is None or unit is None:
+    if factor is None or unit is None or _TURNED.search(span.text, low, high):
         return None
     value, stated = number(span.sentence.term(factor.start("number"))), span.sentence.term(unit.start("unit")).value
     if not value or not isinstance(stated, Unit):
