@@ -12,7 +12,7 @@ from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
 from codegen.model.dialect.dialect import WireMessage
 
-_MESSAGE = re.compile(r"\b(?:message|msg|type|mavlink)[\"']?\s*[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
+_MESSAGE = re.compile(r"\b(?:message|msg|mavlink)[\"']?\s*[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
 _FIELD = re.compile(r"(?<![\w.])(?:field|member|attribute)[\"']?\s*[:=]\s*[\"']?(?P<field>[a-zA-Z]\w{0,60})\b(?!\.)")
 _PATH = re.compile(
     r"[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?:\[\d*\])?[\"']?\s*(?:[,}#/]|$)"

@@ -92,9 +92,9 @@ def _data(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) ->
     span = _block(code, topic, words)
     if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
         yield span
-    for line, start, sentence, is_led in data_comments(code, words) if _ANY_COMMENT.search(code.text) else ():
+    for line, start, sentence, is_behind in data_comments(code, words) if _ANY_COMMENT.search(code.text) else ():
         own = replace(topic, above=_near(reading, code, line) or topic.above)
-        kind = PassageKind.ITEM if is_led else PassageKind.TEXT
+        kind = PassageKind.ITEM if is_behind else PassageKind.TEXT
         yield Span(sentence, kind, own, _above_from(line, start), code.language, is_code=True, is_comment=True)
 
 

@@ -12,11 +12,13 @@ from codegen.load.prose import CodeBlock
 
 _COMMENT = re.compile(r"\s*(?:#|//)\s?")
 _TRAILING = re.compile(r"\s(?:#|//).*$")
+_NEXT = re.compile(r"\s*(?:-\s|\{|\[\[)")
+"""A line that begins another entry, which the comment above it is about."""
 _OF_FIELD = re.compile(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signal|value|when|topic)[\"']?\s*[:=]")
 
 
 def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:
-    """Yield each comment: its first line, where its words begin there, its terms, and whether a name leads it.
+    """Yield each comment: its first line, where its words begin there, its terms, and whether it stands behind the field.
 
     One that names nothing is led by the field of its line, of the line before it if that tells of one, or else of the
     line behind it.
@@ -37,7 +39,7 @@ def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, in
             text, 0, len(text), tuple((at, at + len(name)) for at, name in _names(text, words)), words
         )
         names = [] if _is_told(sentence) else _beside(lines, first, end, words)
-        yield lines[first], lead.end(), led_by(names, sentence) if names else sentence, bool(names)
+        yield lines[first], lead.end(), led_by(names, sentence) if names else sentence, False
         first = end
 
 
@@ -74,7 +76,8 @@ def _beside(lines: Sequence[Line], first: int, end: int, words: Vocabulary) -> l
     """The field of the line before a comment, where that is told there, or of the line behind it; empty for several."""
     before = lines[first - 1].text if first else ""
     behind = lines[end].text if end < len(lines) else ""
-    for text in (before if _OF_FIELD.match(before) else "", behind):
+    is_within = _OF_FIELD.match(before) is not None and not _NEXT.match(behind)
+    for text in (before if is_within else "", behind):
         names = _fields_of(text, words)
         if len(names) == 1:
             return names

@@ -34,7 +34,7 @@ _IDLE = _VERBS | frozenset((
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
-    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
+    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)"
 )
 _OFFSET = re.compile(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*"

@@ -28,6 +28,8 @@ _SUBJECT = re.compile(
 _FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
 _MEMBER = re.compile(r"[a-z_]\.$")
 """Before the name of a member of another thing, ``T_wb.q``."""
+_OF_ANOTHER = re.compile(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
+"""Before an everyday word that tells more of another thing: "the distance to the target is ..."."""
 _EXCEPT = re.compile(
     r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
 )
@@ -113,7 +115,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
         return True
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
-    is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
+    lead = text[max(found.start() - 40, 0) : found.start()]
+    is_called = lead.endswith((" field ", "the ", "its ", "field ")) and not _OF_ANOTHER.search(lead)
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
         " field",
         " array",

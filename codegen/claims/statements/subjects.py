@@ -64,6 +64,8 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
         return found
     if found := _about(value.name, inside, inside, is_sure=True):
         return found
+    if span.text[offset] == "P" and (before or inside) and not span.is_code:
+        return None  # an everyday word that is no field of the messages at hand
     topic = span.topic
     near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
     others = near if span.is_code else [*near, *topic.earlier]
