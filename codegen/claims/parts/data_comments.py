@@ -18,7 +18,7 @@ _OF_FIELD = re.compile(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signa
 
 
 def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:
-    """Yield each comment: its first line, where its words begin there, its terms, and whether it stands behind the field.
+    """Yield each comment: its first line, where its words begin there, its terms, and whether it is behind the field.
 
     One that names nothing is led by the field of its line, of the line before it if that tells of one, or else of the
     line behind it.

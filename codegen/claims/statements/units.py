@@ -106,7 +106,7 @@ _STEP_OF = re.compile(
 def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """ "`current_battery` is in units of 0.1 A": that much is one."""
     found = _STEP_OF.search(said.span.text, said.end, min(said.until, said.end + _GAP_LONG))
-    if found is None or _NOT_STEPS.search(said.span.text, said.end, found.start()):
+    if found is None or _NOT_STEPS.search(said.span.text, said.span.bounds(said.start)[0], found.start()):
         return
     term = said.span.sentence.term(found.start("step"))
     amount, unit = term.value if isinstance(term.value, tuple) else (None, None)
