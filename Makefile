@@ -7,6 +7,7 @@ INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
 MICROPYTHON32 := $(VENV)/.micropython32
+COMPILED := $(VENV)/.compiled
 RESULTS := build/results
 FURTHER := $(filter-out generated/common/tests,$(wildcard generated/*/tests))
 NPM ?= $(or $(shell command -v npm),$(abspath $(BIN))/npm)
@@ -24,8 +25,11 @@ unexport PYTHONDONTWRITEBYTECODE
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-# Types, output and documents are checked, and the suites of further programs run, beside the tests, which wait now and then.
-test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
+# What the tests need is installed while they are compiled. Types, output and documents are checked, and the suites of
+# further programs run, beside the tests, which wait now and then.
+test: $(INSTALLED) browser valgrind tools
+	@$(MAKE) --no-print-directory $(COMPILED) & compiled=$$!; \
+	$(MAKE) --no-print-directory $(STATIONS) $(RELEASES) $(MICROPYTHON32) || exit 1; wait $$compiled
 	@failed=""; rm -rf $(RESULTS); mkdir -p $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	beside() { told="$(RESULTS)/$$1"; shift; "$$@" > "$$told.txt" 2>&1; echo $$? > "$$told.code"; }; \
@@ -112,7 +116,7 @@ clean:
 	find codegen templates tests generated benchmarks -name __pycache__ -prune -exec rm -rf {} + 2>/dev/null || true
 
 # Debian keeps the part of venv that installs pip in a package of its own (python3-venv). Without it the environment
-# is made bare, and the pip of $(PYTHON) fills it.
+# is made bare, and the pip of $(PYTHON) fills it. The newest pip takes two thirds of the time of Debian's.
 $(INSTALLED): pyproject.toml
 	@command -v "$(PYTHON)" >/dev/null || { echo "$(PYTHON) is missing: install Python 3.11 or newer, or set PYTHON" >&2; exit 1; }
 	@"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -123,7 +127,14 @@ $(INSTALLED): pyproject.toml
 		  "$(PYTHON)" -m pip --python $(BIN)/python install --quiet pip; } || \
 		"$(PYTHON)" -m virtualenv --clear $(VENV) || \
 		{ echo "no virtual environment can be made: install python3-venv (Debian), or pip 22.3 or newer" >&2; exit 1; }
+	$(INSTALL) --upgrade pip
 	$(INSTALL) --editable '.[dev]'
+	@touch $@
+
+# Each process that shares the tests imports all of them, at the same time: compiled once before, they are not compiled by
+# each. A test that cannot be imported is no matter here: `make test` shows it.
+$(COMPILED): $(INSTALLED)
+	@$(BIN)/python -m pytest -p no:xdist --collect-only -qq >/dev/null 2>&1 || true
 	@touch $@
 
 # MAVProxy is what `make test` runs as a ground station. Its dependencies would be a gigabyte of maps and windows; what it

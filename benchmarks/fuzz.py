@@ -18,10 +18,15 @@ import warnings
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import quality_results
 from fuzzing.children import EACH, in_children
 from results import ROOT
+
+if TYPE_CHECKING:
+    from fuzzing.case import Case
+    from fuzzing.judge import Outcome
 
 FAILED = ROOT / "build" / "fuzz"
 MEMORY = 4 << 30
@@ -70,39 +75,12 @@ def _again(arguments: argparse.Namespace, folder: Path) -> int:
 
 
 def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
-    from fuzzing.case import Case, drawn, store  # noqa: PLC0415  as above
-    from fuzzing.judge import Outcome, judged  # noqa: PLC0415
-    from fuzzing.samples import samples  # noqa: PLC0415
+    from fuzzing.case import store  # noqa: PLC0415  as above
 
-    from codegen.cli import main as codegen  # noqa: PLC0415
-
-    def judge(case: Case) -> Outcome:
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
-        with tempfile.TemporaryDirectory(dir=folder) as own:
-            outcome = judged(case, Path(own), codegen, arguments.seconds)
-        faulthandler.cancel_dump_traceback_later()
-        return outcome
-
-    def draw(number: int) -> Case:
-        return drawn(arguments.seed, number, is_small=arguments.small)
-
-    def batches() -> Iterator[range]:
-        last = arguments.first + arguments.count
-        for first in range(arguments.first, last, EACH):
-            if time.monotonic() - started > 60 * arguments.minutes:
-                print(f"{arguments.minutes:g} minutes are over")
-                return
-            yield range(first, min(first + EACH, last))
-
-    started = time.monotonic()
     codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
     slowest, seconds = (0.0, ""), 0.0
-    # What a right project needs is imported and kept once, for all children.
-    right = next(each for each in samples() if each.name == ("minimal" if arguments.small else "rover"))
-    judge(Case("right", "project file", ("build",), right.files))
-    for number, found in in_children(lambda number: judge(draw(number)), batches(), arguments.jobs):
-        case = draw(number)
-        outcome = found or Outcome(-1, 0.0, ("its process ended",), "")
+    started = time.monotonic()
+    for case, outcome in _judged(arguments, folder):
         codes[outcome.code] += 1
         kinds[case.kind] += 1
         slowest = max(slowest, (outcome.seconds, case.name))
@@ -117,9 +95,58 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
     print(f"seed {arguments.seed}: {codes.total()} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
     print(f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {failed.total()} have faults")
     if arguments.store:
-        numbers = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
-        quality_results.store("fuzz", str(arguments.seed), {**numbers, "kinds": dict(sorted(kinds.items()))})
+        found = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
+        quality_results.store("fuzz", str(arguments.seed), {**found, "kinds": dict(sorted(kinds.items()))})
     return 1 if failed else 0
+
+
+def _judged(arguments: argparse.Namespace, folder: Path) -> Iterator[tuple["Case", "Outcome"]]:
+    """Yield each input that is drawn, and what became of it."""
+    from fuzzing.case import drawn  # noqa: PLC0415  as above
+    from fuzzing.judge import Outcome, judged  # noqa: PLC0415
+
+    from codegen.cli import main as codegen  # noqa: PLC0415
+
+    def draw(number: int) -> "Case":
+        return drawn(arguments.seed, number, is_small=arguments.small)
+
+    def judge(case: "Case") -> Outcome:
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        with tempfile.TemporaryDirectory(dir=folder) as own:
+            outcome = judged(case, Path(own), codegen, arguments.seconds)
+        faulthandler.cancel_dump_traceback_later()
+        return outcome
+
+    for right in _right(is_small=arguments.small):
+        judge(right)
+    sys.dont_write_bytecode = True
+    ended = Outcome(-1, 0.0, ("its process ended",), "")
+    for number, outcome in in_children(lambda number: judge(draw(number)), _batches(arguments), arguments.jobs):
+        yield draw(number), outcome or ended
+
+
+def _batches(arguments: argparse.Namespace) -> Iterator[range]:
+    """Yield the numbers of inputs for one child after the other, until the time is over."""
+    started = time.monotonic()
+    last = arguments.first + arguments.count
+    for first in range(arguments.first, last, EACH):
+        if time.monotonic() - started > 60 * arguments.minutes:
+            print(f"{arguments.minutes:g} minutes are over")
+            return
+        yield range(first, min(first + EACH, last))
+
+
+def _right(*, is_small: bool) -> Iterator["Case"]:
+    """Yield inputs without faults: what they need is imported and kept once, for all children, bytecode included."""
+    from fuzzing.case import Case  # noqa: PLC0415  as above
+    from fuzzing.samples import samples  # noqa: PLC0415
+
+    files = {each.name: each.files for each in samples()}
+    project = files["minimal" if is_small else "rover"]
+    for command in (("build",), ("trace",), ("explain", "HEARTBEAT"), ("diff", "../before", ".")):
+        yield Case("right", "project file", command, project, before=project)
+    codec = ("codec", "--dialect", "minimal.xml", "--messages", "all", "--out", "made")
+    yield Case("right", "dialect alone", codec, files["dialect minimal"])
 
 
 if __name__ == "__main__":

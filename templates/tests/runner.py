@@ -50,24 +50,25 @@ def state_of(case, instances):
     return state
 
 
-def soil(message):
+def soil(message, texts):
     """Leave a payload as messages before may have left it, but for texts: behind their ends nothing is written.
 
-    A text may lie in bytes, too: in those that have no sentinel but 0.
+    `texts` names the fields of bytes that carry one.
     """
     kept = bytes(message.wire)
     for at in range(message.LENGTH):
         message.wire[at] = 0xFF
-    for form, start, count, unknown, _, _ in layout_of(type(message)).values():
-        if form[-1] == "s" or (count and form[-1] == "B" and not any(unknown)):
+    for name, (form, start, count, _, _, _) in layout_of(type(message)).items():
+        if form[-1] == "s" or name in texts:
             message.wire[start : start + count] = kept[start : start + count]
 
 
-def frames_of(case, instances, count, links):
+def frames_of(case, instances, count, texts, links):
     """Return the frames of a case as hexadecimal text, one per link; None where the message does not go over it.
 
-    `count` is 2 where a message is about a page of an instance, 1 where it is about an instance, else 0. Each frame
-    is made in both ways, straight from the state and of the message that is built; where these differ, both are told.
+    `count` is 2 where a message is about a page of an instance, 1 where it is about an instance, else 0; `texts` are
+    its fields of bytes that carry a text. Each frame is made in both ways, straight from the state and of the message
+    that is built; where these differ, both are told.
     """
     state = state_of(case, instances)
     about = (case["instance"], case.get("page", 0))[:count]
@@ -76,7 +77,7 @@ def frames_of(case, instances, count, links):
     build = getattr(telemetry, "build_" + name)
     message = build(state, *about)
     if message is not None:
-        soil(message)
+        soil(message, texts)
         build(state, *about)
     encode = getattr(telemetry, "encode_" + name)
     frames = []
@@ -121,12 +122,13 @@ def run(cases):
     if streams.VERSION == 2:
         links[0] = streams.open_link(Wire())  # which has views of those lengths alone that it is said to need
     instances = cases["instances"]
-    about = cases["about"]
+    about, texts = cases["about"], cases["texts"]
+    frames = {}
+    for case in cases["messages"]:
+        table = case.get("table", case["message"])
+        frames[case["name"]] = frames_of(case, instances, about.get(table, 0), texts.get(table, ()), links)
     return {
-        "frames": {
-            case["name"]: frames_of(case, instances, about.get(case.get("table", case["message"]), 0), links)
-            for case in cases["messages"]
-        },
+        "frames": frames,
         "conversions": {case["name"]: convert(case, instances) for case in cases["conversions"]},
     }
 

@@ -51,7 +51,7 @@ def checkout(tmp_path: Path) -> Path:
     for name in ("ruff", "mypy", "python", "codegen"):
         (tools / name).write_text(TOOL)
         (tools / name).chmod(0o755)
-    for stamp in (".installed", ".stations", ".releases", ".micropython32"):
+    for stamp in (".installed", ".stations", ".releases", ".micropython32", ".compiled"):
         (tmp_path / ".venv" / stamp).touch()
     return tmp_path
 
@@ -137,9 +137,21 @@ def test_install_only_when_pyproject_changed(checkout: Path) -> None:
     os.utime(checkout / ".venv" / ".installed", (1, 1))
     assert run(checkout, "make", "build").returncode == 0
     installs = [call for call in called(checkout) if "install" in call]
-    assert installs == [f"{INSTALL} --editable .[dev]"]
+    assert installs == [f"{INSTALL} --upgrade pip", f"{INSTALL} --editable .[dev]"]
     run(checkout, "make", "build")
-    assert len([call for call in called(checkout) if "install" in call]) == 1
+    assert len([call for call in called(checkout) if "install" in call]) == 2
+
+
+def test_tests_are_compiled_once_before_many_processes_import_them(checkout: Path) -> None:
+    """Whether they can be imported says the run itself; `make build` does not wait for it."""
+    (checkout / ".venv" / ".compiled").unlink()
+    run(checkout, "make", "build")
+    assert called(checkout) == ["codegen build"]
+    wanted = "python -m pytest -p no:xdist --collect-only -qq"
+    assert run(checkout, "make", "test", FAILING=wanted).returncode == 0
+    assert called(checkout)[1] == wanted
+    run(checkout, "make", "test")
+    assert called(checkout).count(wanted) == 1
 
 
 def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> None:

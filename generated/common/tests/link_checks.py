@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 5f99619bc72666fa
+# Inputs: d21140a9ca49c1fc
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -319,6 +319,25 @@ def what_arrives_is_counted():
     assert link.crc_errors == 1
 
 
+def the_end_of_a_frame_is_waited_for():
+    """Half a second, and no longer: then what stands behind a frame without an end is found."""
+    craft = new_craft()
+    link, station = craft.connections[0].link, GroundStation(Port()).link
+    whole = bytes(station.encode(messages.Ping(unknown=False).update(time_usec=1, target_system=9)))
+    longer = bytes(station.encode(messages.CommandLong(unknown=False).update(param7=1.0, confirmation=1)))
+    assert len(longer) > 12 + len(whole), "it would take the other one for its own end"
+    before = link.received
+    for part, wait_us, count in (
+        (whole[:-1], 400_000, 0),
+        (whole[-1:], 2 * LINKS_US, 1),
+        (longer[:12] + whole, 400_000, 1),
+        (b"", 200_000, 2),
+    ):
+        craft.port.arrives(part)
+        run(craft, wait_us)
+        assert link.received - before == count, (part, link.received - before)
+
+
 OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
     "open_uart": ("uart", "name", "uart"),
     "open_fixed_uart": ("uart", "name", "uart"),
@@ -365,6 +384,7 @@ CHECKS = (
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),
+    (the_end_of_a_frame_is_waited_for, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
 )
 LONG = (

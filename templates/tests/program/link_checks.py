@@ -317,6 +317,25 @@ def what_arrives_is_counted():
     assert link.crc_errors == 1
 
 
+def the_end_of_a_frame_is_waited_for():
+    """Half a second, and no longer: then what stands behind a frame without an end is found."""
+    craft = new_craft()
+    link, station = craft.connections[0].link, GroundStation(Port()).link
+    whole = bytes(station.encode(messages.Ping(unknown=False).update(time_usec=1, target_system=9)))
+    longer = bytes(station.encode(messages.CommandLong(unknown=False).update(param7=1.0, confirmation=1)))
+    assert len(longer) > 12 + len(whole), "it would take the other one for its own end"
+    before = link.received
+    for part, wait_us, count in (
+        (whole[:-1], 400_000, 0),
+        (whole[-1:], 2 * LINKS_US, 1),
+        (longer[:12] + whole, 400_000, 1),
+        (b"", 200_000, 2),
+    ):
+        craft.port.arrives(part)
+        run(craft, wait_us)
+        assert link.received - before == count, (part, link.received - before)
+
+
 OPENED = {  # by what the board opens a link with: its kind, and what the first arguments are
     "open_uart": ("uart", "name", "uart"),
     "open_fixed_uart": ("uart", "name", "uart"),
@@ -363,6 +382,7 @@ CHECKS = (
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),
+    (the_end_of_a_frame_is_waited_for, "services.garbage"),
     (ports_are_those_of_the_specification, "services.links"),
 )
 LONG = (

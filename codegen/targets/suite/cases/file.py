@@ -5,9 +5,11 @@ import math
 import os
 from collections.abc import Mapping
 
+from codegen.model.answers.answer import Answer
+from codegen.model.dialect.dialect import Kind
 from codegen.model.spec.spec import Correction
 from codegen.model.system import System
-from codegen.model.vehicle import Component
+from codegen.model.vehicle import Component, QuantityKind
 from codegen.targets.naming import message_about
 from codegen.targets.suite.cases.messages import conversion_cases, message_cases
 from codegen.targets.suite.cases.value_sources import value_sources
@@ -46,6 +48,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
     parts.append(f'"dialect": {json.dumps(dialect_files(system))}')
     parts.append(f'"instances": {json.dumps(_instances(system.components))}')
     parts.append(f'"about": {json.dumps(_about(system))}')
+    parts.append(f'"texts": {json.dumps(_texts(system))}')
     sources = ",\n".join(map(json_line, value_sources(system)))
     parts.append(f'"sources": [\n{sources}\n]' if sources else '"sources": []')
     for key, cases in (("messages", messages), ("conversions", conversions)):
@@ -63,6 +66,21 @@ def _about(system: System) -> dict[str, int]:
     """Return by message the count of numbers that tell a function its instance and page."""
     counts = {message.name: message_about(message) for message in system.messages}
     return {name: len(told) for name, told in counts.items() if told}
+
+
+def _texts(system: System) -> dict[str, list[str]]:
+    """Return by message the fields of bytes, not of characters, that carry a text."""
+    return {
+        message.name: fields
+        for message in system.messages
+        if (fields := [answer.covers.field.name for answer in message.answers if _is_text_in_bytes(answer)])
+    }
+
+
+def _is_text_in_bytes(answer: Answer) -> bool:
+    is_text = any(quantity.kind is QuantityKind.TEXT for quantity in answer.carried)
+    is_text = is_text or any(isinstance(value, str) for value in answer.constants)
+    return is_text and answer.covers.field.type.kind is not Kind.CHAR
 
 
 def dialect_files(system: System) -> dict[str, object]:
