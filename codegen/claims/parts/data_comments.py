@@ -12,6 +12,8 @@ from codegen.load.prose import CodeBlock
 
 _COMMENT = re.compile(r"\s*(?:#|//)\s?")
 _TRAILING = re.compile(r"\s(?:#|//).*$")
+_UNUSED = re.compile(r"[\w.-]+: (?:\.\.\.|.* # )")
+"""A comment that is an entry which is not in use, with a comment of its own: "type: ...  # line 9"."""
 _NEXT = re.compile(r"\s*(?:-\s|\{|\[\[)")
 """A line that begins another entry, which the comment above it is about."""
 _OF_FIELD = re.compile(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signal|value|when|topic)[\"']?\s*[:=]")
@@ -35,12 +37,14 @@ def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, in
         lead = _COMMENT.match(lines[first].text)
         assert lead is not None
         text = " ".join(_COMMENT.sub("", line.text, count=1).strip() for line in lines[first:end])
+        first, begin = end, first
+        if _UNUSED.match(text):
+            continue
         sentence = read_sentence(
             text, 0, len(text), tuple((at, at + len(name)) for at, name in _names(text, words)), words
         )
-        names = [] if _is_told(sentence) else _beside(lines, first, end, words)
-        yield lines[first], lead.end(), led_by(names, sentence) if names else sentence, False
-        first = end
+        names = [] if _is_told(sentence) else _beside(lines, begin, end, words)
+        yield lines[begin], lead.end(), led_by(names, sentence) if names else sentence, False
 
 
 def _behind(line: Line, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:

@@ -17,8 +17,6 @@ from codegen.claims.statements import (
     absent,
     amounts,
     commands,
-    described,
-    elements,
     entries,
     epochs,
     facts,
@@ -35,6 +33,7 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
+from codegen.claims.statements.unnamed import described, elements
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 

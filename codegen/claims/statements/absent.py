@@ -24,7 +24,7 @@ from codegen.load.prose import PassageKind
 _THING = (
     r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
     r"|aid|temperature|information|idea|clock|time|probe|thermometer|thermistor|homing|encoder|echo|dop|counter|antenna|compass"
-    r"|transponder|camera|estimator|beacon|tracker|load cell|gauge|meter|reference)"
+    r"|transponder|camera|estimator|beacon|tracker|gauge|meter|reference)"
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"

@@ -115,8 +115,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
         return True
     if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
         return True
-    lead = text[max(found.start() - 40, 0) : found.start()]
-    is_called = lead.endswith((" field ", "the ", "its ", "field ")) and not _OF_ANOTHER.search(lead)
+    before = text[max(found.start() - 40, 0) : found.start()]
+    is_called = before.endswith((" field ", "the ", "its ", "field ")) and not _OF_ANOTHER.search(before)
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
         " field",
         " array",

@@ -27,7 +27,7 @@ _UNIT = re.compile(r"(?<![\w-])(?:[a-z]+_)?units?(?:_\w+)? ?[:=] ?(?P<unit>U)")
 _TURNED = re.compile(r"(?<![\w-])(?:to|target|convert\w*|out\w*|display\w*|shown?\w*|offset|bias|add) ?[:=]")
 """A key by which an entry does more to its number than a factor."""
 _ENTRY = re.compile(r"(?:^| )- |\}|\{|\[\[")
-"""What ends an entry on either side: an item of YAML, a brace, a table of TOML."""
+"""The ends of an entry on either side: an item of YAML, a brace, a table of TOML."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,6 +50,8 @@ _NOT = words(
     r"\blogs?\b",
     r"\bwhere(?:as)?\b", r"\bwhile\b", r"\bif\b", r"\bwhen\b", r"\binternal", r"\bsum\b", r"\bdatabase\b",
 )  # fmt: skip
+_CONTRAST = 80
+"""Characters before a sentence in which the field's own type is told, so that another one is of another thing."""
 _BEHIND = 20
 """Characters behind a type in which a word can still rule it out."""
 _MOST_WORDS = 3
@@ -80,6 +82,9 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         words_of = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
         stated = stated_type(span.sentence.term(at))
         meant = _called(messages[:1], words_of)
+        told = (stated_type(term) for _, term in span.sentence.within(max(low - _CONTRAST, 0), at, "T"))
+        if any(has_type(field, each) for each in told for field in meant):
+            continue  # its own type is told before that of another one
         if not meant or not is_sure or any(has_type(field, stated) for field in _called(messages, words_of)):
             continue
         name, written = f"{messages[0].name}.{meant[0].name}", span.sentence.term(at).written
@@ -95,7 +100,7 @@ _FAR = 200
 
 
 def _told_before(reading: Reading, span: Span, offset: int, at: int) -> Iterator[Diagnostic]:
-    """ "That is a 16-bit counter", where all fields that are named before it have another type."""
+    """Yield what is wrong in "that is a 16-bit counter", where all fields named before it have another type."""
     named = [about(reading, span, name) for name, _ in span.sentence.within(max(offset - _FAR, 0), offset, "F")]
     own = [each for each in named if each is not None]
     names = [term.letter for _, term in span.sentence.within(max(offset - _FAR, 0), offset, "FMC")]
