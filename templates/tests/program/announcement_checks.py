@@ -126,6 +126,26 @@ def told_again_after_a_silence():
         assert _announced(port) == (_expected(craft) if is_told else []), missing_ms
 
 
+def told_again_while_another_stays():
+    """Who is silent for long is new again, who went on in the meantime is not, in whatever order they came."""
+    for first in (0, 1):
+        port = Port()
+        craft = _craft(ports=[port])
+        _quiet(craft, [port])
+        gone, there = GroundStation(port), GroundStation(port, system_id=254)
+        for who in ((gone, there), (there, gone))[first]:
+            _beat(who)
+            run_passes(craft, 60)
+        for _ in range(4):
+            run(craft, SILENCE_MS * 1000 // 4, STEP_US)
+            _beat(there)
+        for who, is_told in ((gone, True), (there, False)):
+            _beat(who)
+            port.frames = []
+            run(craft, LONG_US)
+            assert _announced(port) == (_expected(craft) if is_told else []), (first, is_told)
+
+
 def told_after_days_of_silence():
     """Six to twelve days, in which ticks_ms() are hard to compare, are a silence like any other."""
     port = Port()
@@ -294,6 +314,7 @@ CHECKS = (
     (told_to_who_appears, "message.connection"),
     (many_are_told_once, "message.connection"),
     (told_again_after_a_silence, "message.connection"),
+    (told_again_while_another_stays, "message.connection"),
     (told_after_days_of_silence, "message.connection"),
     (a_port_that_takes_nothing_loses_none, "message.connection"),
     (only_what_is_on_is_told, "message.connection"),
@@ -306,6 +327,7 @@ CHECKS = (
 LONG = (
     told_to_who_appears,
     told_again_after_a_silence,
+    told_again_while_another_stays,
     told_after_days_of_silence,
     a_port_that_takes_nothing_loses_none,
     told_of_a_change,

@@ -343,6 +343,22 @@ def _follows_requests(data_stream, streams):
         assert _within(sent.count(number), frames * 5 * rates[place], frames), (stream["name"], rates)
 
 
+def an_interval_of_zero_is_the_streams_own():
+    """What SET_MESSAGE_INTERVAL calls the default is what holds without requests, though one came before it."""
+    streams = [stream for stream in _by_parameter() if stream["data_stream"] is not None and stream["default"]]
+    needs(streams, "a number of a stream")
+    craft, (station, _) = _two_links()
+    for stream in streams:
+        number = stream["messages"][0][0]
+        own_us = _interval(craft, station, number)
+        _request(station, stream["data_stream"], 2 if own_us == SECOND_US else 1)
+        run(craft, 4 * LINKS_US)
+        assert _interval(craft, station, number) != own_us, stream["name"]
+        station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 0)
+        run(craft, 4 * LINKS_US)
+        assert _interval(craft, station, number) == own_us, stream["name"]
+
+
 def _sent_in(craft, seconds, *stations):
     """Return the numbers of the messages that go out to each station in some seconds."""
     for station in stations:
@@ -417,6 +433,7 @@ CHECKS = (
     (intervals_have_a_longest, "services.intervals"),
     (withheld_messages_are_rejected_for_now, "services.intervals"),
     (tables_are_asked_for_together, "services.intervals"),
+    (an_interval_of_zero_is_the_streams_own, "services.intervals"),
     (data_streams_by_request, "services.data_streams"),
     (repeated_requests_keep_the_phase, "services.data_streams"),
 )
