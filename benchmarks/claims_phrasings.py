@@ -125,6 +125,7 @@ def _type(chance: random.Random, spell: Mapping[str, str] | None = None) -> Fact
     if found is None:
         return None
     _, field, words = found
+    words = {**words, "n": field.name.replace("_", " ")}
     wrong = chance.choice([name for name in _TYPES if name != field.type.name])
     return _with(words, *((spell[name] if spell else name) for name in (field.type.name, wrong)))
 
@@ -134,6 +135,7 @@ def _length(chance: random.Random) -> Fact | None:
     if found is None:
         return None
     _, field, words = found
+    words = {**words, "n": field.name.replace("_", " ")}
     return _with(words, field.count, chance.choice([field.count - 1, field.count * 2, field.count + 4]))
 
 
@@ -162,7 +164,7 @@ def _unit(chance: random.Random) -> Fact | None:
     is_spelled = chance.random() < _HALF
     right, wrong = (_SPELLED.get(unit, unit) if is_spelled else unit for unit in pair)
     rust = _RUST.get(field.type.name) or field.type.name.replace("uint", "u").replace("int", "i").removesuffix("_t")
-    return _with(words, right, wrong, rt=rust)
+    return _with(words, right, wrong, rt=rust, n=field.name.replace("_", " "))
 
 
 _HALF = 0.5
@@ -338,6 +340,31 @@ def _effect(chance: random.Random) -> Fact:
     return _with({**_named(message), "c": str(chance.randrange(1, 9))}, 0, chance.choice([65535, 65534]))
 
 
+def _element(chance: random.Random) -> Fact | None:
+    found = _of_field(
+        chance,
+        lambda field: (
+            field.count > 1
+            and field.type.name != "char"
+            and field.type.is_integer
+            and field.sentinel is not None
+            and field.sentinel.values[0] is not None
+        ),
+    )
+    if found is None:
+        return None
+    message, field, words = found
+    known = unknown_values(field)
+    assert known is not None
+    taken = {value for each in message.fields if (own := unknown_values(each)) for value in own[0]}
+    wrong = [
+        value
+        for value in (0, field.type.maximum // 2, field.type.maximum, field.type.maximum - 1)
+        if value not in taken
+    ]
+    return _with(words, int(known[0][0]), chance.choice(wrong))
+
+
 _EXTENSIONS = (
     (
         "an extension",
@@ -350,6 +377,7 @@ _EXTENSIONS = (
         "extension field",
         "the later additions",
         "extension part",
+        "one of the later additions",
     ),
     (
         "a base field",
@@ -362,6 +390,7 @@ _EXTENSIONS = (
         "base field",
         "the original message",
         "base part",
+        "part of the original message",
     ),
 )
 
@@ -373,7 +402,8 @@ def _extension(chance: random.Random) -> Fact | None:
     if not fields:
         return None
     words = {**_named(message), "f": chance.choice(fields).name}
-    sides = [dict(zip(("v", "w", "pp", "e", "y", "p", "e", "b", "o", "c"), each, strict=True)) for each in _EXTENSIONS]
+    keys = ("v", "w", "pp", "e", "y", "p", "e", "b", "o", "c", "t")
+    sides = [dict(zip(keys, each, strict=True)) for each in _EXTENSIONS]
     right, wrong = sides if is_extension else sides[::-1]
     return {**words, **right}, {**words, **wrong}
 
@@ -548,6 +578,7 @@ MAKERS: Mapping[str, Maker] = {
     "sentinel": _sentinel,
     "unfilled": _unfilled,
     "effect": _effect,
+    "element": _element,
     "extension": _extension,
     "offset": _offset,
     "order": _order,

@@ -60,7 +60,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         claims: list[SizeClaim] | None = None
         for found in _PER_SECOND.finditer(passage.text):
             start, end = _row_or_sentence(passage.text, *passage.sentence(found.start(), found.end()))
-            if _OF_WHOLE.search(passage.text, start, found.start()):
+            if _OF_WHOLE.search(passage.text, start, found.start()) or _MORE.search(passage.text, start, end):
                 continue
             inside = between(mentions, start, end)
             rates = _rates(passage.text, start, end) or _rates(passage.text, 0, start)
@@ -86,6 +86,14 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 _OF_WHOLE = re.compile(r"(?:%|\bper ?cent|\bpart|\bshare|\bfraction|\bout) of (?:the |an? |its |all )?$", re.IGNORECASE)
 """Before what a line can carry, of which a message takes a part: "7 % of the 5760 bytes/s"."""
+
+
+_MORE = re.compile(
+    r"(?:/ ?s|\bps|per second|a second) (?:more|extra|less|on top|in addition|additional(?:ly)?)\b|\badds? (?:about "
+    r"|another )?\d",
+    re.IGNORECASE,
+)
+"""Bytes per second that come on top of those of a message."""
 
 
 def _rates(text: str, start: int, end: int) -> set[Fraction]:

@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside
 from codegen.claims.rules import NO_FIELD
 from codegen.diagnostics import Diagnostic, did_you_mean
-from codegen.load.prose import Passage
+from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.source import Place
 
@@ -66,6 +66,7 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         name = passage.text[low:high]
         owner = owner_of(passage.text, low, high, names)
         if name in names.fields and owner is None:
+            yield from _called(reading, passage, around, (low, high))
             continue
         is_word = _SNAKE.fullmatch(name) is None
         message = owner or message_about(reading, passage, around, low, high)
@@ -82,9 +83,33 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
         is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
         if any(each in passage.text for each in same_field(name, message)) and owner is None:
             continue  # the other side of a mapping
+        if passage.kind is PassageKind.ROW and owner is None and _is_mapped(passage.text, name, low, high, message):
+            continue
         is_listed = is_listed or bool(is_end) or is_among_fields(passage, low, high, message)
         if near_fields(name, message) or (is_called and reading.named(passage)) or owner is not None or is_listed:
             yield no_field(reading, passage.place_at(low), message, name)
+
+
+_CALLED = re.compile(r"\b(?:is|are|was) (?:named|called) `?$|\bgoes by the name of `?$", re.IGNORECASE)
+_NOT_CALLED = re.compile(r"\b(?:not|in our|our|log|topic|there)\b", re.IGNORECASE)
+
+
+def _called(reading: Reading, passage: Passage, around: Surroundings, span: tuple[int, int]) -> Iterator[Diagnostic]:
+    """ "The time stamp is named `time_usec`" below the heading of a message that has no field of that name."""
+    low, high = span
+    start, end = passage.sentence(low, high)
+    message = around.headings[0] if len(around.headings) == 1 and not reading.named(passage) else None
+    name = passage.text[low:high]
+    if message is None or message.field(name) is not None or not _CALLED.search(passage.text, start, low):
+        return
+    if not _NOT_CALLED.search(passage.text, start, end) and not is_aside(passage.text[start:end].lower()):
+        yield no_field(reading, passage.place_at(low), message, name)
+
+
+def _is_mapped(row: str, name: str, low: int, high: int, message: WireMessage) -> bool:
+    """Return whether a row names the field elsewhere that a name is like: what somebody calls it."""
+    rest = f"{row[:low]}|{row[high:]}"
+    return any(re.search(rf"\b{re.escape(each)}\b", rest) is not None for each in near_fields(name, message))
 
 
 def _is_meant(name: str, message: WireMessage) -> bool:

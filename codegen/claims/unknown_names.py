@@ -7,6 +7,7 @@ from itertools import groupby, pairwise
 
 from codegen.claims.about import surroundings
 from codegen.claims.field_notes import field_notes
+from codegen.claims.keyed_fields import keyed_fields
 from codegen.claims.known_names import (
     FAMILY,
     UPPER,
@@ -267,6 +268,7 @@ def _code(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnosti
         if near is not None:
             yield _no_message(reading, _at(line, found.start(group)), name, near)
     yield from _read(reading, code, names)
+    yield from keyed_fields(reading, code, names)
     for line in code.lines:
         for found in _CONSTANT.finditer(line.text):
             yield from _entry(reading, _at(line, found.start()), found[0], names)

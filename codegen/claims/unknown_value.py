@@ -1,6 +1,7 @@
 """The values that stand for unknown in a field: by the dialect's attribute, or else by the words of its description."""
 
 import re
+from functools import cache
 
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import named_number
@@ -43,6 +44,22 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
         if value is not None:
             return [value], written
     return None
+
+
+_STATE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|not available)\b")
+_FAILURE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\bfail(?:ed|ure)\b")
+
+
+@cache
+def described_unknowns(field: WireField) -> tuple[int, ...]:
+    """Return the values of a field that its description calls unknown besides: "1 = invalid, 0 = unset"."""
+    return tuple(int(found["value"]) for found in _STATE.finditer(field.definition.description))
+
+
+@cache
+def described_failures(field: WireField) -> tuple[int, ...]:
+    """Return the values of a field that its description has for a failure: "-1 = odometry has failed"."""
+    return tuple(int(found["value"]) for found in _FAILURE.finditer(field.definition.description))
 
 
 _NEGATIVE = re.compile(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from codegen.claims.parts.aligned import aligned_items, csv_rows
+from codegen.claims.parts.data_comments import data_comments
 from codegen.claims.parts.sentence import Sentence, Vocabulary
 from codegen.claims.parts.span import DATA, Span, Topic
 from codegen.claims.parts.terms import read_sentence
@@ -52,9 +53,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
     if heads or code.language in _NO_CODE or any(line.text.lstrip().startswith("<") for line in code.lines[:3]):
         return
     if code.language in DATA or (not code.language and all(_MAPPING.match(line.text) for line in code.lines)):
-        span = _block(code, topic, words)
-        if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
-            yield span
+        yield from _data(reading, code, topic, words)
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
     note: list[Line] = []
@@ -86,6 +85,36 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     True,
                 )
             note = []
+
+
+def _data(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:
+    """A block of JSON or YAML as one part, and its comments, each with the field that it stands beside."""
+    span = _block(code, topic, words)
+    if any(span.named(0, len(span.text))) or _KEYED.search(code.text) or _FIELDS.search(code.text):
+        yield span
+    for line, start, sentence, is_behind in data_comments(code, words) if _ANY_COMMENT.search(code.text) else ():
+        own = replace(topic, above=_near(reading, code, line) or topic.above)
+        kind = PassageKind.ITEM if is_behind else PassageKind.TEXT
+        yield Span(sentence, kind, own, _above_from(line, start), code.language, is_code=True, is_comment=True)
+
+
+def _near(reading: Reading, code: CodeBlock, line: Line) -> tuple[WireMessage, ...]:
+    """The messages of the lines around a comment: that of the next line, or else the last one before it."""
+    at = next((at for at, each in enumerate(code.lines) if each is line), 0)
+    while at < len(code.lines) and _OWN_LINE.match(code.lines[at].text):
+        at += 1
+    behind = code.lines[at].place.line if at < len(code.lines) else line.place.line
+    low = bisect_left(reading.sightings, (code.place.line, ""))
+    found = reading.sightings[low : bisect_left(reading.sightings, (behind + 1, ""))]
+    return tuple(reading.messages[name] for _, name in reversed(found[-_MOST:]))
+
+
+def _above_from(line: Line, start: int) -> Callable[[int], Place]:
+    return lambda offset: line.place._replace(column=line.place.column + start + offset)
+
+
+_OWN_LINE = re.compile(r"\s*(?:#|//)")
+_ANY_COMMENT = re.compile(r"(?:^|\s)(?:#|//)", re.MULTILINE)
 
 
 def _is_prose(line: str) -> bool:

@@ -17,7 +17,7 @@ _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
     r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value"
     r"|number|byte|field|count|it)\b"
-    r"|\bthe (?:latter|last one)\b"
+    r"|\bthe (?:latter|last one)\b|\b(?:that|this) one\b"
     r"|\b(?:the|this|that) (?:field|value|unit|number|array|list|text|string)(?= (?:is|has|comes?|goes|runs|counts?"
     r"|holds?|carries|ends|stays|reads|stands)\b)"
 )

@@ -79,6 +79,8 @@ _PLACE = re.compile(
 _PLACE_ALONE = re.compile(r"(?:^|[\s(`]):$")
 """The same without its file, if a colon follows: ":102: NAME"."""
 _PLACE_MOST = 30
+_EMPHASIZED = re.compile(r"[A-Za-z](?:\*{1,2}|__?)$")
+"""Before the rest of a word whose beginning is in bold: "**nano**seconds"."""
 _FILLING = re.compile(r" bytes?\b|-(?:terminated|filled|padded|bytes?)\b")
 """Behind "zero" where it is what a byte is, and not how many there are."""
 _SHARES: Mapping[str, int | Fraction] = {
@@ -101,7 +103,7 @@ _UNIT_PLACE = re.compile(
     r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/>\u2192]|^|U,? (?:and|or) )\s?['\"]?$"
 )
 _UNIT_END = re.compile(
-    r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are)\b"
+    r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are|you)\b"
     r"|[-\u2013\u2014(] ?)"
 )
 
@@ -157,6 +159,8 @@ def _term(
     """The term of a match; None for what is only words here."""
     start, end = found.span()
     if (found["number"] or found["quantity"]) and _is_place(text, start):
+        return None
+    if found["long"] and _EMPHASIZED.search(text, max(start - _PLACE_MOST, 0), start):
         return None
     if found["name"]:
         return _name(found, codes, words, before, text, high)
@@ -311,11 +315,14 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
         return None
     is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
-    if is_short and not (_UNIT_PLACE.search(before) and _UNIT_END.match(text, unit.end(), high)):
+    is_value = text[unit.end() : unit.end() + 1] == "\n" and _UNIT_KEY.search(before) is not None
+    if is_short and not (is_value or (_UNIT_PLACE.search(before) and _UNIT_END.match(text, unit.end(), high))):
         return None
     return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
+_UNIT_KEY = re.compile(r"\bunits? ?[:=] ?$")
+"""Before the value of a key of YAML, which ends with its line."""
 _PER_SECOND = re.compile(r"\sper\ssecond\b")
 _ENGLISH = frozenset((
     "a", "s", "x", "bar", "min", "rev", "pix", "hour", "day", "kn", "kt", "bit", "bits", "byte", "bytes", "second",

@@ -34,6 +34,7 @@ from codegen.claims.statements import (
     unknown,
 )
 from codegen.claims.statements.scaling import read_out, steps
+from codegen.claims.statements.unnamed import described, elements
 from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -49,6 +50,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (absent.check, "FP", "NS"),
     (unfilled.check, "NS", ""),
     (effects.check, "NS", ""),
+    (elements.check, "NS", ""),
     (amounts.check, "Q", "N"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
@@ -57,6 +59,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (messages.check, "N", ""),
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
+    (described.check, "T", ""),
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""

@@ -17,27 +17,33 @@ from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.subjects import About, about
 from codegen.claims.statements.unknown import NOTHING, is_unknown
-from codegen.claims.unknown_value import unknown_values
+from codegen.claims.unknown_value import described_failures, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 
 _THING = (
     r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
-    r"|aid|temperature|information|idea|clock|time)"
+    r"|aid|temperature|information|idea|clock|time|probe|thermometer|thermistor|homing|encoder|echo|dop|counter|antenna|compass"
+    r"|transponder|camera|estimator|beacon|tracker|gauge|meter|reference)"
 )
 _ABSENT = re.compile(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
+    r"|\b(?:got|gets|had|finds?|sees?|receives?) no [a-z]+|\b(?:loses?|lost) (?:its|the|their|track)\b"
+    r"|\bno (?:known |valid |own )?(?:values?|echo|lock|uid|number)\b"
     rf"|\b(?:lacks?|has no) an? |\b(?:fails?|failed|broken|defective|unplugged|disconnected)\b"
     r"|\bnothing\b|\b(?:cannot|can't|do not|don't|does not|doesn't|did not) (?:yet )?(?:fill|know|measure|tell|have"
     r"|report|see|provide|exist)\b"
     r"|\buntil (?:an? |the )?[a-z]+ is (?:known|there|available)|\bno [a-z]+ (?:is|are|on|in|at|was|has been)\b"
-    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:reported|measured|fitted|connected|computed|set|seen|received)\b"
+    r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:[a-z]+ )?(?:reported|measured|fitted|connected|computed|set"
+    r"|seen|received)\b"
 )
 _TOLD = re.compile(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
-    r"|estimate)|does(?: not|n't)|until a|there (?:is|are) no |\bfail|\bbroken"
+    r"|estimate|probe|thermometer|thermistor|receiver|fix|homing|encoder|reference)|\bno (?:fix|echo|lock|reading"
+    r"|dop|known [a-z]+)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its"
+    r"|the) reference|there (?:is|are) no |\bfail|\bbroken"
 )
 _NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
@@ -53,7 +59,8 @@ _USED = re.compile(
 )
 _NO_VALUE = re.compile(
     r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
-    r"|[a-z]+s (?:of|are|in)\b|\])"
+    r"|[a-z]+s (?:of|are|in)\b|\]|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores"
+    r"|antennas|receivers)\b)"
 )
 _GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
@@ -143,10 +150,12 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     names = {span.sentence.term(said.names[-1]).written for said in before}
     if len(names) != 1 or any(len(said.names) > 1 for said in before):
         return []
-    others = [at for at, _ in span.sentence.within(before[-1].end, high, "MEVC")]
+    of = _OF_IT.match(span.text, before[-1].end)
+    others = [at for at, _ in span.sentence.within(of.end() if of is not None else before[-1].end, high, "MEVC")]
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
+_OF_IT = re.compile(r" (?:of|in) (?:the )?M\b")
 _IT = re.compile(r"\b(?:it|there|this|the field)\b")
 _BEGINS = re.compile(r"[^a-zA-Z]*(?:the )?(?:field )?")
 _OF_SEVERAL = re.compile(
@@ -162,7 +171,7 @@ def _is_tied(text: str, at: int, start: int, end: int) -> bool:
     if start <= at < end:
         return True
     low, high = (at + 1, start) if at < start else (end, at)
-    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1))
+    gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1)).replace("i.e.", "ie").removeprefix(" while")
     return high - low <= _FAR and not _GAP.search(gap) and not re.search(r"[NS]", gap)
 
 
@@ -180,11 +189,18 @@ def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[in
         return
     if not one.is_wrong(partial(is_unknown, value=float(value))):
         return
+    if known[1] == "negative" and "negative" in span.text[slice(*sentence)]:
+        return
+    if value in described_failures(one.field) and _FAILS.search(span.text, *sentence):
+        return
     is_told = _TOLD.search(span.text, *sentence) is not None
     if float(value) in _SMALL and not is_told:
         return
     text = f"{one.name} is unknown when it is {known[1]}, not {term.written}"
     yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
+
+
+_FAILS = re.compile(r"\bfail|\blost\b|\bloses?\b|\bbroken\b")
 
 
 def _is_element(span: Span, offset: int) -> bool:

@@ -12,9 +12,11 @@ from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import measuring
 from codegen.claims.statements.scaling.field_units import of_field
 from codegen.claims.statements.subjects import About, about, subjects
+from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
+from codegen.model.dialect.literals import same_number
 from codegen.model.units.unit import Unit, conversion
 
 _LINKS = frozenset((
@@ -27,7 +29,7 @@ _LINKS = frozenset((
     "x", "would", "should", "sensor", "transmitter", "then", "with",
     "count", "counts", "payload", "message", "stored", "found", "set", "use", "fill", "produces",
     "produce", "carried", "display", "when", "results", "reading",
-    "yields", "turns", "nothing", "than", "from",
+    "yields", "turns", "nothing", "than", "from", "therefore", "thus", "hence", "visible", "seen", "up", "turned",
 ))  # fmt: skip
 _NOUNS = re.compile(r"\b(?:height|altitude|speed|current|temperature|angle|heading|pressure|distance|humidity)\b")
 _COMPARED = re.compile(
@@ -100,7 +102,7 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
-        if own is None:
+        if own is None or _is_taken(one.field, own):
             continue
         written = span.sentence.term(at).written
         stated = f"{one.name} {term.written} for {written}"
@@ -117,6 +119,7 @@ _SENT_AS = re.compile(
     r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like"
     r"|in the form of)"
     r" (?:an?|the)? ?(?:value |number |integer )*"
+    r"| (?:reads?|shows up as|turns up as|is visible as|is seen as) (?:an? |the )?"
 )
 """Between an amount and its number, where no field is named."""
 
@@ -209,6 +212,12 @@ def _in_own(field: WireField, amount: Fraction, unit: Unit) -> Fraction | None:
     if turned is None or turned.pi:
         return None
     return (turned.factor * amount + turned.offset) / field.multiplier
+
+
+def _is_taken(field: WireField, value: Fraction) -> bool:
+    """Return whether a number stands for unknown in a field, so that another one is sent for its amount."""
+    known = unknown_values(field)
+    return known is not None and any(same_number(float(value), each) for each in known[0])
 
 
 _ROUNDED = 100

@@ -19,7 +19,9 @@ _NAMED = (
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
     re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$|, (?:for|as|in|is)\b))"),
-    re.compile(r"(?P<value>N)(?: is| means|:)? (?:an? |the )?[a-z]+(?: [a-z]+){0,4} \((?P<name>V)\)"),
+    re.compile(
+        r"(?P<value>N)(?: is| means| for| =|:)? (?:an? |the )?(?:[a-z]+|P)(?: (?:[a-z]+|P)){0,4} \((?P<name>V)\)"
+    ),
     re.compile(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
         r"|this is"

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 
-from codegen.claims.parts.span import Span
+from codegen.claims.parts.span import Span, head_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPLACED, words
 from codegen.claims.rules import ENUM_OF, EXTENSION, OFFSET, as_sure
@@ -18,25 +18,27 @@ _GROUP = re.compile(_NAMES)
 _KIND = re.compile(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
-    r"|\bthe (?:later|last|new) additions?\b|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b"
+    r"|\bthe (?:later|last|new) additions?\b|\bthe (?:later|newer) fields\b"
+    r"|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b"
 )
 _AND_REST = re.compile(
-    r"^,? (?:and|with) (?:all )?(?:the )?(?:following|next|later|others|rest|ones behind|ones after)\b(?: it)?"
+    r"^,? (?:and|with) (?:all )?(?:the )?(?:following|next|later|others|rest|ones behind|ones after|that follow)\b"
+    r"(?: it)?"
 )
-_EXTENDS = re.compile(r"extension|addition")
+_ORIGINAL = ("base", "original", "initial")
 _VERBS = frozenset((
-    "it", "they", "note",
+    "it", "belongs", "they", "note",
     "is", "are", "both", "all", "count", "counts", "were", "was", "came", "come", "comes", "later", "belong",
     "belongs", "among", "to", "in", "as", "sits", "sit", "lives", "live", "part",
 ))  # fmt: skip
 _IDLE = _VERBS | frozenset((
     "field", "fields", "an", "a", "the", "only", "of", "really", "one", "fact", "added", "of", "M", "T", "U", "N",
-    "type", "part", "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
-    "which", "that",
+    "type", "part", "which", "that", "following", "one", "well", "ones", "others", "here",
+    "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
 ))  # fmt: skip
 _LIST = re.compile(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
-    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}"
+    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)"
 )
 _OFFSET = re.compile(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*"
@@ -58,9 +60,25 @@ _NOT = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every such statement of a part."""
     yield from _extensions(reading, span)
+    yield from _placed(reading, span) if span.kind is PassageKind.ROW else ()
     for said in said_of_fields(span):
         yield from _offset(reading, said)
         yield from _enum(reading, said)
+
+
+_PLACED = re.compile(r"(?P<name>[FP]) ?\((?P<number>N)\)")
+_OFFSETS = re.compile(r"\boffsets?\b", re.IGNORECASE)
+
+
+def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "lat (8), lon (12)" below a heading with the word offset."""
+    for found in _PLACED.finditer(span.text) if any(_OFFSETS.search(head) for head in span.heads) else ():
+        at = found.start("number")
+        one, value = about(reading, span, found.start("name")), number(span.sentence.term(at))
+        if one is not None and _OFFSETS.search(head_of(span, at)) and one.is_wrong(lambda field: field.offset == value):  # noqa: B023
+            written = span.sentence.term(at).written
+            words = f"{one.name} begins at byte {one.field.offset}, not {written}"
+            yield reading.found(as_sure(OFFSET, is_sure=one.is_sure), span.place(at), f"{one.name} at {written}", words)
 
 
 def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -84,9 +102,17 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _kinds(reading, span, [found.start("name")], is_extension=found["kind"].startswith("ext"))
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
-    for found in _GROUP.finditer(text) if _KIND.search(text) else ():
+    yield from _grouped(reading, span) if _KIND.search(text) else ()
+
+
+def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "`a` and `b` are extensions", "`c` belongs to the base fields", "`d` tells it; it is an extension"."""
+    text = span.text
+    for found in _GROUP.finditer(text):
         kind = _KIND.search(text, found.end(), found.end() + _NEAR)
         gap = _AND_REST.sub("", text[found.end() : kind.start()]) if kind is not None else ""
+        resumed = _RESUMED.search(gap)
+        gap = gap[resumed.start("what") - 2 :] if resumed is not None else gap
         words = re.findall(r"[A-Za-z]+", gap)
         is_tied = bool(_VERBS & set(words)) or re.search(r"[:(,|\u2013]", gap) is not None
         if (
@@ -98,10 +124,28 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
         is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
-        is_extension = _EXTENDS.search(kind[0]) is not None and not kind[0].startswith("no")
+        is_extension = not kind[0].startswith("no") and not any(word in kind[0] for word in _ORIGINAL)
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
+        if _IT.match(gap) or (resumed is not None and resumed["what"] in ("it", "the field")):
+            names = [at for at, _ in span.sentence.within(span.bounds(found.start())[0], found.end(), "FP")]
+            if any(_is_so(reading, span, at, is_extension=is_extension) for at in names[:-1]):
+                continue  # which of several names "it" is, only the sense tells
         far = kind.start() if span.place(kind.start()).line != span.place(names[-1]).line else None
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
+
+
+_RESUMED = re.compile(
+    r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are"
+    r"|belongs?|c[ao]me|counts?)"
+)
+"""A clause that goes on about the names before it."""
+_IT = re.compile(r"[.;!] it\b")
+
+
+def _is_so(reading: Reading, span: Span, offset: int, *, is_extension: bool) -> bool:
+    """Return whether a field is an extension, where that is said, or a base field."""
+    one = about(reading, span, offset)
+    return one is not None and one.field.definition.is_extension == is_extension
 
 
 _THESE = re.compile(
@@ -113,7 +157,7 @@ _CLAUSE = re.compile(
 """A clause of an item or a cell that is nothing else."""
 _NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
 _MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
-_NEAR = 60
+_NEAR = 90
 """Characters between names and what kind of fields they are."""
 
 
@@ -136,6 +180,10 @@ def _kinds(
             )
 
 
+_AND_THE = re.compile(r"\band (?:then )?(?:the|its|all) [a-zFP]")
+"""Another thing whose place follows: "`count` (1), and the data from byte 7"."""
+
+
 def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     span, text = said.span, said.span.text
     found = _OFFSET.search(text, said.end, said.until) or _AT.search(text, said.end, said.until)
@@ -143,6 +191,7 @@ def _offset(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         found is None
         or len(said.names) > 1
         or _NOT.search(text[said.end : found.start()])
+        or _AND_THE.search(text, said.end, found.start())
         or found.start() - said.end > 90
     ):
         return
@@ -164,7 +213,7 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     """The enum that a field is said to have."""
     span, text = said.span, said.span.text
     found = _ENUM.match(text, said.end, said.until)
-    if found is None or not made_of(found[0][:-1], _ENUM_IDLE):
+    if found is None or not made_of(_OF_THE.sub(" ", found[0][:-1]), _ENUM_IDLE):
         return
     offset = found.start("enum")
     written = span.sentence.term(offset).written
@@ -189,6 +238,9 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         yield reading.found(
             as_sure(ENUM_OF, is_sure=one.is_sure), span.place(offset), f"{one.name} {written}", words, hint
         )
+
+
+_OF_THE = re.compile(r" (?:of|in) (?:the|an?|this|that) [a-z]+ ")
 
 
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:

@@ -29,6 +29,8 @@ _SENTENCE = re.compile(r"[.!?:] (?:the )?$")
 _FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
 _MEMBER = re.compile(r"[a-z_]\.$")
 """Before the name of a member of another thing, ``T_wb.q``."""
+_OF_ANOTHER = re.compile(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
+"""Before an everyday word that tells more of another thing: "the distance to the target is ..."."""
 _EXCEPT = re.compile(
     r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
 )
@@ -117,7 +119,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     is_first = begins or _SENTENCE.search(text, max(found.start() - 8, 0), found.start()) is not None
     if is_first and span.kind is PassageKind.TEXT and _SUBJECT.match(text, found.end()):
         return True
-    is_called = text[max(found.start() - 40, 0) : found.start()].endswith((" field ", "the ", "its ", "field "))
+    before = text[max(found.start() - 40, 0) : found.start()]
+    is_called = before.endswith((" field ", "the ", "its ", "field ")) and not _OF_ANOTHER.search(before)
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
         " field",
         " array",

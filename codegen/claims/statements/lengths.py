@@ -84,6 +84,10 @@ _HOLDS = frozenset((
     "max", "field", "consists", "T", "U", "M", "in", "provides", "reserves", "offers", "fits", "fit", "stores", "made",
     "there", "are", "room", "which",
 ))  # fmt: skip
+_REST = re.compile(
+    r"[,;:.]? ?(?:and |while |but |so )?(?:(?:all|any) )?(?:the )?(?:other|others|remaining|rest|remainder)\b"
+)
+"""Behind elements that are used, and not all that there are: "six cells, the other four are unknown"."""
 _LESS = re.compile(
     r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"
     r"|not|never)\b|\busually\b"
@@ -199,7 +203,7 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     value = number(span.sentence.term(found.start()))
     what, field = found["what"], one.field
-    if value is None or found["per"]:
+    if value is None or found["per"] or _REST.match(span.text, found.end()):
         return
     if what.startswith(("byte", "octet")):
         is_right = lambda other: value in (other.size, other.type.size)  # noqa: E731

@@ -85,6 +85,35 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         found = list(_said(reading, said, one)) if one.field.type.is_integer else []
         yield from found or _described(reading, said, one)
+    yield from _beyond(reading, span)
+
+
+_BEYOND = re.compile(
+    r"\b(?:more|anything|values?|numbers?|whatever is|what is) (?:is )?(?:than|above|over|beyond|larger than|greater"
+    r" than)"
+    r" (?P<value>[NQ]) (?:cannot|can not|can never|cant|will not|wont|does not|do not|doesnt|dont) (?:be"
+    r" (?:represented|sent"
+    r"|told|coded|encoded|expressed|reported|carried)|fit)\b(?: (?:into|in) (?:the )?(?:field )?(?P<name>F))?"
+)
+
+
+_CANNOT = re.compile(r"(?:not|cant|wont|doesnt|dont|never) (?:be|fit)\b")
+
+
+def _beyond(reading: Reading, span: Span) -> Iterator[Diagnostic]:
+    """ "More than 255 cannot be represented", of the field behind it or of the one that the passage is about."""
+    for found in _BEYOND.finditer(span.text) if _CANNOT.search(span.text) else ():
+        before = [said for said in said_of_fields(span) if said.end <= found.start()]
+        named = [said for said in said_of_fields(span) if found["name"] and found.start("name") in said.names]
+        is_one = len({span.sentence.term(said.names[-1]).written for said in before}) == 1
+        said = next(iter(named or (before[-1:] if is_one else [])), None)
+        one = about(reading, span, said.names[-1]) if said is not None else None
+        end = _end(span, found.start("value"))
+        if said is None or one is None or end is None or not one.field.type.is_integer or one.field.definition.enum:
+            continue
+        low, _ = span.bounds(found.start())
+        if _RULED_OUT.search(span.text, low, found.start()) is None and _is_wrong(one, end, is_top=True):
+            yield _finding(reading, said, one, end, is_top=True, is_sure=False)
 
 
 def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:

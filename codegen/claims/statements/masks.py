@@ -25,6 +25,9 @@ _MORE = re.compile(r" ?(?:\||\+|,|&|and|plus|with) ?(?:[A-Z]|others?|more|some|t
 _LESS = re.compile(r"\b(?:not|except|without|but|minus|unless|instead|if|old|wrong)\b|[-+*|&~/<>] ?$")
 
 
+_VALUE_OF_FIRST = re.compile(r"\bN (?:is|=|means|stands for) ?$")
+
+
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every sum of flags that is not the number beside it."""
     for form in _SUM:
@@ -42,6 +45,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             total = 0
             for name in names:
                 total |= by_name[name][1]
+            if form is _SUM[1] and value == by_name[names[-1]][1] and _VALUE_OF_FIRST.search(before):
+                continue  # "1024 is A and B is 32768"
             if total != value:
                 written = span.sentence.term(found.start("sum")).written
                 text = f"{' | '.join(names)} is {total}, not {written}"

@@ -55,6 +55,8 @@ class Meaning:
         if not content or set(content) & _NO_WORDS:
             return None
         stated = next((entry for entry in self._enum.entries if entry.value == value), None)
+        if stated is not None and stated.name.lower() in words.lower():
+            return None  # the whole name is there, whatever other one it is like
         scores = {entry.name: self._named(entry, content) for entry in self._enum.entries}
         best = max(scores.values(), default=0)
         own = scores[stated.name] if stated is not None else 0

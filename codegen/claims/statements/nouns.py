@@ -19,9 +19,12 @@ from codegen.model.units.unit import Unit
 
 _IN = re.compile(
     r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given"
-    r"|reported|measured|sent|stored|all|always|expressed))* in (?:whole )?U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
+    r"|reported|measured|sent|stored|all|always|expressed))*(?: in (?:whole |plain )?| (?:is|are) (?:whole |plain "
+    r"|an? T (?:in|of) )?"
+    r"| whole | as an? T (?:in|of) )U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
     r"|but|from|at|since|relative)\b))"
 )
+_VERB = re.compile(r"\b(?:is|are|comes?|given|reported|measured|sent|stored|expressed|always|all)\b")
 _NOT = re.compile(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b"
     r"|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
@@ -29,9 +32,17 @@ _NOT = re.compile(
     r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
     r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
-_IDLE = frozenset((
+OF_ELSE = re.compile(
+    r"\b(?:bus|can|gateway|controllers?|adapter|bridge|receivers?|module|protocol|autopilots?|vendors?|sentences?|register|frames?"
+    r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?"
+    r"|uses?|has|have"
+    r"|counts?|speaks?|keeps?|prints?|carr(?:y|ies)|comes?)\b"
+)
+"""Another thing that the sentence is about, and what that does."""
+IDLE = frozenset((
     "the", "a", "an", "its", "all", "both", "is", "are", "of", "this", "that", "and", "field", "fields", "value",
-    "values", "everything", "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
+    "values", "everything", "to", "for", "from", "here", "whole", "plain",
+     "it", "they", "numbers", "number", "data", "given", "in", "with", "every", "each", "as",
     "only", "time", "come", "comes", "sent", "reported", "measured", "stored", "expressed", "always",
 ))  # fmt: skip
 _MOST_WORDS = 3
@@ -61,10 +72,15 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _IN.finditer(span.text):
         low, high = span.bounds(found.start())
-        if _NOT.search(span.text, low, high) or "F" in span.text[low : found.start()]:
+        if (
+            _is_note(span, found)
+            or _NOT.search(span.text, low, high)
+            or "F" in span.text[low : found.start()]
+            or OF_ELSE.search(span.text, low, high)
+        ):
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
-        words = [word for word in re.findall(r"[a-z]+", noun) if word not in _IDLE]
+        words = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
@@ -95,11 +111,17 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         )
 
 
+def _is_note(span: Span, found: "re.Match[str]") -> bool:
+    """Return whether a sentence without a verb notes something of nothing that is named: "Angles in degrees."."""
+    is_verbless = _VERB.search(found[0]) is None and span.kind is PassageKind.TEXT
+    return is_verbless and not any(span.named(0, found.start()))
+
+
 def _is_called(field: WireField, words: list[str]) -> bool:
     """Return whether all words occur in the name or in the first sentence of the description of a field."""
     text = field.definition.description.lower().partition(".")[0]
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " ")) + re.findall(r"[a-z]+", text)
-    return all(any(_is_like(word, token) for token in tokens) for word in words)
+    return all(any(is_like(word, token) for token in tokens) for word in words)
 
 
 def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
@@ -107,13 +129,17 @@ def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
     own = Unit.parse(field.definition.units)
     tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
     return own is not None and (
-        own.dimension == unit.dimension or all(any(_is_like(word, token) for token in tokens) for word in words)
+        own.dimension == unit.dimension or all(any(is_like(word, token) for token in tokens) for word in words)
     )
 
 
-def _is_like(word: str, token: str) -> bool:
-    stem = re.sub(r"(?:ies|y|es|s)$", "", word)
-    return len(stem) > 2 and re.sub(r"(?:ies|y|es|s)$", "", token) == stem
+def is_like(word: str, token: str) -> bool:
+    """Return whether two words are forms of one."""
+    stem = _ENDING.sub("", word)
+    return len(word) > 2 and _ENDING.sub("", token) == stem
+
+
+_ENDING = re.compile(r"(?:ies|y|es|e|s)$")
 
 
 def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -153,7 +179,7 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             field
             for _, field in fields
             if any(
-                _is_like(word, token) for word in re.findall("[a-z]+", lead) for token in field.name.lower().split("_")
+                is_like(word, token) for word in re.findall("[a-z]+", lead) for token in field.name.lower().split("_")
             )
         ]
         if len(fields) > 1:

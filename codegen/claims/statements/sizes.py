@@ -104,12 +104,19 @@ _BEHIND = re.compile(
     r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|an?)(?: whole| full| complete"
     r"| v[12]| (?:un)?signed| mavlink N){0,4} (?:wire|link|line|frame|packet)|(?:of air )?per"
     r" frame|(?P<frame>frames?|packets?))"
-    r"|(?: |-)(?P<message>long|large|in size|in total|(?:[a-z]+ )?M\b)"
+    r"|(?: |-)(?P<message>long|large|in size|in total|in all\b|(?:[a-z]+ )?M\b)"
 )
 _CLAUSES = re.compile(r", (?:and|but|so|while) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
+_FOREIGN = re.compile(
+    r"\b(?:rtcmN?|ubx|nmea|can ?fd|can|sbd|iN?c|spi|uart|serial|modbus|crsf|sbus|s\.bus|msp|udp|tcp|ip|ethernet|lora"
+    r"|rtp|ais"
+    r"|ads-?b|wi-?fi|usb|ppp|slip|hdlc|lte|iridium|dronecan|uavcan|bluetooth|ble|xbee|mqtt|raw|video|image|log)"
+    r"(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
+)
+"""A frame of another protocol, whose size is told."""
 _CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
 _HYPOTHETICAL = words(
@@ -273,13 +280,23 @@ def _is_claim(size: _Size) -> bool:
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
     if "sizeof" in size.words:
         return True
-    if _FIELD_OF.search(before):
+    if _FIELD_OF.search(before) or _FOREIGN.search(size.clause):
         return False
+    if _WHOLE.match(size.behind) and not _SHORT.search(size.clause):
+        return size.first is not None or not _HYPOTHETICAL.search(size.clause)
+    if _FIRST_OF.search(before) and _OF_MESSAGE.match(size.behind):
+        return _versions(size) == {1} or _BASE.search(size.sentence) is not None
     if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
         return size.first is not None
     if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
         return False
     return size.first is not None or _GOES_ON.match(size.behind) is None
+
+
+_WHOLE = re.compile(r" (?:in base|in all|in total|altogether|all in all)\b")
+"""Behind the size of a whole message, whatever fields are listed before it."""
+_FIRST_OF = re.compile(r"\bfirst $")
+_OF_MESSAGE = re.compile(r" of (?:the )?M\b")
 
 
 def _is_amount(size: _Size) -> bool:
@@ -305,9 +322,9 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
         size.is_first and not near and span.kind is not PassageKind.TEXT and not span.is_comment
     ):
         return ()
-    if near and all(at > size.offset for at, _ in near) and not is_row and not span.is_code:
+    if near and all(at > size.offset for at, _ in near) and not is_row and (span.is_comment or not span.is_code):
         gap = span.text[size.end : near[0][0]]
-        if re.search(r"[,;:]", gap):
+        if re.search(r"[,;:]|\b(?:where|while|whereas|against|unlike)\b", gap) or _OTHER_ONE.match(span.text, size.end):
             return ()  # "it takes 340 bytes, so a NAME with its 42 ...", "it has 25 bytes, NAME 23"
     messages, is_sure = subjects(reading, span, size.offset)
     if size.is_first and not near and not is_sure and span.kind is PassageKind.TEXT and not span.is_code:
@@ -318,13 +335,19 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
     return messages
 
 
+_OTHER_ONE = re.compile(r",? and (?:the |a )?M (?:has |is |takes |only |with )*N\b")
+"""Behind a size: another message with its own one, "it has 64 bytes and NAME 62"."""
+
+
 def _versions(size: _Size) -> set[object]:
     """The versions of MAVLink that a sentence is about, or else those that are named before it."""
     span = size.span
     low, high = span.bounds(size.offset)
     found: set[object] = {Fraction(int(at[1])) for at in re.finditer(r"\bv([12])\b", size.sentence)}
     found |= {number(span.sentence.term(low + at.end() - 1)) for at in _VERSION.finditer(span.text[low:high])}
-    return found or {number(span.sentence.term(at.end() - 1)) for at in _VERSION.finditer(span.text[:low])}
+    if found or _EXTENDED.search(size.sentence):  # extensions are of MAVLink 2, whatever was told of before
+        return found
+    return {number(span.sentence.term(at.end() - 1)) for at in _VERSION.finditer(span.text[:low])}
 
 
 def _meant(message: WireMessage, kind: str, size: _Size) -> set[int]:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterable
 
 from codegen.claims.parts.sentence import NamedField
-from codegen.claims.parts.span import Span
+from codegen.claims.parts.span import Span, Topic
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -66,7 +66,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
         return found
     if found := _about(value.name, inside, inside, is_sure=True):
         return found
-    topic = span.topic
+    topic = _around(span, offset, is_named=bool(before or inside))
     near = [*topic.above, *topic.headings, *after] if not span.is_code else [*topic.above, *topic.headings]
     others = near if span.is_code else [*near, *topic.earlier]
     is_item = span.kind is PassageKind.ITEM and len(topic.above) == 1 and not span.is_code
@@ -79,6 +79,16 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
     if span.is_code and "_" not in value.name and not topic.earlier and len(topic.document) > 1:
         return None  # a plain word, "id" or "load", is as likely a member of somebody's own type
     return _about(value.name, [*topic.earlier, *topic.document], topic.document, is_sure=is_only)
+
+
+def _around(span: Span, offset: int, *, is_named: bool) -> Topic:
+    """The surroundings of a name; an everyday word is a field of the messages at hand only, or of none."""
+    topic = span.topic
+    if span.text[offset] != "P" or span.is_code:
+        return topic
+    if is_named:
+        return Topic((), (), (), ())
+    return Topic(topic.above, topic.headings, topic.earlier, ()) if topic.above or topic.headings else topic
 
 
 def _is_of_unknown(span: Span, low: int, offset: int) -> bool:

@@ -171,7 +171,8 @@ def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     stated, term_text = stated_type(span.sentence.term(offset)), span.sentence.term(offset).written
     if _is_path(span, offset) or _is_foreign(span, stated, offset):
         return
-    if len(said.names) > 1 and stated.length is not None and not _IS_ARRAY.search(term_text):
+    is_of_several = len(said.names) > 1 or re.match(r" ?/ ?[a-z]\b", span.text[said.end : said.end + 4]) is not None
+    if is_of_several and stated.length is not None and not _IS_ARRAY.search(term_text):
         stated = StatedType(stated.name, stated.bits, stated.sign)  # "two floats `a` and `b`" counts the fields
     elements = named(span.sentence.term(said.names[0])).elements
     if span.is_code and not span.is_comment and elements is not None:

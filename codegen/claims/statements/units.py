@@ -26,6 +26,7 @@ from codegen.claims.statements.columns.scaled import factor_beside
 from codegen.claims.statements.fields import Said, claimed, said_of_fields
 from codegen.claims.statements.scaling.factors import factors, turns
 from codegen.claims.statements.scaling.field_units import has_unit, shown_units
+from codegen.claims.statements.scaling.keyed_factors import is_after_factor, keyed_factors
 from codegen.claims.statements.scaling.own_units import is_told_behind
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
@@ -50,7 +51,7 @@ _NOT = words(
     DENIED, REPLACED, PAST[:3], CHANGED, MISTAKEN[:1], SUPPOSED, CONDITIONAL, OWN[:1], OWN[2:4], CONVERTED,
     COMPARED[:2],
     SHOWN[:5], r"\bfrom an? T(?! to an? T in )", r"\bbecause\b", r"\bafter\b", r"\bevery\b",
-    r"\blimited\b", r"\bstep\b",
+    r"\blimited\b", r"\bstep\b", r"\bhelps?\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^), the \w",
@@ -75,8 +76,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every unit and every factor of a part."""
     for said in said_of_fields(span):
         yield from _compared(reading, said)
-        found = list(factors(reading, said))
-        yield from found or _unit(reading, said)
+        found = [*keyed_factors(reading, said)] or list(factors(reading, said))
+        yield from found or [*_in_steps(reading, said)] or _unit(reading, said)
     yield from _steps(reading, span)
 
 
@@ -100,6 +101,48 @@ def _compared(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 _BYTES = unit_named("bytes")
+
+
+_STEP_OF = re.compile(
+    r"\b(?:in|has|have|with|of) (?:a |the )?(?:steps|units|increments|multiples|resolution|lsb) of"
+    r" (?P<step>Q)(?=\s*(?:[,.;)|]|$|and\b|so\b))"
+)
+
+
+def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "`current_battery` is in units of 0.1 A": that much is one."""
+    found = _STEP_OF.search(said.span.text, said.end, min(said.until, said.end + _GAP_LONG))
+    if found is None or _NOT_STEPS.search(said.span.text, said.span.bounds(said.start)[0], found.start()):
+        return
+    term = said.span.sentence.term(found.start("step"))
+    amount, unit = term.value if isinstance(term.value, tuple) else (None, None)
+    if not amount or not isinstance(unit, Unit) or not unit.dimension or not _is_power(Fraction(amount)):
+        return
+    step = Unit(term.written, unit.dimension, unit.scale * Fraction(amount), unit.pi, unit.zero)
+    one = claimed(reading, said, found.start(), partial(has_unit, unit=step))
+    if one is not None and Unit.parse(one.field.definition.units) is not None:
+        text = f"{one.name} {_own(one.field)}, not steps of {term.written}"
+        place = said.span.place(found.start("step"))
+        yield reading.found(as_sure(UNIT, is_sure=False), place, f"{one.name} in {term.written}", text)
+
+
+def _is_power(amount: Fraction) -> bool:
+    """Return whether an amount is a power of ten, as the steps of fields are."""
+    return re.fullmatch(r"10*|1/10+", str(amount)) is not None
+
+
+_NOT_STEPS = words(
+    DENIED,
+    OWN,
+    SHOWN,
+    r"\bsensor",
+    r"\bdriver",
+    r"\bchip",
+    r"\bconvert",
+    r"\bround",
+    r"\b(?:moves?|jumps?|rises?|changes?|falls?|goes)\b",
+    r"\bknob|\bslider|\bsteps\b(?! of)",
+)
 
 
 def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -141,17 +184,19 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     for offset, _ in span.sentence.within(said.end, said.until, "U"):
         gap, behind = _NUMBERED.sub(r"\1", text[said.end : offset]), text[offset + 1 :]
-        if _is_of_else(said, gap, behind) or (";" in gap and "N" in gap):
+        if _is_of_else(said, _STORED.sub(" is in ", gap), behind) or (";" in gap and "N" in gap):
             return
         is_column = gap == " " and (
             span.is_comment or span.kind is PassageKind.ITEM
         )  # "heading, target_heading    deg"
+        gap = _STORED.sub(" is in ", gap)
         if (
             not (_PLACE.search(gap) or is_column)
             or not _IS_SHORT.match(behind)
             or len(gap) > _GAP_LONG
             or _is_own(span, offset)
             or _ELSEWHERE.match(behind)
+            or is_after_factor(said, offset)
         ):
             continue
         if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):
@@ -159,6 +204,10 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         else:
             yield from _found(reading, said, offset)
         return
+
+
+_STORED = re.compile(r"^ (?:is|are) stored in (?=(?:whole |plain )?$)")
+"""Between a field and its unit: so it is on the wire."""
 
 
 def _before(said: Said) -> int | None:
@@ -233,6 +282,7 @@ def _last_clause(gap: str) -> str:
 _PRONOUN = re.compile(
     r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is"
     r"|are|has|comes?|counts?)\b)"
+    r"|\b(?:because|since|as) its(?= in $)"
 )
 
 

@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, as_sure
 from codegen.claims.statements.fields import Said, claimed, number, said_of_fields
 from codegen.claims.statements.subjects import about
-from codegen.claims.unknown_value import is_negative_unknown, unknown_values
+from codegen.claims.unknown_value import described_unknowns, is_negative_unknown, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
@@ -85,7 +85,7 @@ def is_unknown(field: WireField, value: float) -> bool:
         return True
     if (value == 0 and field.definition.enum) or (value < 0 and is_negative_unknown(field)):
         return True
-    return any(same_number(value, each) for each in known[0])
+    return any(same_number(value, each) for each in (*known[0], *described_unknowns(field)))
 
 
 def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -165,11 +165,18 @@ def _carries(field: WireField, value: float) -> bool:
     return not field.type.is_integer or math.isnan(value) or field.type.minimum <= value <= field.type.maximum
 
 
+_COUNTS = re.compile(
+    r" ?(?:[/*+]|\.\.|to N|bytes|times|%|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors"
+    r"|cores)\b)"
+)
+"""Behind a number that is no value."""
+
+
 def _is_stated(text: str, said: Said, offset: int) -> bool:
     low = max(offset - 40, min(said.end, offset))
     before = text[low:offset]
     return (
         not _NOT.search(before + text[offset])
         and not re.search(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $", before)
-        and not re.match(r"[ ]?(?:[/*+]|\.\.|to N|bytes|times|%)", text[offset + 1 :])
+        and not _COUNTS.match(text, offset + 1)
     )

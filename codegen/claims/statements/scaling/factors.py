@@ -18,6 +18,7 @@ from codegen.model.units.unit import Unit, conversion
 _FACTOR = re.compile(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
     r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
+    r"|and rounds?(?: it| them)? to(?: whole| full)?"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
     r"|speed))*)? (?P<unit>U)"
 )
@@ -32,7 +33,7 @@ _COMMENTED = re.compile(
 """A factor of code whose result the comment behind it tells the unit of."""
 _WANTED = re.compile(
     r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),?"
-    r" (?:the |field )*$"
+    r" (?:you )?(?:(?:can |have to |must )?(?:divide|multiply) )?(?:the |field )*$"
 )
 _EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
 _BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
@@ -62,7 +63,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if (
             found is None
             or found.end() <= said.end
-            or re.search(r"\bnot\b|n't|wrong|\bif you\b", text[start : found.start()])
+            or re.search(r"\bnot\b|n't|wrong|\bif you\b|\bremainder\b|\bmodulo\b|\brest\b", text[start : found.start()])
         ):
             continue
         value = number(span.sentence.term(found.start("number")))
@@ -84,7 +85,8 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if found is not None and span.kind is PassageKind.ROW and "Q" in text[: said.start]:
         return  # what is in steps of 0.1 deg in another format is turned into the field
     if found is not None and not re.search(
-        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=", text[said.end : found.start()]
+        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=|\bremainder\b|\bmodulo\b|\brest\b",
+        text[said.end : found.start()],
     ):
         value = number(span.sentence.term(found.start("number")))
         is_power = value is not None and value >= 10 and str(value).strip("0") == "1"
