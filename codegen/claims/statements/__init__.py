@@ -34,7 +34,7 @@ from codegen.claims.statements import (
     unknown,
 )
 from codegen.claims.statements.scaling import read_out, steps
-from codegen.claims.statements.unnamed import described, elements
+from codegen.claims.statements.unnamed import described
 from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -50,7 +50,6 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (absent.check, "FP", "NS"),
     (unfilled.check, "NS", ""),
     (effects.check, "NS", ""),
-    (elements.check, "NS", ""),
     (amounts.check, "Q", "N"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),

@@ -118,6 +118,12 @@ def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMess
 _THAT = re.compile(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
 
 
+_OF_UNKNOWN = re.compile(
+    r"(?:\b(?:in|on|of|from|inside|with)(?: an?| the)? C\b|(?:^|(?<=[.!?;]) )(?:an? |the )?C\b)(?![^;]*M)"
+)
+"""A name in capitals that is no message, where a message stands."""
+
+
 def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessage, ...], bool]:
     """The messages that a statement without a name may be about, the likeliest first, and whether that is sure."""
     low, high = span.bounds(offset)
@@ -126,6 +132,8 @@ def subjects(reading: Reading, span: Span, offset: int) -> tuple[tuple[WireMessa
     if own and (before or not _THAT.search(span.text, low, offset)):
         return _each((*before, *own)), True
     inside = [reading.messages[name] for _, name in span.named(max(low - _FAR, 0), low)][::-1]
+    if not own and not span.is_code and _OF_UNKNOWN.search(span.text, low, offset):
+        return (), False  # "in RALLY_SPOT the altitude is ..." is said of that, whatever it is
     if inside:
         return _each(inside), True
     topic = span.topic

@@ -1,7 +1,7 @@
 """Values of elements, channels or axes that nothing fills: "slots 8 to 10 are 0, being absent", "an unused axis is 0".
 
-They are said of an array that is named in the sentence or before it, or else of all fields of a message whose
-descriptions have the noun.
+They are said of an array that is named in the sentence or before it, or else of all arrays of a message, or of all its
+fields whose descriptions have the noun.
 """
 
 import re
@@ -26,15 +26,15 @@ _STEMS = ("slot", "cell", "element", "entr", "place", "position", "sector", "bin
 _MENTIONED = re.compile(rf"\b(?P<noun>{_NOUN})\b")
 _UNFILLED = re.compile(
     r"\b(?:un(?:used|served|populated|connected|fitted)|absent|missing|invalid|empty|not (?:used|fitted|present"
-    r"|connected|served|measured|there|available|populated|wired|known|filled|in use|installed)"
+    r"|connected|served|measured|covered|there|available|populated|wired|known|filled|in use|installed)"
     r"|without (?:an? |any |its )?(?:[a-z]+ )?(?:sensor|measurement|reading|data|value|stick|core|cell|motor|input"
     r"|source|head)s?"
     r"|(?:we|one|you|nobody|the [a-z]+) (?:do(?:es)? not|don't|doesn't) (?:want|have|use|need|drive|control|see|report)"
-    r"|(?:do(?:es)? not|don't|doesn't) exist|nothing (?:fills|is behind)|nobody (?:fills|uses|wants)"
-    r"|(?:above|beyond|over) (?:the|your|our|its) (?:[a-z]+ )?(?:count|number|last)|behind the last)\b"
+    r"|(?:do(?:es)? not|don't|doesn't) exist|nothing (?:fills|is behind)|nobody (?:fills|uses|wants|measures|serves)"
+    r"|(?:above|beyond|over|behind|after|past) (?:the|your|our|its) (?:[a-z]+ )?(?:count|number|last|end))\b"
 )
 _TOLD = re.compile(
-    r"\b(?:is|are|has|have|holds?|carry|carries|gets?|stays?(?: at)?|set to|fill(?:ed)? (?:it |them )?with"
+    r"\b(?:is|are|has|have|holds?|carry|carries|gets?|(?:stays?|kept)(?: at)?|set to|fill(?:ed)? (?:it |them )?with"
     r"|marked (?:with|by|as)|put|sends?|sent as|written as|contains?|be|with)"
     r"(?: an?| the value| value| all| always| then| plain| just)* (?P<value>[NS])\b"
 )
@@ -98,13 +98,14 @@ def _compared(reading: Reading, span: Span, at: int, noun: str, low: int) -> Ite
         return
     _, high = span.bounds(at)
     fits = partial(is_unknown, value=float(value))
-    here = [offset for offset, _ in span.sentence.within(low, len(span.text) if span.is_code else high, "FP")]
-    before = [offset for offset, _ in span.sentence.within(max(low - _FAR, 0), low, "FP")]
-    named = [one for offset in here or before if (one := about(reading, span, offset)) is not None]
-    arrays = [one for one in named if one.field.is_array]
+    here = _named(reading, span, low, len(span.text) if span.is_code else high)
+    is_of_field = any(span.sentence.within(low, at, "FP"))
+    arrays = [one for one in here if one.field.is_array]
+    if not arrays and not is_of_field:  # fields behind the value are those of the next clause
+        arrays = [one for one in _named(reading, span, max(low - _FAR, 0), low) if one.field.is_array]
     if len({one.field.name for one in arrays}) == 1:
         one, wrong = arrays[0], arrays[0].is_wrong(fits)
-    elif arrays or here:
+    elif arrays or is_of_field:
         return
     else:
         kin = _kin(reading, span, at, noun, span.sentence.term(at).written)
@@ -118,23 +119,40 @@ def _compared(reading: Reading, span: Span, at: int, noun: str, low: int) -> Ite
         yield reading.found(as_sure(SENTINEL, is_sure=False), span.place(at), f"{one.name} {written}", text)
 
 
-def _kin(reading: Reading, span: Span, at: int, noun: str, value: str) -> Sequence[About]:
-    """The base fields of the message of a sentence whose descriptions have a noun, and a value for unknown.
+def _named(reading: Reading, span: Span, low: int, high: int) -> list[About]:
+    """Return the fields that are named between two characters."""
+    offsets = (offset for offset, _ in span.sentence.within(low, high, "FP"))
+    return [one for offset in offsets if (one := about(reading, span, offset)) is not None]
 
-    One in whose description ``value`` means something else is none of them.
+
+def _kin(reading: Reading, span: Span, at: int, noun: str, value: str) -> Sequence[About]:
+    """Return the fields of the message of a sentence that a noun may mean, and that have a value for unknown.
+
+    They are its arrays of numbers; for an axis, a channel or a motor, or where it has none, the base fields in whose
+    descriptions the noun is. One in whose description ``value`` means something else is none of them.
     """
     messages, is_sure = subjects(reading, span, at)
-    stem = {"axes": "axis"}.get(noun, noun.removesuffix("s") if noun != "axis" else noun)
-    word = re.compile(rf"\b{stem}(?:e?s)?\b", re.IGNORECASE)
     if not is_sure:
         return ()
-    found = [
+    stem = {"axes": "axis"}.get(noun, noun.removesuffix("s") if noun != "axis" else noun)
+    word = re.compile(rf"\b{stem}(?:e?s)?\b", re.IGNORECASE)
+    known = [
         About(messages[0], field, (), is_sure=False)
         for field in messages[0].fields
-        if not field.is_array
-        and not field.definition.is_extension
-        and word.search(field.definition.description)
-        and unknown_values(field) is not None
-        and not re.search(rf"\b{value} means\b", field.definition.description)
+        if unknown_values(field) is not None and not re.search(rf"\b{value} means\b", field.definition.description)
+    ]
+    arrays = [each for each in known if each.field.is_array and each.field.type.name != "char"]
+    if arrays and not _OF_FIELDS.match(noun):
+        return arrays
+    found = [
+        each
+        for each in known
+        if not each.field.is_array
+        and not each.field.definition.is_extension
+        and word.search(each.field.definition.description)
     ]
     return found if len(found) >= _FEWEST else ()
+
+
+_OF_FIELDS = re.compile(r"channel|ax|motor")
+"""Nouns for things that have a field each."""
