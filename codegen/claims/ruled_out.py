@@ -49,6 +49,9 @@ _ASIDE = words(
     r"\b(?:in|over|of|on|from|the|an?) (?:the |an? )?(?:[a-z]+ )?(?:i2c|spi|nmea|modbus|sensor_msgs|uorb|crsf|sbus"
     r"|dataflash|geojson|kml|gpx)"
     r" (?:mode|message|frame|sentence|packet|register|topic|log|file|bus|protocol|value|units?)\b",
+    r"\b(?:shall|must|should|will|may) (?:[a-z]+ly |then |also )?(?:present|show|display|plot|draw|print|render)\b",
+    r"\b(?:panel|display|screen|map|page|app|gui|dashboard|station|gateway|viewer|console|hud|instrument|gauge|chart"
+    r"|graph) (?:[a-z]+ly |then |also )?(?:shows?|presents?|displays?|plots?|draws?|prints?)\b(?! [QN])",
     r"\b(?:is|are|gets?|was|were|be) (?:then )?(?:shown|converted|copied|cast|plotted|displayed|printed|rounded)"
     r" (?:to|into|as|in|with|by|on|for)\b",
     r"\b(?:after|before) (?:the |a )?(?:division|conversion|scaling|dividing|converting|truncation|trimming)\b",

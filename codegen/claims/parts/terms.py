@@ -326,7 +326,7 @@ _UNIT_KEY = re.compile(r"\bunits? ?[:=] ?$")
 _PER_SECOND = re.compile(r"\sper\ssecond\b")
 _ENGLISH = frozenset((
     "a", "s", "x", "bar", "min", "rev", "pix", "hour", "day", "kn", "kt", "bit", "bits", "byte", "bytes", "second",
-    "minute", "degree", "meter", "metre", "gram", "ton", "sec",
+    "minute", "degree", "meter", "metre", "gram", "ton", "sec", "turn", "turns",
 ))  # fmt: skip
 
 

@@ -67,6 +67,8 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
                 and _AFTER_NAME.search(span.text, max(found.start() - 12, 0), found.start())
             ):
                 continue  # "FIRST 1, SECOND 2"
+            if span.is_code and not span.is_comment and _CHOICE.search(span.text, 0, found.start() + 1):
+                continue
             if _is_beside_by_chance(span, *sorted((found.start("name"), found.start("value")))):
                 continue
             name = span.sentence.term(found.start("name")).written
@@ -96,6 +98,8 @@ def _is_beside_by_chance(span: Span, low: int, high: int) -> bool:
     return not (is_pair or is_table)
 
 
+_CHOICE = re.compile(r"\?[^?:;]*[NV]$")
+"""The first of two values of which a condition chooses one: "ok ? 0 : NAME"."""
 _CALLED = re.compile(r"[\w\])>]\((?:[^()]|\([^()]*\))*$")
 """The open parenthesis of a call."""
 _IN_LIST = re.compile(r"\b[NQSV], $")

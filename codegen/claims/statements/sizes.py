@@ -117,6 +117,11 @@ _FOREIGN = re.compile(
     r"(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
 )
 """A frame of another protocol, whose size is told."""
+_FRAMES_OF = re.compile(
+    r"[ -](?:[a-z]+ )?(?:frames?|packets?|messages?|sentences?|datagrams?|records?) (?:of|from) (?:an?|the|our|its|this"
+    r"|each|every) (?!M\b)"
+)
+"""Behind a size: it is that of frames of something that is no message, "nine-byte frames of a lidar"."""
 _CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
 _GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
 _HYPOTHETICAL = words(
@@ -280,7 +285,7 @@ def _is_claim(size: _Size) -> bool:
     before = size.before.rstrip(" /*#") if size.span.is_code else size.before
     if "sizeof" in size.words:
         return True
-    if _FIELD_OF.search(before) or _FOREIGN.search(size.clause):
+    if _FIELD_OF.search(before) or _FOREIGN.search(size.clause) or _FRAMES_OF.match(size.behind):
         return False
     if _WHOLE.match(size.behind) and not _SHORT.search(size.clause):
         return size.first is not None or not _HYPOTHETICAL.search(size.clause)

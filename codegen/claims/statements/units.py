@@ -226,6 +226,8 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
     """Return whether the words behind names are no longer about their unit."""
     if _NOT.search(_last_clause(gap)) or _SCALED_AFTER.match(behind):
         return True
+    if _REPORTED.search(gap) and _TURNED.match(behind):
+        return True
     if "}" in gap and not said.span.is_code:
         return True  # `{"yaw": 90}`, degrees: a key of somebody's own data
     is_factor = said.span.is_code and "N" in gap and "[" not in gap and not is_data(said.span)
@@ -247,6 +249,12 @@ def _is_own(span: Span, offset: int) -> bool:
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
+_REPORTED = re.compile(
+    r"\b(?:the|an?|its|our) (?:[a-z-]+ ){1,3}(?:reports?|sends?|gives?|delivers?|outputs?|measures?|counts?|has|uses?"
+    r"|speaks?|works)(?: in| whole| plain)* $"
+)
+_TURNED = re.compile(r"[^.;|]{0,60}\b(?:divid|multipl|convert|scale[sd]?\b|turn(?:s|ed) (?:it|that|them|this) into)")
+"""Behind the unit that something else has: what is done to get the field from it."""
 _SHOWN_KEY = re.compile(r"\b(?:suffix|label|display\w*|shown\w*|format|to|output\w*|title|caption) ?[:=] ?$")
 """Before the unit of what is shown of a field."""
 _OWN_COLUMN = re.compile(

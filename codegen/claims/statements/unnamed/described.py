@@ -6,6 +6,7 @@ that these words may mean has to have another type.
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
 from codegen.claims.layout import typed
@@ -82,6 +83,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         words_of = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
         stated = stated_type(span.sentence.term(at))
         meant = _called(messages[:1], words_of)
+        if stated.length is not None and not any(field.is_array for field in meant):
+            stated = replace(stated, length=None)  # "three int32" are as many fields
         told = (stated_type(term) for _, term in span.sentence.within(max(low - _CONTRAST, 0), at, "T"))
         if any(has_type(field, each) for each in told for field in meant):
             continue  # its own type is told before that of another one
