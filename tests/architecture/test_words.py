@@ -28,7 +28,7 @@ ALLOWED = {
     "codegen/claims/statements/quantities.py": ({"voltage"}, "what is measured in V: physics"),
     **{
         f"codegen/claims/statements/{name}.py": ({"cell", "cells"}, "everyday words for elements of arrays")
-        for name in ("unnamed/elements", "absent", "unknown")
+        for name in ("absent", "unknown")
     },
     "codegen/diff/judging/words.py": (
         {"voltage", "battery", "batt", "discharge"},

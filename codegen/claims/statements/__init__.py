@@ -33,8 +33,8 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
-from codegen.claims.statements.scaling import read_out, steps
-from codegen.claims.statements.unnamed import described
+from codegen.claims.statements.scaling import by_frame, read_out, steps
+from codegen.claims.statements.unnamed import described, elements
 from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -45,6 +45,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (units.check, "FP", "UNQ"),
     (read_out.check, "FP", "U"),
     (steps.check, "FP", "UQ"),
+    (by_frame.check, "FP", "U"),
     (epochs.check, "FP", "N"),
     (unknown.check, "FP", "NS"),
     (absent.check, "FP", "NS"),
@@ -59,11 +60,12 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (sizes.check, "N", ""),
     (nouns.check, "UTN", ""),
     (described.check, "T", ""),
+    (elements.check, "U", ""),
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""
 _HELD = re.compile(r"M \((?:id )?#?$")
-_FURTHER = re.compile(r", (?:so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
+_FURTHER = re.compile(r", (?:of which|so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
 """The beginning of a further statement in a sentence."""
 
 

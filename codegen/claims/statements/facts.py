@@ -53,6 +53,7 @@ _ENUM_IDLE = frozenset((
     "entry", "in", "one", "hold", "holds", "has", "contains", "as", "by", "bitmask", "bits", "flags", "list", "code",
     "codes", "those", "T", "M", "take", "takes", "be", "shall", "must", "decoded", "encoded", "coded", "enumeration",
     "entries", "with", "its", "listed", "defined", "comes", "come", "given", "number", "field",
+    "according", "to", "follow", "follows",
 ))  # fmt: skip
 _NOT = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2])
 

@@ -38,6 +38,8 @@ _RULED_OUT = words(
     DENIED, REPLACED, PAST, MISTAKEN, OWN, r"\bshow", r"\bresolution of the\b", r"\bsensor", r"\bround", r"\blimit",
     r"\bchange", r"\bseconds? or\b",
 )  # fmt: skip
+_MOVED = re.compile(r"\b(?:(?:moves?|jumps?|rises?|changes?|falls?|goes)\b|display|screen|knob|slider)")
+"""Before steps in which something changes, or is shown, and not what one is."""
 _OTHER = re.compile(r"[MEVC|]|\.\s(?!\s?(?:it|its|they|one|each|every|a) )")
 """Between a field and a step that is of another thing."""
 _IN_MESSAGE = re.compile(r" (?:of|in|from) M\b")
@@ -69,7 +71,8 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
     if _OTHER.search(_IN_MESSAGE.sub("", text[said.end : found.start()])):
         return
-    step = _step(span, found)
+    low, _ = span.bounds(said.start)
+    step = _step(span, found) if not _MOVED.search(text, low, found.start()) else None
     if step is None:
         return
     one = claimed(reading, said, found.start(), partial(_is_step, step=step))

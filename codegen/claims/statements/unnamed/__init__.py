@@ -1,1 +1,1 @@
-"""Statements about fields without their names, by everyday words for them."""
+"""Statements about fields without their names: by words for them, or by their elements."""
