@@ -124,7 +124,7 @@ def _imports(node: ast.AST) -> Iterator[tuple[str, tuple[str, str]]]:
 
 def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
     """Yield the names in a module that something other than the compiler of ``modules`` reads."""
-    docs = {id(doc) for node in module.nodes for doc in _docstring(node)}
+    docs = docstrings(module.nodes)
     for node in module.nodes:
         constant = constant_of(node)
         if constant is not None:
@@ -136,6 +136,11 @@ def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
     for name, (source, original) in module.imports.items():
         if source not in modules or not original:
             yield from (name, original)
+
+
+def docstrings(nodes: Iterable[ast.AST]) -> set[int]:
+    """Return the ids of the nodes that are documentation."""
+    return {id(doc) for node in nodes for doc in _docstring(node)}
 
 
 def _docstring(node: ast.AST) -> Iterator[ast.AST]:
