@@ -7,7 +7,7 @@ from collections.abc import Container, Iterable, Iterator, Mapping
 from itertools import chain, count
 
 from codegen.emit.bundles import Bundle, bundles_of, fixed_names, numbers_of
-from codegen.emit.global_names import FUNCTIONS, GlobalNames, bound_at_top, tree_of
+from codegen.emit.global_names import FUNCTIONS, GlobalNames, bound_at_top, seen_in, tree_of
 from codegen.emit.private_names import Module, constant_of
 from codegen.emit.program import Program, modules_asked_by, read_program
 from codegen.emit.redirected import Places, Redirection, import_of, redirected
@@ -64,11 +64,11 @@ class _Naming:
         self.names: dict[str, dict[str, str]] = {}
         self._program, self._bundle, self._places = program, bundle, places
         self._imported: dict[tuple[str, str], str] = {}
-        self._own: dict[str, set[str]] = {}
+        self._own: dict[str, frozenset[str]] = {}
         self._taken = {"const", "micropython", "native", "viper", *dir(builtins)}
         for name in bundle.modules:
-            tree, seen = tree_of(program.modules[name]), GlobalNames({})
-            seen.visit(tree)
+            tree = program.modules[name].tree
+            seen = seen_in(tree)
             self._own[name] = seen.own
             self._taken |= seen.own | (seen.used - bound_at_top(tree)) | fixed_names(program, name)
         nodes = [node for name in bundle.modules for node in program.modules[name].nodes]

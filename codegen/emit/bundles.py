@@ -9,7 +9,7 @@ import ast
 from collections.abc import Iterator
 from itertools import count
 
-from codegen.emit.global_names import GlobalNames, bound_at_top, tree_of
+from codegen.emit.global_names import bound_at_top, seen_in
 from codegen.emit.private_names import Module, constant_of
 from codegen.emit.program import Program
 from codegen.frozen import dataclass
@@ -80,9 +80,7 @@ def _stored(node: ast.AST) -> Iterator[str]:
 
 def _names_in(module: Module) -> set[str]:
     """Return the names that a compiled module has a table of."""
-    seen = GlobalNames({})
-    seen.visit(tree_of(module))
-    found = {*seen.used, *bound_at_top(module.tree)}
+    found = {*seen_in(module.tree).used, *bound_at_top(module.tree)}
     for node in module.nodes:
         if isinstance(node, ast.Attribute):
             found.add(node.attr)

@@ -3,12 +3,13 @@
 import ast
 import builtins
 from collections.abc import Container, Iterator, Mapping, Sequence
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from codegen.emit.private_names import Module, bound_by
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
-_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_INNER = (*FUNCTIONS, ast.ClassDef, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
 class NameClashError(Exception):
@@ -153,17 +154,35 @@ def _bound_in(body: Sequence[ast.AST]) -> set[str]:
 
 
 def outside_functions(nodes: Sequence[ast.AST]) -> Iterator[ast.AST]:
-    """Yield nodes, and those within them that are in no function, class or comprehension."""
-    for node in nodes:
+    """Yield nodes, and those within them that are in no function, class or comprehension, as they are written."""
+    left = [*reversed(nodes)]
+    while left:
+        node = left.pop()
         yield node
-        if not isinstance(node, (*FUNCTIONS, ast.ClassDef, *_COMPREHENSIONS)):
-            yield from outside_functions(list(ast.iter_child_nodes(node)))
+        if not isinstance(node, _INNER):
+            left.extend(reversed([*ast.iter_child_nodes(node)]))
 
 
-def bound_at_top(tree: ast.Module) -> set[str]:
+@lru_cache(maxsize=256)
+def bound_at_top(tree: ast.Module) -> frozenset[str]:
     """Return the names that a module gives to something at its top level, or declares to in its functions."""
     declared = (name for node in ast.walk(tree) if isinstance(node, ast.Global) for name in node.names)
-    return {*_bound_in(tree.body), *declared}
+    return frozenset((*_bound_in(tree.body), *declared))
+
+
+class Seen(NamedTuple):
+    """The names that GlobalNames has ``used``, and those that are functions' ``own``."""
+
+    used: frozenset[str]
+    own: frozenset[str]
+
+
+@lru_cache(maxsize=256)
+def seen_in(tree: ast.Module) -> Seen:
+    """Return what is seen in a tree, which stays as it is."""
+    seen = GlobalNames({})
+    seen.visit(tree)
+    return Seen(frozenset(seen.used), frozenset(seen.own))
 
 
 def tree_of(module: Module) -> ast.Module:

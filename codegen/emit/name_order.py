@@ -9,7 +9,7 @@ import ast
 from collections import Counter
 from collections.abc import Collection, Iterator
 
-from codegen.emit.global_names import GlobalNames
+from codegen.emit.global_names import seen_in
 from codegen.emit.private_names import constant_of, read_module
 
 _SHORT = 127
@@ -18,8 +18,7 @@ _SHORT = 127
 def with_frequent_names_first(text: str) -> str:
     """Return the text of a module; one with few names stays as it is."""
     module = read_module(text)
-    seen = GlobalNames({})
-    seen.visit(ast.parse(text))
+    seen = seen_in(module.tree)
     looked_up = seen.used - {constant_of(node) for node in module.nodes} - seen.own
     counted = Counter(name for node in module.nodes for name in _used(node, looked_up))
     if len(counted) <= _SHORT:

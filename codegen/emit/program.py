@@ -3,7 +3,7 @@
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 
-from codegen.emit.global_names import GlobalNames, NameClashError, bound_at_top, outside_functions, tree_of
+from codegen.emit.global_names import bound_at_top, outside_functions, seen_in, tree_of
 from codegen.emit.private_names import Module, read_module, words
 from codegen.frozen import dataclass
 
@@ -56,8 +56,7 @@ def modules_asked_by(module: Module) -> dict[str, str]:
     """Return the modules that a module asks for attributes and does nothing else with, by what it calls them."""
     at_top = [each for node in module.tree.body if isinstance(node, ast.Import) for each in node.names]
     found = {each.asname or each.name: each.name for each in at_top}
-    seen = GlobalNames({})
-    seen.visit(tree_of(module))
+    seen = seen_in(module.tree)
     # What it asks for stands beside it later: a function must have nothing of that name.
     whole = {name for name, _, attribute in _attributes(module) if attribute == "*" or attribute in seen.own}
     return {name: source for name, source in found.items() if name not in seen.own | whole}
@@ -137,7 +136,7 @@ def _is_alone(module: Module) -> bool:
     if any(name[0] != "_" for name in declared) or any(name[:2] == "__" for name in bound_at_top(module.tree)):
         return True
     try:
-        GlobalNames({}).visit(tree_of(module))
-    except (ValueError, NameClashError):  # an f-string that this Python cannot write
+        tree_of(module)
+    except ValueError:  # an f-string that this Python cannot write
         return True
     return False
