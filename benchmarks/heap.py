@@ -86,12 +86,13 @@ def _figures_of(vehicle: str, folder: Path, goals: Mapping[str, float | None], q
     return [*found, Figure(f"{prefix}rarely_mpy", what, against, asked, "KB")]
 
 
-def prepare(folder: Path) -> None:
+def prepare(folder: Path, *, in_bundles: bool = True) -> None:
     """Put the rover's firmware into folders of a folder, named as its forms are, the mocks beside it, and the script.
 
-    Names of files lie on the heap, too: within the folder they are the same everywhere.
+    Names of files lie on the heap, too: within the folder they are the same everywhere. Without bundles each module is
+    compiled on its own.
     """
-    _lay_out(folder, measure.rover(folder / "project", machine_code=False), [])
+    _lay_out(folder, measure.rover(folder / "project", machine_code=False), [], in_bundles=in_bundles)
 
 
 def prepare_boat(folder: Path) -> None:
@@ -100,7 +101,7 @@ def prepare_boat(folder: Path) -> None:
     _lay_out(folder, generated, sorted(BOAT.glob("*.py")))
 
 
-def _lay_out(folder: Path, generated: Path, own: list[Path]) -> None:
+def _lay_out(folder: Path, generated: Path, own: list[Path], *, in_bundles: bool = True) -> None:
     script, mount = (measure.HERE / "micropython" / name for name in (SCRIPT, MOUNT))
     shutil.copy(script, folder)
     (folder / MOUNT).write_text(mount.read_text() + script.read_text())
@@ -108,7 +109,7 @@ def _lay_out(folder: Path, generated: Path, own: list[Path]) -> None:
     for module in own:
         shutil.copy(module, folder / "source")
     own_texts = {SCRIPT: script.read_text(), **{module.name: module.read_text() for module in own}}
-    files = _deployed(_texts(folder / "source"), own_texts)
+    files = _deployed(_texts(folder / "source"), own_texts, in_bundles=in_bundles)
     (folder / IMAGE).write_bytes(image_of(files))
     _put(folder / "mpy", files)
     _put(folder / "rom", {STARTED: files[STARTED]})
@@ -120,10 +121,14 @@ def _texts(folder: Path) -> dict[str, str]:
     return {source.name: source.read_text() for source in folder.glob("*.py") if not source.stem.endswith("_viper")}
 
 
-def _deployed(texts: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str | bytes]:
-    """Return what `codegen deploy` copies; the script, of which names are used, is treated as the user's own code."""
+def _deployed(texts: Mapping[str, str], own: Mapping[str, str], *, in_bundles: bool = True) -> dict[str, str | bytes]:
+    """Return what `codegen deploy` copies; the script, of which names are used, is treated as the user's own code.
+
+    A program whose main.py is the user's has no bundles.
+    """
     report = Report()
-    files = compiled({**texts, **own}, BYTECODE, report, unnumbered=texts.keys() - own)
+    users = {*own, *(() if in_bundles else (STARTED,))}
+    files = compiled({**texts, **own}, BYTECODE, report, unnumbered=texts.keys() - users)
     if report.has_errors:
         raise SystemExit("mpy-cross does not compile the program")
     return {name: content for name, content in files.items() if name != SCRIPT.replace(".py", ".mpy")}

@@ -8,8 +8,12 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule
+from codegen.emit.argument_names import with_short_arguments
+from codegen.emit.bundled import bundled
+from codegen.emit.class_tables import with_small_classes
 from codegen.emit.constants import with_constants
 from codegen.emit.direct_imports import direct
+from codegen.emit.name_order import with_frequent_names_first
 from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
 
@@ -60,12 +64,20 @@ def compiled(
     left = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
     others = [text for text in (*left, *beside) if isinstance(text, str)]
     short = shortened(with_constants(direct(generated), others), others)
-    wanted |= {f"{name}.py": text for name, text in short.texts.items()}
-    if short.names:
-        result[TABLE] = table_of(short.names)
+    texts, names = short.texts, short.names
+    started = files.get(STARTED)
+    if STARTED in unnumbered and isinstance(started, str):
+        outside = [text for text in others if text != started]
+        made = bundled(texts, started, names, outside)
+        texts, names, result[STARTED] = made.texts, made.names, made.started
+    texts = with_short_arguments(texts, others)
+    prepared = {f"{name}.py": with_frequent_names_first(with_small_classes(text)) for name, text in texts.items()}
+    wanted |= prepared
+    if names:
+        result[TABLE] = table_of(names)
     with ThreadPoolExecutor() as pool:
         outcomes = pool.map(
-            lambda path: _compile(program, path, wanted[path], architecture, numbered=path not in unnumbered), wanted
+            lambda path: _compile(program, path, wanted[path], architecture, numbered=path not in prepared), wanted
         )
         for path, (content, fault) in zip(wanted, outcomes, strict=True):
             if fault:

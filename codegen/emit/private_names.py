@@ -9,47 +9,50 @@ import ast
 import builtins
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from functools import lru_cache
-
-from codegen.frozen import dataclass
+from functools import cached_property, lru_cache
 
 WORD = re.compile(r"[^\W\d]\w*")
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
-@dataclass(frozen=True, slots=True)
 class Module:
-    """The syntax tree of a module, all its nodes, and what names are in it.
+    """A module as its syntax tree has it: what is asked for is found out once, and nobody changes the tree."""
 
-    ``names`` is every name that is written in it, ``bound`` what it gives a name to itself, ``set_elsewhere`` the
-    attributes that it sets of objects whose class may be in any module. ``imports`` has the module that an imported
-    name comes from and what it is called there, "" for the module itself.
-    """
+    def __init__(self, tree: ast.Module) -> None:
+        """Take over a tree."""
+        self.tree = tree
+        self.nodes = tuple(ast.walk(tree))
 
-    tree: ast.Module
-    nodes: tuple[ast.AST, ...]
-    classes: tuple[ast.ClassDef, ...]
-    names: frozenset[str]
-    bound: frozenset[str]
-    set_elsewhere: frozenset[str]
-    imports: Mapping[str, tuple[str, str]]
+    @cached_property
+    def classes(self) -> tuple[ast.ClassDef, ...]:
+        """All classes."""
+        return tuple(node for node in self.nodes if isinstance(node, ast.ClassDef))
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Every name that is written in it."""
+        return frozenset(name for node in self.nodes for name in _names(node))
+
+    @cached_property
+    def bound(self) -> frozenset[str]:
+        """What it gives a name to itself."""
+        return frozenset(name for node in self.nodes for name in bound_by(node))
+
+    @cached_property
+    def set_elsewhere(self) -> frozenset[str]:
+        """The attributes that it sets of objects whose class may be in any module."""
+        return frozenset(_set_elsewhere(self.nodes, self.classes))
+
+    @cached_property
+    def imports(self) -> Mapping[str, tuple[str, str]]:
+        """The module that an imported name comes from and what it is called there, "" for the module itself."""
+        return dict(pair for node in self.nodes for pair in _imports(node))
 
 
-@lru_cache(maxsize=128)
+@lru_cache(maxsize=256)
 def read_module(text: str) -> Module:
-    """Return a module of its text; several steps read the same texts, and none changes what it gets."""
-    tree = ast.parse(text)
-    nodes = tuple(ast.walk(tree))
-    classes = tuple(node for node in nodes if isinstance(node, ast.ClassDef))
-    return Module(
-        tree,
-        nodes,
-        classes,
-        names=frozenset(name for node in nodes for name in _names(node)),
-        bound=frozenset(name for node in nodes for name in bound_by(node)),
-        set_elsewhere=frozenset(_set_elsewhere(nodes, classes)),
-        imports=dict(pair for node in nodes for pair in _imports(node)),
-    )
+    """Return a module of its text; several steps read the same texts."""
+    return Module(ast.parse(text))
 
 
 def words(text: str) -> list[str]:
@@ -124,7 +127,7 @@ def _imports(node: ast.AST) -> Iterator[tuple[str, tuple[str, str]]]:
 
 def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
     """Yield the names in a module that something other than the compiler of ``modules`` reads."""
-    docs = {id(doc) for node in module.nodes for doc in _docstring(node)}
+    docs = docstrings(module.nodes)
     for node in module.nodes:
         constant = constant_of(node)
         if constant is not None:
@@ -136,6 +139,11 @@ def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
     for name, (source, original) in module.imports.items():
         if source not in modules or not original:
             yield from (name, original)
+
+
+def docstrings(nodes: Iterable[ast.AST]) -> set[int]:
+    """Return the ids of the nodes that are documentation."""
+    return {id(doc) for node in nodes for doc in _docstring(node)}
 
 
 def _docstring(node: ast.AST) -> Iterator[ast.AST]:

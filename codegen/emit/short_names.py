@@ -7,11 +7,10 @@ import ast
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from io import StringIO
-from itertools import accumulate, count
-from token import NAME, STRING
-from tokenize import generate_tokens
+from itertools import count
 
-from codegen.emit.private_names import WORD, Module, constant_of, private_names, read_module, words
+from codegen.emit.private_names import Module, constant_of, private_names, read_module, words
+from codegen.emit.renaming import renamed
 from codegen.frozen import dataclass
 
 TABLE = "short_names.txt"
@@ -42,7 +41,11 @@ def shortened(texts: Mapping[str, str], others: Iterable[str]) -> Shortened:
         for name, module in modules.items()
     }
     return Shortened(
-        {name: _renamed(_without_const(texts[name], module), chosen) for name, module in modules.items()}, found
+        {
+            name: renamed(_without_const(texts[name], module), lambda _: chosen, attributes=True)
+            for name, module in modules.items()
+        },
+        found,
     )
 
 
@@ -85,23 +88,6 @@ def _chosen(scopes: Mapping[str, frozenset[str]], taken: set[str]) -> dict[str, 
 
 def _numbered() -> Iterator[str]:
     return (f"_{number}" for number in count())
-
-
-def _renamed(text: str, chosen: Mapping[str, str]) -> str:
-    """Return a text with other names; no string has one that is chosen, but where an f-string has an expression."""
-    starts = [0, *accumulate(map(len, StringIO(text)))]
-    pieces, end = [], 0
-    for token in generate_tokens(StringIO(text).readline):
-        if token.type == NAME:
-            new = chosen.get(token.string, token.string)
-        elif token.type == STRING and "f" in token.string.partition(token.string[-1])[0].lower():
-            new = WORD.sub(lambda word: chosen.get(word[0], word[0]), token.string)
-        else:
-            continue
-        start = starts[token.start[0] - 1] + token.start[1]
-        pieces += [text[end:start], new]
-        end = starts[token.end[0] - 1] + token.end[1]
-    return "".join([*pieces, text[end:]])
 
 
 def _without_const(text: str, module: Module) -> str:

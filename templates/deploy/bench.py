@@ -55,14 +55,14 @@ def begin():
 
         main.collect_often(True)
         cls = main.vehicle_class()
-        vehicle = cls() if FACTS["own_ports"] else cls(ports=[Port()])
+        vehicle = cls() if FACTS["own_ports"] else cls(None, [Port()])
         main.collect_often(False)
         board, state = vehicle.board, vehicle.state
     else:
         from board import Board
         from state import SystemState
 
-        board, state = Board(silent), SystemState(log=silent)
+        board, state = Board(silent), SystemState(None, silent)  # not by name: arguments have short ones
     gc.collect()
     say("heap.free_bytes", gc.mem_free())
     say("heap.used_bytes", gc.mem_alloc() - before)
@@ -126,7 +126,7 @@ def receptions(count):
     from mavlink import Link
 
     known = [cls for cls in messages.ALL if cls.NAME == "HEARTBEAT"] or messages.ALL[:1]
-    link = Link(Port(), 255, 190, messages=known[:1])
+    link = Link(Port(), 255, 190, 2, known[:1])
     frame = bytes(link.encode(known[0](unknown=False)))
     link.put(frame)
     if link.receive() is None:

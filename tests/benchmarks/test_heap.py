@@ -23,14 +23,16 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_program_runs_in_the_heap_that_is_stored(folder: Path, form: str) -> None:
     """From its start through a simulated minute, in the first two of the heaps that the stored figure stands for.
 
-    What it has in use is at most 3 % more than what is stored.
+    What it has in use is at most 3 % more than what is stored, or 1.5 KB: the collector finds what looks like a
+    reference on the stack, and may keep a table that is garbage in one heap and not in another.
     """
     smallest = int(STORED[f"smallest_{form}"])
     for size in (smallest, smallest + heap.STEP):
         used = heap.in_use(folder, form, size)
         assert used, f"not in {size} KB; make benchmarks stores what it takes now"
         for moment, count in used.items():
-            assert count <= 1.03 * STORED[f"{moment}_{form}"], moment
+            stored = STORED[f"{moment}_{form}"]
+            assert count <= max(1.03 * stored, stored + 1536), moment
 
 
 @pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")

@@ -4,12 +4,10 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from stated_units import STATED
 
-from codegen.model.answers.scaling import rounded
-from codegen.model.spec.population import Rounding
 from codegen.model.units.affine import AffineMap, pi_between
 from codegen.model.units.nearest_unit import nearest_unit
 from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio, read_measure, symbols, unit_named
@@ -196,33 +194,6 @@ def test_as_many_digits_as_it_takes():
     """Ninety decimals are more than it begins with."""
     half = conversion(unit_named("rev"), unit_named("rad")).settled(Fraction(1, 2), lambda exact: int(exact * 10**90))
     assert half == int(PI_100 * 10**90)
-
-
-WAYS = [("mrad", "cdeg"), ("degE7", "mrad"), ("cdeg", "mrad"), ("rad", "degE7"), ("rpm", "mrad/s"), ("mrad/s", "rpm")]
-
-
-@pytest.mark.parametrize(("unit", "other"), WAYS)
-@pytest.mark.parametrize("largest", [10, 2**15, 2**30 - 1, 2**63 - 1])
-@given(data=st.data())
-@settings(max_examples=30)
-def test_a_rational_factor_rounds_as_the_exact_one(unit, other, largest, data):
-    """Every whole number up to the largest, in every direction of rounding."""
-    way = conversion(unit_named(unit), unit_named(other))
-    factor = way.factor_for(largest)
-    value = data.draw(st.integers(-largest, largest))
-    rounding = data.draw(st.sampled_from(Rounding))
-    assert rounded(value * factor, rounding) == way.settled(Fraction(value), lambda exact: rounded(exact, rounding))
-
-
-@pytest.mark.parametrize(("unit", "other"), WAYS)
-def test_a_rational_factor_rounds_alike_over_all_of_16_bits(unit, other):
-    """Exhaustively; by the digits of pi, which are right to a hundred places."""
-    way = conversion(unit_named(unit), unit_named(other))
-    factor, exact = way.factor_for(2**15), way.factor * PI_100**way.pi
-    assert factor.denominator < 2**20
-    for value in range(2**15 + 1):
-        assert rounded(value * factor, Rounding.NEAREST) == rounded(value * exact, Rounding.NEAREST)
-        assert rounded(value * factor, Rounding.DOWN) == rounded(value * exact, Rounding.DOWN)
 
 
 @pytest.mark.parametrize(

@@ -58,7 +58,8 @@ _TERM = re.compile(
   | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
-  | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
+  | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}
+      |1[ ]?<<[ ]?\d{{1,2}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
       |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?:(?<=\.\d)f|(?<=\.\d\d)f|\.f)?(?![\w]|\.\d))
   | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
       |:)\s?\d{{1,3}})?)\])?(?![\w(]))
@@ -363,6 +364,8 @@ def _number(written: str) -> Fraction | None:
     text = written.replace(",", "").replace("\u2212", "-").replace("**", "^").replace(" ", "").lstrip("+")
     if text[:2].lower() == "0x":
         return Fraction(int(text, 16))
+    if "<<" in text:
+        return Fraction(1 << int(text.partition("<<")[2]))
     text = text.removesuffix("f").removesuffix(".")  # 100.0f of C
     if "^" in text:
         base, _, power = text.partition("^")

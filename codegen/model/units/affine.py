@@ -52,39 +52,6 @@ class AffineMap:
                 return low
             bits *= 2
 
-    def factor_for(self, largest: int) -> Fraction:
-        """A rational factor that rounds as the exact one does, for every whole number up to ``largest`` either way.
-
-        That holds for rounding to the nearest, down, up and toward zero: between ``x`` times this factor and ``x``
-        times the exact one lies no multiple of a half. How near a multiple of a half can be, the last convergent of
-        twice the factor tells whose denominator is at most ``largest`` (the best approximations of the second kind).
-        """
-        if not self.pi:
-            return self.factor
-        bits = 8 * largest.bit_length() + 64
-        low, high = self.between(Fraction(1), bits)
-        apart = high - low
-        nearest = min(
-            abs(2 * low * found.denominator - found.numerator)
-            for found in convergents(2 * low)
-            if found.denominator <= largest
-        )
-        margin = (nearest - 2 * largest * apart) / (2 * largest)
-        return next(found for found in convergents(low) if abs(found - low) + apart < margin)
-
-
-def convergents(value: Fraction) -> "list[Fraction]":
-    """The convergents of the continued fraction of ``value``, the coarsest first, ``value`` itself last."""
-    found, rest = [], value
-    before, last = (0, 1), (1, 0)
-    while True:
-        whole = rest.numerator // rest.denominator
-        before, last = last, (whole * last[0] + before[0], whole * last[1] + before[1])
-        found.append(Fraction(*last))
-        if rest == whole:
-            return found
-        rest = 1 / (rest - whole)
-
 
 @cache
 def pi_between(bits: int) -> tuple[Fraction, Fraction]:
