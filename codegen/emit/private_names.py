@@ -35,7 +35,7 @@ class Module:
 
     @cached_property
     def bound(self) -> frozenset[str]:
-        """What it gives a name to itself."""
+        """The names that it gives to something itself."""
         return frozenset(name for node in self.nodes for name in bound_by(node))
 
     @cached_property

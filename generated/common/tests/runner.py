@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: 8e2bc6583a0977d2
+# Inputs: 7c1c4f4a1612e1a2
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -23,6 +23,7 @@ from state import SystemState  # noqa: E402
 import streams  # noqa: E402
 import telemetry  # noqa: E402
 
+_LEFT = 0xA5  # a byte of a message before, which is in no value that stands for unknown
 _FLOATS = {"nan": float("nan"), "inf": float("inf"), "-inf": -float("inf")}
 
 
@@ -59,7 +60,7 @@ def soil(message, texts):
     """
     kept = bytes(message.wire)
     for at in range(message.LENGTH):
-        message.wire[at] = 0xFF
+        message.wire[at] = _LEFT
     for name, (form, start, count, _, _, _) in layout_of(type(message)).items():
         if form[-1] == "s" or name in texts:
             message.wire[start : start + count] = kept[start : start + count]
@@ -92,7 +93,7 @@ def frames_of(case, instances, count, texts, links):
             link.sequence = 0
             if link.version == 2:
                 for at in range(12, len(link._frame) - 15):
-                    link._frame[at] = 0xFF  # as the frames before may have left it
+                    link._frame[at] = _LEFT  # as the frames before may have left it
             frame = bytes(encode(link, state, *about)).hex()
             link.send(message)
             assert link.sequence == 1
