@@ -428,6 +428,7 @@ WHAT_MAY_BE_RIGHT = [
     "MAV_STATE_ACTIVE is 4.",
     "GPS_FIX_TYPE 3 is a 3D fix.",
     "MAV_MODE_FLAG_SAFETY_ARMED is 0x80.",
+    "GIMBAL_MANAGER_SET_PITCHYAW:\n\n a) `pitch` is in radians, `yaw_rate` is in radians\n    per second.",
     "MAV_MODE_FLAG_SAFETY_ARMED is 1 << 7, others are not.",
     "MAV_MODE_FLAG_SAFETY_ARMED is bit 7.",
     "MAV_CMD_COMPONENT_ARM_DISARM is 400.",

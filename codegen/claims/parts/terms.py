@@ -48,14 +48,14 @@ _TERM = re.compile(
   | (?P<byte>(?<![\w.-])(?P<bytesign>unsigned|signed)[ ](?:byte|char)\b)
   | (?P<type>(?<![\w.])(?P<scalar>{_SCALAR})(?:s\b)?(?![\w(])(?:[ ]?\[[ ]?(?P<length>\d{{1,4}})[ ]?\])?)
   | (?P<quantity>(?<![\w.,-])[-+]?\d{{1,12}}(?:,\d{{3}}){{0,3}}(?:\.\d{{1,9}})?[ \u00a0]?
-      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s(?:per|a)\ssecond\b)?
+      (?!f\b)(?P<in>{_PREFIX}{_LONG_UNIT}\b(?:\s{{1,9}}(?:per|a)\s{{1,9}}second\b)?
       |{_SYMBOL}(?![\w/]))(?![ ]?(?:[*\u00d7]|times\b)[ ]?1))
   | (?P<scaled>(?<![\w.])(?P<scaledunit>{_PREFIX}{_LONG_UNIT}|{_SYMBOL})\s?(?:times|multiplied\sby|scaled\sby
       |[*\u00d7x])\s?(?P<by>{_POWER})(?!\w|\.\d))
   | (?P<units>(?<![\w.])(?P<share>tenths?|hundredths?|thousandths?
       |millionths?|tens|hundreds|thousands)\sof\s(?:an?\s)?(?P<whole>{_PREFIX}{_LONG_UNIT}(?:\s(?:per|/)\s(?:second|minute|hour))?
       |{_SYMBOL})\b)
-  | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s(?:per|a)\s|/)(?:second|sec|minute|hour
+  | (?P<long>(?<![\w.-]){_PREFIX}{_LONG_UNIT}(?:(?:\s{{1,9}}(?:per|a)\s{{1,9}}|/)(?:second|sec|minute|hour
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
   | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}
