@@ -56,6 +56,9 @@ def main() -> int:
     )
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
+    output = PROGRAMS[arguments.program][0]
+    if not (ROOT / output).is_dir():
+        raise SystemExit(f"{output} is not there: run codegen build in {Path(output).parent}")
     texts = {
         name: text
         for name, text in firmware_of(arguments.program).items()
@@ -101,8 +104,6 @@ def main() -> int:
 def firmware_of(program: str) -> dict[str, str]:
     """Return the modules of the firmware of a program by the names of their files, in their order."""
     output, name = PROGRAMS[program]
-    if not (ROOT / output).is_dir():
-        raise SystemExit(f"{output} is not there: run codegen build in {Path(output).parent}")
     paths = [path for folder in module_folders(ROOT / output, "firmware", program=name) for path in folder.glob("*.py")]
     return {path.name: path.read_text(encoding="utf-8") for path in sorted(paths, key=lambda path: path.name)}
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: a2405f3d79e844b2
+# Inputs: 48ece1b0b8ad85f0
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -137,7 +137,7 @@ def told_again_while_another_stays():
         gone, there = GroundStation(port), GroundStation(port, system_id=254)
         for who in ((gone, there), (there, gone))[first]:
             _beat(who)
-            run_passes(craft, 60)
+            run(craft, LONG_US)
         for _ in range(4):
             run(craft, SILENCE_MS * 1000 // 4, STEP_US)
             _beat(there)

@@ -135,7 +135,7 @@ def told_again_while_another_stays():
         gone, there = GroundStation(port), GroundStation(port, system_id=254)
         for who in ((gone, there), (there, gone))[first]:
             _beat(who)
-            run_passes(craft, 60)
+            run(craft, LONG_US)
         for _ in range(4):
             run(craft, SILENCE_MS * 1000 // 4, STEP_US)
             _beat(there)
