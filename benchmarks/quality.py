@@ -154,7 +154,8 @@ The {documents} requirement documents of the rover state {all_criteria} criteria
 
 `make mutation` puts small faults into the firmware, one at a time, drawn by lot from a seed, and runs the generated
 suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with the reason, and left out.
-`make mutation FAULTS="--store"` keeps the numbers. Checks were written for what the run with seed 1 had not noticed.
+`make mutation FAULTS="--store"` keeps the numbers. Checks were written for what the run with seed 1 had not
+noticed; other seeds are as they were drawn, faults without effect included that nobody has listed.
 
 {mutation}
 

@@ -35,7 +35,7 @@ WRONG = """
 
 The message id of BATTERY_STATUS is 148. `BATT_VOLT_MULT` has the default 4.05. `BATT_ID` has the default 3.
 
-HEARTBEAT is sent at 3 Hz. The vehicle sends the message BATTERY_STATUSX, too.
+HEARTBEAT is sent at 3 Hz. The vehicle sends the message BATTERY_STATUSX, too. BATTERY_STATUS.temperature is in kelvin.
 
 With `dialects/battery_rfc_0018.xml` the base payload of BATTERY_STATUS_V2 has 25 bytes.
 """

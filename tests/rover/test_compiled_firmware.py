@@ -50,7 +50,8 @@ def frames(folder: Path, modules: Sequence[Path], form: str) -> list[str]:
     """The frames that firmware makes under MicroPython; without machine code it makes them in plain Python."""
     script = folder / "script.py"
     script.write_text(SCRIPT.replace("frames_plain_or_viper", form))
-    path = os.pathsep.join(map(str, [*modules, *module_folders(ROOT / "generated", "mocks")]))
+    # A module of a bundle loads all of it, and so what others there import, such as asyncio.
+    path = os.pathsep.join(map(str, [*modules, *module_folders(ROOT / "generated", "mocks"), ".frozen"]))
     done = subprocess.run(
         [str(TOOLS / "micropython"), str(script)],
         env=os.environ | {"MICROPYPATH": path},
@@ -87,10 +88,10 @@ def test_what_the_users_code_names_keeps_its_name(project: Path) -> None:
     """As in a deploy, and in the same words: its class derives from a generated one."""
     assert codegen(project, "--mpy", "bytecode").returncode == 0
     modules = project / "build" / "bytecode"
-    assert b"_guard" not in (modules / "vehicle.mpy").read_bytes()
+    assert not any(b"_guard" in path.read_bytes() for path in modules.glob("*.mpy"))
     (project / "rover.py").write_text("from vehicle import Vehicle\n\nclass Rover(Vehicle):\n    _guard = None\n")
     assert codegen(project, "--mpy", "bytecode").returncode == 0
-    assert b"_guard" in (modules / "vehicle.mpy").read_bytes()
+    assert any(b"_guard" in path.read_bytes() for path in modules.glob("*.mpy"))
     assert "=_guard" not in (modules / "short_names.txt").read_text()
 
 
