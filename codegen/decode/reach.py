@@ -21,10 +21,11 @@ def within(project_file: str, files: Files) -> Files:
 def folders_of(project_file: str, files: Files) -> tuple[str, ...]:
     """The folder above that of the project file, those that it lists under ``outside``, and what comes with codegen."""
     folder = os.path.dirname(os.path.abspath(project_file))
-    data = files.read_bytes(os.path.abspath(project_file), Report())
+    own = (folder, os.path.dirname(folder))  # a project file that leads out of them is not asked what may lie outside
+    data = files.confined(own).read_bytes(os.path.abspath(project_file), Report())
     outside = () if data is None else _outside(os.path.abspath(project_file), data)
     listed = (os.path.normpath(os.path.join(folder, each)) for each in outside)
-    return (folder, os.path.dirname(folder), *listed, *shipped_folders(files), BOARDS, CORRECTIONS)
+    return (*own, *listed, *shipped_folders(files), BOARDS, CORRECTIONS)
 
 
 @lru_cache(maxsize=1)

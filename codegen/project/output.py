@@ -13,9 +13,13 @@ from codegen.tool.digest import tool_digest
 def stated_output(project_file: str) -> str | None:
     """Return the absolute path of the folder that a project file (an absolute path) names for its output.
 
-    None where the file cannot be read or has errors, and where the folder lies out of the project: there nothing is
-    looked for.
+    None where the file cannot be read or has errors, and where it or the folder lies out of the project: there nothing
+    is looked for.
     """
+    specification = os.path.dirname(project_file)
+    above = os.path.realpath(os.path.dirname(specification))
+    if not _is_inside(project_file, above):
+        return None
     try:
         with open(project_file, "rb") as file:
             name = entry("output", tool_digest(), project_file, file.read())
@@ -27,14 +31,15 @@ def stated_output(project_file: str) -> str | None:
         return None
     if known is None:
         keep(name, os.fsencode(written))
-    specification = os.path.dirname(project_file)
     folder = os.path.normpath(os.path.join(specification, written))
-    above = os.path.realpath(os.path.dirname(specification))
+    return folder if _is_inside(folder, above) else None
+
+
+def _is_inside(path: str, above: str) -> bool:
     try:
-        is_inside = os.path.commonpath([above, os.path.realpath(folder)]) == above
+        return os.path.commonpath([above, os.path.realpath(path)]) == above
     except ValueError:  # a name with a NUL, or another drive
-        return None
-    return folder if is_inside else None
+        return False
 
 
 def _read(project_file: str) -> str | None:

@@ -8,6 +8,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from fuzzing.watch import watched
 
 from codegen.cli import main
 
@@ -154,6 +155,20 @@ def test_other_commands_follow_no_link_either(
     printed = "".join(capsys.readouterr())
     assert " error outside-project: " in printed
     assert "quote this" not in printed
+
+
+@pytest.mark.parametrize("command", ["build", "check", "trace"])
+def test_a_project_file_that_leads_outside_is_not_opened(
+    command: str, project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It could say itself that it may lie there."""
+    path = project / "specs" / "codegen.yaml"
+    path.unlink()
+    path.symlink_to(project.parents[1] / "secret")
+    with watched() as seen:
+        assert main([command]) == 2
+    assert " error outside-project: " in "".join(capsys.readouterr())
+    assert str(path) not in seen.read
 
 
 @pytest.mark.parametrize("name", ["messages", "requirements", "receives", "dialects", "boards"])
