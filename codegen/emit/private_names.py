@@ -118,6 +118,13 @@ def _set_elsewhere(nodes: Iterable[ast.AST], classes: Iterable[ast.ClassDef]) ->
                 yield node.attr
 
 
+def sources_of(node: ast.AST) -> list[str]:
+    """Return the modules that the names of an import come from, one for each of them; none of any other node."""
+    if isinstance(node, ast.Import):
+        return [each.name for each in node.names]
+    return [node.module or ""] * len(node.names) if isinstance(node, ast.ImportFrom) else []
+
+
 def _imports(node: ast.AST) -> Iterator[tuple[str, tuple[str, str]]]:
     if isinstance(node, ast.ImportFrom):
         yield from ((each.asname or each.name, (node.module or "", each.name)) for each in node.names)

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Iterable, Iterator, Mapping
 
 from codegen.emit.global_names import bound_at_top, outside_functions, seen_in, tree_of
-from codegen.emit.private_names import Module, read_module, words
+from codegen.emit.private_names import Module, read_module, sources_of, words
 from codegen.frozen import dataclass
 
 _ITS_OWN = frozenset({"globals", "locals", "exec", "eval", "__file__", "__name__"})
@@ -88,13 +88,13 @@ def _loaded(modules: Mapping[str, Module], started: Module) -> list[str]:
         if name in modules and name not in begun:
             begun.add(name)
             for node in outside_functions(modules[name].tree.body):
-                for source in _sources(node):
+                for source in sources_of(node):
                     load(source)
             found[name] = None
 
     begun = set[str]()
     for node in started.nodes:
-        for source in _sources(node):
+        for source in sources_of(node):
             load(source)
     return list(found)
 
@@ -103,13 +103,7 @@ def _perhaps(module: Module) -> Iterator[str]:
     """Yield what a module imports under a condition: where it is refused, there is another one."""
     for node in outside_functions(module.tree.body):
         if node not in module.tree.body:
-            yield from _sources(node)
-
-
-def _sources(node: ast.AST) -> list[str]:
-    if isinstance(node, ast.Import):
-        return [each.name for each in node.names]
-    return [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            yield from sources_of(node)
 
 
 def _alone(modules: Mapping[str, Module], others: Iterable[Module]) -> set[str]:

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Iterator, Mapping
 from io import StringIO
 
-from codegen.emit.private_names import read_module
+from codegen.emit.private_names import read_module, sources_of
 from codegen.frozen import dataclass
 
 
@@ -26,7 +26,7 @@ def redirected(text: str, places: Places) -> str:
     lines = list(StringIO(text))
     for node in read_module(text).nodes:
         if isinstance(node, (ast.Import, ast.ImportFrom)) and any(
-            source in places.bundles for source in _sources(node)
+            source in places.bundles for source in sources_of(node)
         ):
             first, last = node.lineno - 1, (node.end_lineno or node.lineno) - 1
             before = lines[first].encode()[: node.col_offset].decode()
@@ -52,7 +52,7 @@ class Redirection(ast.NodeTransformer):
 
 def import_from(node: ast.Import | ast.ImportFrom, places: Places) -> Iterator[ast.stmt]:
     """Yield the statements that do what an import does."""
-    for each, source in zip(node.names, _sources(node), strict=True):
+    for each, source in zip(node.names, sources_of(node), strict=True):
         name = each.asname or each.name
         wanted = "" if isinstance(node, ast.Import) else each.name
         if wanted in places.numbers.get(source, {}):
@@ -69,7 +69,3 @@ def import_of(source: str, wanted: str, name: str) -> ast.stmt:
     if not wanted:
         return ast.Import([ast.alias(source, asname)])
     return ast.ImportFrom(source, [ast.alias(wanted, asname)], 0)
-
-
-def _sources(node: ast.Import | ast.ImportFrom) -> list[str]:
-    return [each.name if isinstance(node, ast.Import) else node.module or "" for each in node.names]
