@@ -77,7 +77,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for said in said_of_fields(span):
         yield from _compared(reading, said)
         found = [*keyed_factors(reading, said)] or list(factors(reading, said))
-        yield from found or [*_in_steps(reading, said)] or _unit(reading, said)
+        yield from found or _unit(reading, said)
     yield from _steps(reading, span)
 
 
@@ -101,48 +101,6 @@ def _compared(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 
 _BYTES = unit_named("bytes")
-
-
-_STEP_OF = re.compile(
-    r"\b(?:in|has|have|with|of) (?:a |the )?(?:steps|units|increments|multiples|resolution|lsb) of"
-    r" (?P<step>Q)(?=\s*(?:[,.;)|]|$|and\b|so\b))"
-)
-
-
-def _in_steps(reading: Reading, said: Said) -> Iterator[Diagnostic]:
-    """ "`current_battery` is in units of 0.1 A": that much is one."""
-    found = _STEP_OF.search(said.span.text, said.end, min(said.until, said.end + _GAP_LONG))
-    if found is None or _NOT_STEPS.search(said.span.text, said.span.bounds(said.start)[0], found.start()):
-        return
-    term = said.span.sentence.term(found.start("step"))
-    amount, unit = term.value if isinstance(term.value, tuple) else (None, None)
-    if not amount or not isinstance(unit, Unit) or not unit.dimension or not _is_power(Fraction(amount)):
-        return
-    step = Unit(term.written, unit.dimension, unit.scale * Fraction(amount), unit.pi, unit.zero)
-    one = claimed(reading, said, found.start(), partial(has_unit, unit=step))
-    if one is not None and Unit.parse(one.field.definition.units) is not None:
-        text = f"{one.name} {_own(one.field)}, not steps of {term.written}"
-        place = said.span.place(found.start("step"))
-        yield reading.found(as_sure(UNIT, is_sure=False), place, f"{one.name} in {term.written}", text)
-
-
-def _is_power(amount: Fraction) -> bool:
-    """Return whether an amount is a power of ten, as the steps of fields are."""
-    return re.fullmatch(r"10*|1/10+", str(amount)) is not None
-
-
-_NOT_STEPS = words(
-    DENIED,
-    OWN,
-    SHOWN,
-    r"\bsensor",
-    r"\bdriver",
-    r"\bchip",
-    r"\bconvert",
-    r"\bround",
-    r"\b(?:moves?|jumps?|rises?|changes?|falls?|goes)\b",
-    r"\bknob|\bslider|\bsteps\b(?! of)",
-)
 
 
 def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -21,7 +21,7 @@ _BEHIND = (
     re.compile(
         rf"\b(?:one|an?|each|every|the|N) {_COUNT} ?(?:is|are|=|means|stands for|equals|of|represents|:)+ ?{_AMOUNT}"
     ),
-    re.compile(rf"\b(?:units|steps|increments|multiples|counts|ticks) of {_AMOUNT}"),
+    re.compile(rf"\b(?:units|steps|increments|multiples|counts|ticks|resolution|lsb) of {_AMOUNT}"),
     re.compile(rf"{_AMOUNT} ?(?:per|/|a|for each|each) {_COUNT}\b"),
     re.compile(rf"\b(?:in|has|with|of) {_AMOUNT}[ -](?:steps|increments|counts)\b"),
     re.compile(rf"\blsb:? ?(?:is|of|=)? ?{_AMOUNT}"),
@@ -33,7 +33,7 @@ _BEHIND = (
 _STEP_OF = re.compile(rf"\b(?:each|every|one|an?|the) {_COUNT} (?:of|in) (?:the )?$")
 _IS = re.compile(rf"(?: (?:of|in) M)? ?(?:is|=|means|stands for|equals|represents) ?{_AMOUNT}")
 _ALONE = re.compile(rf": {_AMOUNT}(?=\s*(?:[,;]|\.(?:\s|$)|$|\*/|each\b))")
-_WORD = re.compile(r"\b(?:count|digit|lsb|bit|step|tick|increment|unit|multiple|each)")
+_WORD = re.compile(r"\b(?:count|digit|lsb|bit|step|tick|increment|unit|multiple|resolution|each)")
 _RULED_OUT = words(
     DENIED, REPLACED, PAST, MISTAKEN, OWN, r"\bshow", r"\bresolution of the\b", r"\bsensor", r"\bround", r"\blimit",
     r"\bchange", r"\bseconds? or\b",
@@ -78,7 +78,7 @@ def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     one = claimed(reading, said, found.start(), partial(_is_step, step=step))
     if one is not None:
         shown = span.source_text(found.start(), found.end())
-        text = f"{one.name} is in {shown_units(one.field)}, not in steps of {step.name}"
+        text = f"{one.name} is in {shown_units(one.field)}, not steps of {step.name}"
         place = span.place(found.start("amount" if "amount" in found.re.groupindex else "counts"))
         yield reading.found(as_sure(UNIT, is_sure=False), place, f"{one.name} {shown}", text)
 
