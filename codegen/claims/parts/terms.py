@@ -30,7 +30,8 @@ _LONG_UNIT = (
     r"|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
-_POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10+(?![\d.]))"
+_POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10{0,2}(?:[ ,\u00a0\u202f]000)+(?!\d)|10+(?![\d.]|[ ,]000))"
+_POWERS: Mapping[str, int] = {"hundred": 100, "thousand": 1000, "million": 10**6}
 _TERM = re.compile(
     rf"""
     (?P<constant>(?<![\w.])(?:U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|NAN|[ui](?:8|16|32|64)::M(?:AX|IN)
@@ -59,8 +60,10 @@ _TERM = re.compile(
       |s)\b(?:\s(?:squared|per\ssecond))?)?(?!\w))
   | (?P<power>(?<![\w.]){_POWER}[ ](?P<small>{_LONG_UNIT}|{_SYMBOL})(?![\w/]))
   | (?P<number>(?:(?<![\w.])|(?<=\d\.\.)|(?<=\.\.\.))[-\u2212+]?(?:0[xX][0-9a-fA-F]{{1,16}}
-      |1[ ]?<<[ ]?\d{{1,2}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)
+      |1[ ]?<<[ ]?\d{{1,2}}|\d{{1,3}}(?:,\d{{3}})+(?!\d)|[1-9]\d{{0,2}}(?:[ \u00a0\u202f]\d{{3}})+(?![\w,.]\d|\w|[ ]\d)
       |\d{{1,20}}(?:\.\d{{1,12}})?(?:[eE]-?\d{{1,2}})?)(?:(?<=\.\d)f|(?<=\.\d\d)f|\.f)?(?![\w]|\.\d))
+  | (?P<many>(?<![\w-])(?:(?P<times>an?|{"|".join(_ORDER)}|\d{{1,3}})[ ])?(?P<of_many>hundred|thousand
+      |million)(?![\w-]))
   | (?P<name>(?<![\w$-])(?<!\.\.)[A-Za-z_][A-Za-z0-9_]*(?:\[(?:\d{{0,3}}(?:\s?(?:\.\.\.?|-
       |:)\s?\d{{1,3}})?)\])?(?![\w(]))
   | (?P<symbol>(?<![\w.])[%\u00b5\u00b0][A-Za-z0-9/]{{0,10}})
@@ -169,6 +172,9 @@ def _term(
         number = _PLAIN_NUMBER.match(text, start, high)
         value = _number(number[0]) if number is not None else None
         return None if number is None or value is None else Term("N", value, number[0], start, number.end())
+    if found["power"] and _of_unit(found, before) is None:
+        written = found["power"][: -len(found["small"])].rstrip()  # a number before a word
+        return Term("N", _number(written), written, start, start + len(written))
     made = _of_capitals(found, words) or _of_type(found) or _of_unit(found, before) or _of_number(found)
     return None if made is None else Term(*made, found[0], start, end, _is_quoted(text, start, end))
 
@@ -190,6 +196,8 @@ def _of_capitals(found: "re.Match[str]", words: Vocabulary) -> _Made | None:
         return None
     known = (("M", words.messages), ("E", words.enums), ("V", words.entries))
     letter = next((letter for letter, names in known if written in names), None)
+    if letter is None and written in words.fields:
+        return "F", NamedField(written)
     if letter is None and "_" in written and "CRC" not in written:
         letter = "C"
     return None if letter is None else (letter, written)
@@ -230,7 +238,7 @@ def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
     elif found["long"] and _is_unit_word(found["long"].lower(), before):
         unit = unit_of_words(found["long"])
     elif found["power"]:
-        whole, power = unit_of_words(found["small"]), _number(found["power"].split()[0])
+        whole, power = unit_of_words(found["small"]), _number(found["power"][: -len(found["small"])])
         is_scaled = whole is not None and whole.dimension and power not in (None, 0, 1)
         unit = finer(whole, max(power, 1 / power)) if is_scaled and whole is not None and power else None
     elif found["symbol"]:
@@ -361,7 +369,7 @@ def _count(written: str) -> int:
 
 
 def _number(written: str) -> Fraction | None:
-    text = written.replace(",", "").replace("\u2212", "-").replace("**", "^").replace(" ", "").lstrip("+")
+    text = re.sub(r"[ ,\u00a0\u202f]", "", written).replace("\u2212", "-").replace("**", "^").lstrip("+")
     if text[:2].lower() == "0x":
         return Fraction(int(text, 16))
     if "<<" in text:

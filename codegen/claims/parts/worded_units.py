@@ -6,24 +6,89 @@ from fractions import Fraction
 from functools import lru_cache
 
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word
-from codegen.model.units.unit import Unit
+from codegen.model.units.unit import Unit, unit_named
 
 
 @lru_cache(maxsize=4096)
 def worded_unit(written: str) -> Unit | None:
-    """Return the unit of a word or a symbol, of those that no dialect uses, too: "feet"."""
-    return unit_of_word(written) or _OTHER_UNITS.get(written.lower())
+    """Return the unit of a word or a symbol, of those that no dialect uses, too: "feet", "hectometres"."""
+    return unit_of_word(written) or _OTHER_UNITS.get(written.lower()) or _SYMBOLS.get(written) or _prefixed(written)
 
 
-_FOOT = Unit("ft", (("m", 1),), Fraction(3048, 10000))
-_INCH = Unit("in", (("m", 1),), Fraction(254, 10000))
+def _times(name: str, factor: Fraction | int, of: str) -> Unit:
+    """Return the unit that is so many of another one."""
+    other = unit_named(of)
+    return Unit(name, other.dimension, other.scale * factor, other.pi, other.zero)
+
+
+_FOOT = Fraction(3048, 10000)
 _OTHER_UNITS: Mapping[str, Unit] = {
-    **dict.fromkeys(("feet", "foot", "ft"), _FOOT),
-    **dict.fromkeys(("inches", "inch"), _INCH),
-    **dict.fromkeys(("revolutions per minute",), Unit("rpm", (("deg", 1), ("s", -1)), Fraction(6))),
-    **dict.fromkeys(("per mille", "permille"), Unit("d%", (("%", 1),), Fraction(1, 10))),
-    **dict.fromkeys(("milli-g", "milli g"), Unit("mG", (("m", 1), ("s", -2)), Fraction(196133, 20000000))),
+    **dict.fromkeys(("feet", "foot", "ft"), _times("ft", _FOOT, "m")),
+    **dict.fromkeys(("inches", "inch"), _times("in", _FOOT / 12, "m")),
+    **dict.fromkeys(("yard", "yards"), _times("yd", _FOOT * 3, "m")),
+    **dict.fromkeys(("fathom", "fathoms"), _times("fathom", _FOOT * 6, "m")),
+    **dict.fromkeys(("mile", "miles", "statute miles"), _times("mi", _FOOT * 5280, "m")),
+    **dict.fromkeys(("nautical mile", "nautical miles", "nmi"), _times("nmi", 1852, "m")),
+    **dict.fromkeys(("mph", "miles per hour"), _times("mph", _FOOT * 5280 / 3600, "m/s")),
+    **dict.fromkeys(("ft/s", "fps", "feet per second"), _times("ft/s", _FOOT, "m/s")),
+    **dict.fromkeys(("ft/min", "fpm", "feet per minute"), _times("ft/min", _FOOT / 60, "m/s")),
+    **dict.fromkeys(("revolutions per minute",), _times("rpm", 1, "rpm")),
+    **dict.fromkeys(("per mille", "permille"), _times("d%", 1, "d%")),
+    **dict.fromkeys(("milli-g", "milli g", "millig"), _times("mG", 1, "mG")),
+    **dict.fromkeys(("millibar", "millibars", "mbar"), _times("mbar", 1, "mbar")),
+    **dict.fromkeys(("psi",), _times("psi", Fraction("6894.757293168"), "Pa")),
+    **dict.fromkeys(("decibel", "decibels"), unit_named("dB")),
+    **dict.fromkeys(("arcminute", "arcminutes", "arcmin"), _times("arcmin", Fraction(1, 60), "deg")),
+    **dict.fromkeys(("arcsecond", "arcseconds", "arcsec"), _times("arcsec", Fraction(1, 3600), "deg")),
+    **dict.fromkeys(("day", "days"), _times("days", 86400, "s")),
+    **dict.fromkeys(("week", "weeks"), _times("weeks", 604800, "s")),
+    **dict.fromkeys(("bps", "bit/s"), _times("bits/s", 1, "bits/s")),
+    **dict.fromkeys(("kbps", "kbit/s"), _times("kbit/s", 1000, "bits/s")),
+    **dict.fromkeys(("mbps", "mbit/s"), _times("Mbit/s", 1000000, "bits/s")),
+    **dict.fromkeys(("kb/s",), _times("kB/s", 1000, "bytes/s")),
+    **dict.fromkeys(("fahrenheit", "degrees fahrenheit", "\u00b0f"), Unit(
+        "degF", unit_named("K").dimension, Fraction(5, 9), 0, Fraction("459.67") * Fraction(5, 9)
+    )),
+}  # fmt: skip
+_SYMBOLS: Mapping[str, Unit] = {
+    "hm": _times("hm", 100, "m"),
+    "GB": _times("GB", 10**9, "bytes"),
+    "TB": _times("TB", 10**12, "bytes"),
 }
+"""Symbols in which a capital is another letter."""
+_PREFIXES: Mapping[str, Fraction | int] = {
+    "pico": Fraction(1, 10**12),
+    "nano": Fraction(1, 10**9),
+    "micro": Fraction(1, 10**6),
+    "milli": Fraction(1, 1000),
+    "centi": Fraction(1, 100),
+    "deci": Fraction(1, 10),
+    "deca": 10,
+    "deka": 10,
+    "hecto": 100,
+    "kilo": 1000,
+    "mega": 10**6,
+    "giga": 10**9,
+    "tera": 10**12,
+    "kibi": 1 << 10,
+    "mebi": 1 << 20,
+    "gibi": 1 << 30,
+    "tebi": 1 << 40,
+}
+
+
+def _prefixed(written: str) -> Unit | None:
+    """Return the unit of a word with any prefix, also one that no dialect has: "decametres", "gibibytes"."""
+    folded = written.casefold()
+    for prefix, factor in _PREFIXES.items():
+        whole = unit_of_word(folded.removeprefix(prefix)) if folded.startswith(prefix) else None
+        if whole is not None and len(folded) - len(prefix) >= _SHORTEST and whole.dimension and not whole.zero:
+            return Unit(written, whole.dimension, whole.scale * factor, whole.pi)
+    return None
+
+
+_SHORTEST = 3
+"""Letters of a word behind a prefix: "megabit" is one, "decide" is not."""
 
 
 def unit_of_words(written: str) -> Unit | None:
@@ -31,7 +96,7 @@ def unit_of_words(written: str) -> Unit | None:
     if (other := _OTHER_UNITS.get(written.lower())) is not None:
         return other
     text = " ".join(written.replace("-", " ").split())
-    text = re.sub(r"\b(nano|micro|milli|centi|deci|hecto|kilo|mega) ", r"\1", text)
+    text = re.sub(rf"\b({'|'.join(_PREFIXES)}) ", r"\1", text)
     text = re.sub(r"/(?:sec|second)\b", " per second", text)
     squared = re.sub(r" (?:a|per) second (?:squared|per second)$", "", text)
     if squared != text:

@@ -20,7 +20,7 @@ _FACTOR = re.compile(
     r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
     r"|and rounds?(?: it| them)? to(?: whole| full)?"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
-    r"|speed))*)? (?P<unit>U)"
+    r"|speed))*(?: (?:[a-z-]+ ){1,4}?in)?)? (?P<unit>U)"
 )
 _SIGN = re.compile(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
@@ -85,7 +85,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if found is not None and span.kind is PassageKind.ROW and "Q" in text[: said.start]:
         return  # what is in steps of 0.1 deg in another format is turned into the field
     if found is not None and not re.search(
-        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=|\bremainder\b|\bmodulo\b|\brest\b",
+        r"\bnot\b|n't|wrong|\bour\b|\bwe\b|\bby us\b|=|\bremainder\b|\bmodulo\b|\brest\b|dths? $|\btenths? $",
         text[said.end : found.start()],
     ):
         value = number(span.sentence.term(found.start("number")))
