@@ -60,6 +60,7 @@ _ASIDE = words(
     r"|generations?|releases?"
     r"|builds?|code|bindings?|drafts?)\b",
     r"\b(?:before|until|up to) (?:version|v\d|release)",
+    r"\bof (?:your|our|my|their) own\b",
     r"\bshould have (?:been|read|said)\b|\bought to (?:be|have been)\b",
     r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",
     r"\bwrong(?:ly)?\b|\bmistak|\bincorrect|\ba bug\b|\brejected\b|\brefused\b|\bmislead",

@@ -8,7 +8,7 @@ from dataclasses import replace
 from codegen.claims.parts.aligned import aligned_items, csv_rows
 from codegen.claims.parts.data_comments import data_comments
 from codegen.claims.parts.sentence import Sentence, Vocabulary
-from codegen.claims.parts.span import DATA, Span, Topic
+from codegen.claims.parts.span import DATA, Span, Topic, is_compared
 from codegen.claims.parts.terms import read_sentence
 from codegen.claims.reading import Reading
 from codegen.load.markdown_blocks import Line
@@ -59,7 +59,10 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
     note: list[Line] = []
     for line in code.lines:
         last = bisect_left(reading.sightings, (line.place.line + 1, ""))
-        near = [reading.messages[name] for _, name in reading.sightings[max(first, last - _MOST) : last]]
+        sighted = reading.sightings[max(first, last - _MOST) : last]
+        near = [
+            reading.messages[name] for at, name in sighted if at < line.place.line or not _only_compared(line, name)
+        ]
         own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
         is_comment = _COMMENT.match(line.text) is not None or (not code.language and _is_prose(line.text))
         sentence = _line(line, words)
@@ -85,6 +88,12 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     True,
                 )
             note = []
+
+
+def _only_compared(line: Line, name: str) -> bool:
+    """Return whether a line names a message only to compare with it: "float here, unlike NAME"."""
+    at = line.text.find(name)
+    return at >= 0 and is_compared(line.text.lower(), at)
 
 
 def _data(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabulary) -> Iterator[Span]:

@@ -19,7 +19,8 @@ _GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|un
 _DEFINED = re.compile(r"[FP](?:,? (?:and )?[FP])* : ")
 """A definition list, which is a paragraph for Markdown."""
 _COMPARED = re.compile(
-    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
+    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|in contrast to|instead of|not in"
+    r"|here,? (?:but |and |while |whereas )?(?:[a-z]+ |[NTU] ){0,3}in) (?:the )?$|\((?:but |while )?in (?:the )?$"
 )
 _WINDOW = 400
 """The greatest distance from a place to either end of its sentence, in characters."""
@@ -110,12 +111,21 @@ class Span:
         """The messages that are named between two characters, with their offsets; none of a comparison."""
         for offset, term in self.sentence.within(low, high, "MF"):
             value = term.value
-            if _COMPARED.search(self.text, max(offset - 20, 0), offset):
+            if is_compared(self.text, offset):
                 continue
             if isinstance(value, str):
                 yield offset, value
             elif isinstance(value, NamedField) and value.message is not None:
                 yield offset, value.message
+
+
+def is_compared(text: str, offset: int) -> bool:
+    """Return whether the words before a name, in small letters, only compare with it: "unlike NAME"."""
+    return _COMPARED.search(text, max(offset - _LEAD, 0), offset) is not None
+
+
+_LEAD = 24
+"""Characters before a name in which such words stand."""
 
 
 def is_data(span: Span) -> bool:

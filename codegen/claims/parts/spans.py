@@ -52,6 +52,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     above: tuple[WireMessage, ...] = ()
     heads: tuple[str, ...] = ()
     document = tuple(reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings))
+    row: tuple[WireMessage, ...] = ()
     previous: PassageKind | None = None
     leading: list[Term] = []
     is_foreign = is_foreign_section = False
@@ -68,11 +69,13 @@ def _spans(reading: Reading) -> Iterator[Span]:
             is_foreign = not named and (
                 _is_foreign(reading, part) or (is_foreign and not headings) or is_foreign_section
             )
+        is_row = isinstance(part, Passage) and part.kind is PassageKind.ROW
+        row = named or (row if is_row and isinstance(part, Passage) and _GOES_ON.match(part.text) else ())
         inside = tuple(message for _, group in reversed(headings) for message in group)
         topic = (
             Topic((), (), (), ())
             if is_foreign or id(part) in others or (not named and _is_foreign_item(reading, part))
-            else Topic(above, inside, tuple(earlier), document)
+            else Topic((row if is_row else ()) or above, inside, tuple(earlier), document)
         )
         if isinstance(part, CodeBlock):
             yield from code_spans(reading, part, topic, words)
@@ -139,6 +142,8 @@ def _is_foreign_item(reading: Reading, part: Passage | CodeBlock) -> bool:
 
 
 _ITEM = re.compile(r"\b[Mm]essage (?P<name>[A-Z][A-Z0-9_]{2,})\b(?=[.,;:]|$)")
+_GOES_ON = re.compile(r"\|\s*\|")
+"""A row without a first cell, which goes on with what the row above it is about."""
 _NUMBERED = re.compile(r"[(#,]\s*(?:id )?#?\d+\b")
 """A heading with an id: its whole section is about a message, and not about a parameter."""
 _CALLED = re.compile(

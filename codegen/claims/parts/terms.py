@@ -23,9 +23,9 @@ _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|
 _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 _ORDER += ["thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"]
 NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
-_PREFIX = r"(?:(?:nano|micro|milli|centi|deci|hecto|kilo|mega)[- ]?)?"
+_PREFIX = r"(?:(?i:pico|nano|micro|milli|centi|deci|hecto|kilo|mega|giga)[- ]?)?"
 _LONG_UNIT = (
-    r"(?:degrees?\scelsius|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
+    r"(?i:degrees?\scelsius|degrees?\sfahrenheit|fahrenheit|miles|nautical\smiles|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
     r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent"
     r"|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )

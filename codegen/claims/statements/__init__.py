@@ -33,6 +33,7 @@ from codegen.claims.statements import (
     units,
     unknown,
 )
+from codegen.claims.statements.no_field import units as units_of_none
 from codegen.claims.statements.scaling import by_frame, read_out, steps
 from codegen.claims.statements.unnamed import described, elements
 from codegen.claims.statements.values import effects, short_names, unfilled
@@ -102,3 +103,5 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     yield from entries.check(reading, parts)
     yield from entries.constants(reading, parts)
     yield from short_names.check(reading, parts)
+    for span in parts:
+        yield from (found for found in units_of_none.check(reading, span) if not _is_aside(span, found))

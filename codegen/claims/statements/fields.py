@@ -73,6 +73,7 @@ def said_of_fields(span: Span) -> tuple[Said, ...]:
 
 def _said(span: Span) -> Iterator[Said]:
     groups = [found for found in _GROUP.finditer(span.text) if _is_name(span, found)]
+    groups = [found for found in groups if not _TURNED_INTO.search(span.text, max(found.start() - 6, 0), found.start())]
     groups = [found for found in groups if span.is_code or not _MEMBER.search(span.text, 0, found.start())]
     groups = [found for found in groups if not _EXCEPT.search(span.text, max(found.start() - 40, 0), found.start())]
     for index, found in enumerate(groups):
@@ -99,6 +100,8 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
         again = _FIELD_CELL.search(text, found.end()) if span.kind is PassageKind.ROW else None
         names = {term.written for _, term in span.sentence.within(*again.span(), "F")} if again is not None else set()
         return span.sentence.term(found.start()).written not in names
+    if found[0].count("P") >= _SEVERAL and not span.is_code and span.kind is not PassageKind.ROW:
+        return True  # "x, y, z": several such words in a row
     lead = _BEGINS.match(text)
     begins = lead is not None and lead.end() >= found.start()
     behind = text[found.end() : found.end() + 3].lstrip(" ")[:1]
@@ -121,10 +124,22 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
         return True
     before = text[max(found.start() - 40, 0) : found.start()]
     is_called = before.endswith((" field ", "the ", "its ", "field ")) and not _OF_ANOTHER.search(before)
+    if _LIMITED.match(text, found.end()):
+        return True
     return bool(is_called and _SUBJECT.match(text, found.end())) or text[found.end() : found.end() + 6] in (
         " field",
         " array",
     )
+
+
+_TURNED_INTO = re.compile(r"[FP] ?(?:\u2192|->|=>) ?$")
+"""Before the name that a field has elsewhere: "`uas_id` -> `id`"."""
+_LIMITED = re.compile(
+    r" (?:of |is |has )?(?:at most|up to|no more than) N (?:bytes|characters|chars|elements|entries)\b"
+)
+"""Behind a word that is the name of an array."""
+_SEVERAL = 3
+"""Everyday words that are names of fields, and hardly anything else where so many stand together."""
 
 
 def each_about(reading: Reading, said: Said) -> list[tuple[int, About]]:

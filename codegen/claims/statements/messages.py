@@ -54,7 +54,10 @@ _PLAIN = re.compile(
     r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
 )
 _OF_RATE = re.compile(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
-_LISTED = re.compile(r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)")
+_LISTED = re.compile(
+    r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)"
+    r"(?! ?(?:bytes|octets|hz|fields)\b)"
+)
 _CRC = re.compile(
     r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra"
     r" byte)\b(?: (?:byte|of"
@@ -201,7 +204,10 @@ def _id(
     )
 
 
-_CRC_LIST = re.compile(r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60})")
+_CRC_LIST = re.compile(
+    r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:"
+    r"(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60}|(?: N (?:for|of|is) M,?(?: and)?){2,60})"
+)
 _IN_TURN = re.compile(r"\b(?:former|latter|respectively)\b")
 
 
@@ -209,7 +215,8 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     text = span.text
     for found in _CRC_LIST.finditer(text):
         listed = [*span.sentence.within(*found.span("pairs"), "MN")]
-        for (_, name), (at, term) in zip(listed[::2], listed[1::2], strict=True):
+        for one, other in zip(listed[::2], listed[1::2], strict=True):
+            (_, name), (at, term) = (one, other) if one[1].letter == "M" else (other, one)
             message = reading.messages[str(name.value)]
             if number(term) != message.crc_extra and message.id >= 0:
                 words = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {term.written}"

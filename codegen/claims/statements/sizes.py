@@ -81,9 +81,11 @@ _KINDS = re.compile(
 _OF_ELSE = re.compile(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
-    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name|text"
+    r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name"
+    r"|text"
     r"|string"
-    r"|field|each(?! M)|element|of which|reads?|only|first|last|another|more than|less than|within|every|copies|memcpy"
+    r"|field|each(?! M)|element|of which|reads?|asks?|asked|requests?"
+    r"|only|first|last|another|more than|less than|within|every|copies|memcpy"
     r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
     r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|(?<!M"
@@ -106,7 +108,7 @@ _BEHIND = re.compile(
     r" frame|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|in all\b|(?:[a-z]+ )?M\b)"
 )
-_CLAUSES = re.compile(r", (?:and|but|so|while) ")
+_CLAUSES = re.compile(r", (?:and|but|so|while|the) ")
 _EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
 _FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
@@ -115,6 +117,7 @@ _FOREIGN = re.compile(
     r"|rtp|ais"
     r"|ads-?b|wi-?fi|usb|ppp|slip|hdlc|lte|iridium|dronecan|uavcan|bluetooth|ble|xbee|mqtt|raw|video|image|log)"
     r"(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
+    r"|\b(?:frames?|packets?|messages?) (?:on|over) (?:the )?(?:can|uart|spi|i2c|iNc|serial|bus|radio|modbus)\b"
 )
 """A frame of another protocol, whose size is told."""
 _FRAMES_OF = re.compile(

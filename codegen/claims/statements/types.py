@@ -32,11 +32,12 @@ _IDLE = frozenset((
     "array", "single", "M", "little", "endian", "now", "still", "really", "actually", "has", "have", "use", "uses",
     "with", "fits", "into", "be", "must", "should", "extension", "wire", "on", "its", "plain", "simple", "one",
     "three", "named", "value", "values", "number", "numbers", "member", "data", "set", "to", "travel", "travels", "u",
-    "q", "U", "N", "E",
+    "q", "U", "N", "E", "holds", "hold", "contains", "entries", "elements",
 ))  # fmt: skip
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, CONDITIONAL[:1], OWN[:1], TEMPORARY[:1],
-    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread (?:in|as)", r"\btaken as\b", r"\bfrom\b", r"\bpack(?:ed)? into\b",
+    r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread (?:in|as)", r"\btaken as\b", r"\bnext to\b", r"\bbesides?\b",
+    r"\bfrom\b", r"\bpack(?:ed)? into\b",
     r"\b(?:and|while|whereas|but) (?:the|its|their) ", r", the \w",
 )  # fmt: skip
 _BEFORE = re.compile(
@@ -102,6 +103,10 @@ _OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$|\band (?:[a-z]+ )*[a-z]{3,}
 """Another thing that is named behind fields, "x y z, covariance = 36 doubles", or several, "one of three bytes"."""
 
 
+_MEANS = re.compile(r"\bN (?:is|means|=|:) (?:an? )?$")
+"""Between a field and a word that is a value's meaning: "`fix_type`: 5 is float", which is a kind of a solution."""
+
+
 def _is_path(span: Span, offset: int) -> bool:
     """Return whether code converts to a type, ``u32::from(x)``, ``sum::<u32>()``, ``(T)(x)``, and declares nothing."""
     if not span.is_code or span.is_comment:
@@ -127,9 +132,10 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         gap = span.text[said.end : offset]
         behind = span.text[offset + 1 :]
-        if _OF_ANOTHER.search(gap):
-            return
-        if _TO.fullmatch(gap) and _TURNED.search(span.text, max(said.before, said.start - 40), said.start):
+        if _MEANS.search(gap):
+            continue
+        is_turned = _TO.fullmatch(gap) and _TURNED.search(span.text, max(said.before, said.start - 40), said.start)
+        if is_turned or _OF_ANOTHER.search(gap):
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)

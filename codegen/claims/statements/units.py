@@ -37,7 +37,7 @@ from codegen.model.units.unit import Unit, unit_named
 _PLACE = re.compile(
     r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report"
     r"|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
-    r"|reports?|measured in|is|are|be|in an? [a-z]+ as)"
+    r"|reports?|measured in|is|are|be|both|in an? [a-z]+ as)"
     r"(?: (?:whole|full|plain|integer|the|an?|steps of|units of|multiples of|always))*"
     r"|[(\[|:,=#*/\u2013\u2014-](?: ?(?:whole|full|plain|integer))?"
     r"|\bT|\"|^)\s*$"
@@ -54,7 +54,7 @@ _NOT = words(
     r"\blimited\b", r"\bstep\b", r"\bhelps?\b",
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
-    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^), the \w",
+    r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^)[,;] the (?!unit|value|field|number)\w",
 )  # fmt: skip
 _SCALED_AFTER = re.compile(
     r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
@@ -265,6 +265,8 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
         offset,
         lambda field: has_unit(field, unit) or (factor is not None and turns(field, unit, factor)),
     )
+    if one is not None and one.message.field(term.written) is not None:
+        return  # a field that is called as a unit is, in a list of names
     if one is not None and not is_told_behind(said.span, offset, one.field, said.names):
         text = f"{one.name} {_own(one.field)}, not {term.written}"
         yield reading.found(

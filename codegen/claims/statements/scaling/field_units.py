@@ -10,7 +10,7 @@ from codegen.model.units.unit import Unit, unit_named
 def of_field(unit: Unit, field: WireField) -> Unit:
     """The unit as the words for it are meant of a field: degrees of a temperature are degrees Celsius."""
     own = Unit.parse(field.definition.units)
-    is_degrees = unit.name == "C" or unit.name.startswith("deg") or unit.dimension == unit_named("deg").dimension
+    is_degrees = unit.name == "C" or unit.dimension == unit_named("deg").dimension
     if own is not None and own.dimension == unit_named("degC").dimension and is_degrees:
         return Unit(
             unit.name,
