@@ -12,31 +12,32 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.once import once
+from codegen.pattern import pattern
 
 _JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
-_GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
-_BEGINS = re.compile(
+_GROUP = pattern(rf"[FP](?:{_JOIN}[FP])*")
+_BEGINS = pattern(
     r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly "
     r"|public |private )*)"
 )
-_SUBJECT = re.compile(
+_SUBJECT = pattern(
     r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?"
     r"|comes?|stands?|takes?|uses)\b"
 )
 
 
-_SENTENCE = re.compile(r"[.!?:] (?:the )?$")
-_FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
-_MEMBER = re.compile(r"[a-z_]\.$")
+_SENTENCE = pattern(r"[.!?:] (?:the )?$")
+_FIELD_CELL = pattern(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
+_MEMBER = pattern(r"[a-z_]\.$")
 """Before the name of a member of another thing, ``T_wb.q``."""
-_OF_ANOTHER = re.compile(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
+_OF_ANOTHER = pattern(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
 """Before an everyday word that tells more of another thing: "the distance to the target is ..."."""
-_EXCEPT = re.compile(
+_EXCEPT = pattern(
     r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
 )
 
 
-_CONTRAST = re.compile(
+_CONTRAST = pattern(
     r"\b(?:where|while|whereas|unlike|but|as) (?:in )?(?:the|its|their|that) (?:(?!and\b)[a-z]+ ){0,2}?"
     r"(?:ones?|others?|latter|former)\b"
 )
