@@ -15,9 +15,9 @@ _ATTRIBUTES = (*_SEARCHES, "flags", "groupindex", "groups", "pattern", "split", 
 def pattern(expression: str, flags: int = 0, *, needs: str = "") -> "re.Pattern[str]":
     """Return what stands for ``re.compile(expression, flags)``, and compiles it when it is first asked for something.
 
-    A text in which it is found has one of the words that it ``needs``, with "|" between them and in small letters: until
-    a text has one, in letters of either case, nothing is compiled. What is wrong with an expression is told late, as
-    ``re.error``.
+    A text in which it is found has one of the words that it ``needs``: until a text has one, nothing is compiled. "|"
+    stands between them; where flags say that case does not matter, they are in small letters. What is wrong with an
+    expression is told late, as ``re.error``. The ``re`` of a match is the compiled pattern, not what this returns.
     """
     return cast("re.Pattern[str]", _Pattern(expression, flags, needs))
 
@@ -40,9 +40,9 @@ class _Pattern:
 
     def _searched(self, method: str, text: str, *bounds: int) -> Any:
         """Return what a method finds in a text; it is not asked where the text has none of the words."""
-        folded = text.casefold()
+        searched = text.casefold() if self._flags & re.IGNORECASE else text
         for word in self._words:
-            if word in folded:
+            if word in searched:
                 return getattr(self._compiled(), method)(text, *bounds)
         return iter(()) if method == "finditer" else [] if method == "findall" else None
 

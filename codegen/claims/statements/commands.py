@@ -98,7 +98,7 @@ def _said(
     reading: Reading, span: Span, found: "re.Match[str]", said: "re.Match[str]", command: EnumEntry, at: int
 ) -> Iterator[Diagnostic]:
     text = span.source_text(*said.span("what")).lower()
-    what = _content(_STOPS.split(text)[0] if said.re is _BEHIND else _STOPS.split(text)[-1])
+    what = _content(_STOPS.split(text)[0] if said.start() >= found.end() else _STOPS.split(text)[-1])
     own = next((each for each in command.parameters if each.number == str(at)), None)
     if not what or own is None:
         return

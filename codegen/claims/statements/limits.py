@@ -127,7 +127,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
     ):
         if found is None or (found.end() <= said.end and found["value"] is None):
             continue
-        at = found.end() - 1 if found.re is _UP_TO else found.start("value")
+        at = found.start("value") if "value" in found.re.groupindex else found.end() - 1
         if (at < said.end and found is not lead) or at - said.end > _FAR:
             continue
         gap = _CAN_SHOW.sub("", text[low:at])

@@ -57,7 +57,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         low, high = span.bounds(found.start())
         how = (
             "before"
-            if found.re is _THEN
+            if "how" not in found.re.groupindex
             else found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
         )
         is_wire = "sent" in found[0] or _WIRE.search(text[max(low - 200, 0) : high]) is not None
@@ -87,8 +87,9 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             or _DENIED.search(span.text[low:high])
         ):
             continue
-        names = [at for at in range(*found.span("names" if found.re is _PLACED else "name")) if span.text[at] in "FP"]
-        places = re.findall(_ORDINAL, found["places"]) if found.re is _PLACED else ["first"]
+        is_list = "names" in found.re.groupindex
+        names = [at for at in range(*found.span("names" if is_list else "name")) if span.text[at] in "FP"]
+        places = re.findall(_ORDINAL, found["places"]) if is_list else ["first"]
         for at, place in zip(names, places, strict=False):
             one = about(reading, span, at)
             index = _ORDINALS.index(place)
