@@ -12,7 +12,8 @@ _WORDS = (
     pattern(rf"(?<![\w.-])(?P<low>{_NUMBER})\s?(?:\.\.+|to|-)\s?(?P<high>{_NUMBER})(?![\w]|\.\d)"),
     pattern(
         r"(?<![\w.-])(?P<low>0)(?::| =| means)[^.;]{2,24}[,;] (?P<high>255|100|254)(?::| =| means) (?:max|best|good"
-        r"|full)"
+        r"|full)",
+        needs="100|254|255",
     ),
 )
 

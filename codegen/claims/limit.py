@@ -28,6 +28,7 @@ _LIMITED = pattern(
     rf"|\b(?:limit(?:s|ed)?|max(?:imum)?(?:\s(?:size|value))?)\s(?:(?:it|them|this|of|to|is|was|at|previously)\s){{0,3}}"
     rf"{_AMOUNT.replace('number', 'number2').replace('unit>', 'unit2>')}",
     re.IGNORECASE,
+    needs="ceiling|limit|max",
 )
 _IMPOSSIBLE = pattern(
     rf"\b(?:allow|support|permit|enable|handle|cannot|can't|could not|impossible)\w*\s[^.;|]{{0,50}}?{_MORE}{_AMOUNT}"

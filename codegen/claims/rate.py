@@ -93,6 +93,7 @@ _MORE = pattern(
     r"(?:/ ?s|\bps|per second|a second) (?:more|extra|less|on top|in addition|additional(?:ly)?)\b|\badds? (?:about "
     r"|another )?\d",
     re.IGNORECASE,
+    needs="add|extra|less|more|on top",
 )
 """Bytes per second that come on top of those of a message."""
 

@@ -26,14 +26,16 @@ from codegen.resolve.dialect.wire import wire_message
 from codegen.source import Place
 
 _NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
-_WRONG = pattern(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
+_WRONG = pattern(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE, needs="bad|incorrect|not copy|wrong")
 _ABOUT = pattern(r"mavlink|CRC[_ ]EXTRA", re.IGNORECASE)
 _WORD = pattern(r"(?<![\w-])[A-Z][A-Z0-9]{3,}(?![\w-])")
 _FRAMED = pattern(r"CRC_EXTRA|MAVLink|on the wire|payload", re.IGNORECASE)
 _FEWEST = 3
 """Fields that a document names, to be about their message without its name."""
 _SURE = pattern(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,})(?![\w-])")
-_CONSTANT = pattern(r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])")
+_CONSTANT = pattern(
+    r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])", needs="MSG"
+)
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
 _TYPE_NAME = pattern(
     r"\b(?:struct|class|interface|impl|type|mod) (?P<camel>[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)*)\b"

@@ -23,6 +23,7 @@ _WORDS = (
         r"|indicates?|marks?)"
         r" [^.;,>]{0,40}?\b(?:unknown|invalid|not available|ignore|unused)",
         re.IGNORECASE,
+        needs="indicate|mark|mean",
     ),
     pattern(rf"\b[Uu]se {_VALUE} if [^.;,]{{0,40}}\b(?:unknown|not available|invalid)"),
     pattern(rf"\b(?:unknown|invalid): {_VALUE}", re.IGNORECASE),

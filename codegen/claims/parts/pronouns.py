@@ -89,7 +89,8 @@ def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[in
 
 
 _THE_FIELD = pattern(
-    r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)"
+    r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)",
+    needs="the field|the unit",
 )
 
 

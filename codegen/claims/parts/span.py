@@ -20,7 +20,8 @@ _GOES_ON = pattern(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unkno
 _DEFINED = pattern(r"[FP](?:,? (?:and )?[FP])* : ")
 """A definition list, which is a paragraph for Markdown."""
 _COMPARED = pattern(
-    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$"
+    r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|instead of|not in) (?:the )?$",
+    needs="as for|as in|as with|compared|instead|like|not in|than in",
 )
 _WINDOW = 400
 """The greatest distance from a place to either end of its sentence, in characters."""

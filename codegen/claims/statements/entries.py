@@ -37,7 +37,7 @@ _PAIRS = (
         r"|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
     ),
 )
-_ALONE = pattern(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
+_ALONE = pattern(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}", needs="N,")
 _QUOTED = pattern(r"[\"'\u201c\u201d]")
 _NOT = ruled_out.words(
     DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"

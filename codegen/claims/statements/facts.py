@@ -20,7 +20,8 @@ _KIND = pattern(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
     r"|\bthe (?:later|last|new) additions?\b|\bthe (?:later|newer) fields\b"
-    r"|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b"
+    r"|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b",
+    needs="addition|base|extension|initial|original|later|newer",
 )
 _AND_REST = pattern(
     r"^,? (?:and|with) (?:all )?(?:the )?(?:following|next|later|others|rest|ones behind|ones after|that follow)\b"
@@ -39,13 +40,15 @@ _IDLE = _VERBS | frozenset((
 ))  # fmt: skip
 _LIST = pattern(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
-    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)"
+    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)",
+    needs="base field|extension",
 )
 _OFFSET = pattern(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*"
     r"|#|\*|\|)\s?)+(?:the )?"
     r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes"
-    r"|,? ?(?:to|\.\.|-) ?N))"
+    r"|,? ?(?:to|\.\.|-) ?N))",
+    needs="byte|index|offset|position",
 )
 _AT = pattern(r"@ ?(?P<number>N)")
 _ENUM = pattern(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
@@ -138,7 +141,7 @@ def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 _RESUMED = pattern(
     r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are"
-    r"|belongs?|c[ao]me|counts?)"
+    r"|belongs?|c[ao]me|counts?)",
 )
 """A clause that goes on about the names before it."""
 _IT = pattern(r"[.;!] it\b")
@@ -154,10 +157,14 @@ _THESE = pattern(
     r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
 )
 _CLAUSE = pattern(
-    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))"
+    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))",
+    needs="base|extension",
 )
 """A clause of an item or a cell that is nothing else."""
-_NAMED_SO = pattern(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
+_NAMED_SO = pattern(
+    r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))",
+    needs="base field|extension",
+)
 _MARKED = pattern(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 90
 """Characters between names and what kind of fields they are."""

@@ -33,13 +33,15 @@ _MEMBER = pattern(r"[a-z_]\.$")
 _OF_ANOTHER = pattern(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
 """Before an everyday word that tells more of another thing: "the distance to the target is ..."."""
 _EXCEPT = pattern(
-    r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
+    r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$",
+    needs="all but|apart|besides|except|other messages|other than|unlike",
 )
 
 
 _CONTRAST = pattern(
     r"\b(?:where|while|whereas|unlike|but|as) (?:in )?(?:the|its|their|that) (?:(?!and\b)[a-z]+ ){0,2}?"
-    r"(?:ones?|others?|latter|former)\b"
+    r"(?:ones?|others?|latter|former)\b",
+    needs="former|latter|one|other",
 )
 """A clause about another thing of the same name: "`lat_int` is an integer where the local one has a float"."""
 

@@ -40,30 +40,38 @@ _HELD = (
         r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
     pattern(rf"\b(?:up to|carry|carries|holds?|takes?|has) (?P<value>N) {_NOUN},? \((?P<name>F)\)"),
-    pattern(rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b"),
+    pattern(
+        rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b",
+        needs="all|with",
+    ),
     pattern(
         r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into"
         r"|inside)"
-        r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)"
+        r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)",
+        needs="at most N|exactly N|just N|only N|up to N",
     ),
     pattern(
         r"\b(?:length|size|dimension|number of (?:elements|entries|values|items)|count|capacity) (?:of|for|in)"
         r" (?:the )?(?:array |field |list )*(?P<name>F)(?: (?:of|in) M)? ?(?:is|=|:|being|has to be|must be|,)+"
         r" ?(?P<value>N)"
-        r"(?! ?(?:bytes?|hz|%|U|[-+*/]))"
+        r"(?! ?(?:bytes?|hz|%|U|[-+*/]))",
+        needs="capacity|count|dimension|length|number of|size",
     ),
     pattern(
         rf"\b(?:ends|stops|fills|closes|cuts) (?:its |the )?(?:array |field |list )?(?P<name>F) (?:after|at|with)"
-        rf" (?P<value>N) (?P<noun>{_NOUN})"
+        rf" (?P<value>N) (?P<noun>{_NOUN})",
+        needs="F after N|F at N|F with N",
     ),
     pattern(
         r"(?P<name>F)(?: (?:of|in) M)? (?:ends|stops|is full|is cut|is over) (?:after|at|with) (?P<value>N)"
-        rf" (?P<noun>{_NOUN})"
+        rf" (?P<noun>{_NOUN})",
+        needs="ends|is cut|is full|is over|stops",
     ),
     pattern(
         r"(?P<name>F)(?: (?:of|in) M)?(?: is|:|,| has| \()* ?(?:an |the )?(?:array|list|vector) (?:of|with)"
         r" (?P<value>N)"
-        r"(?! ?(?:bytes? |bits|x\b|by\b|[A-Z*/]))"
+        r"(?! ?(?:bytes? |bits|x\b|by\b|[A-Z*/]))",
+        needs="array|list|vector",
     ),
 )
 _SIZED_IN_CODE = pattern(r"\b(?:size|length|len|elements|entries|dimension|count|as long as|long)\b")
@@ -225,7 +233,8 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
 
 _SIZED = pattern(
     r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])"
-    r"(?!\w|,? (?:and|to|through|up to) [FP]|, [FP]|/| ?(?:-|\u2013|\.\.\.?|\u2026) ?[FP]| ?[NQ])"
+    r"(?!\w|,? (?:and|to|through|up to) [FP]|, [FP]|/| ?(?:-|\u2013|\.\.\.?|\u2026) ?[FP]| ?[NQ])",
+    needs="N byte",
 )
 
 

@@ -38,7 +38,8 @@ _TOP = pattern(
 )
 _UP_TO = pattern(
     r"(?:\bup to [NQ](?= (?:can|could|may|fit|fits|(?:is|are) possible)\b)"
-    r"|\b(?:enough for|values|numbers|readings) up to [NQ])"
+    r"|\b(?:enough for|values|numbers|readings) up to [NQ])",
+    needs="up to",
 )
 _OVER = pattern(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"

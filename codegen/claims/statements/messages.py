@@ -61,7 +61,8 @@ _CRC = pattern(
     r" byte)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
     r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
-    r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
+    r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra",
+    needs="crc|extra byte|seed",
 )
 
 
@@ -202,7 +203,7 @@ def _id(
     )
 
 
-_CRC_LIST = pattern(r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60})")
+_CRC_LIST = pattern(r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60})", needs="extra")
 _IN_TURN = pattern(r"\b(?:former|latter|respectively)\b")
 
 

@@ -52,7 +52,8 @@ _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
 _TEXT = pattern(
     r"(?P<lead>\b(?:[a-zPF]{1,24} ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of"
-    r"|in a line|wide))"
+    r"|in a line|wide))",
+    needs="characters|chars|letters",
 )
 _LIMIT = pattern(
     r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"

@@ -22,7 +22,10 @@ _ORDER = pattern(
     r" ?(?P<how>before|ahead of|in front of|of|precedes|after|behind|follows"
     r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
-_THEN = pattern(r"(?P<first>[FP]) (?:is |comes |goes |stands )?first,? (?:and )?(?:then|followed by) (?P<second>[FP])")
+_THEN = pattern(
+    r"(?P<first>[FP]) (?:is |comes |goes |stands )?first,? (?:and )?(?:then|followed by) (?P<second>[FP])",
+    needs="followed by F|followed by P|then F|then P",
+)
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 _ORDINAL = "|".join(_ORDINALS)
 _PLACED = pattern(
@@ -30,8 +33,13 @@ _PLACED = pattern(
     rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte"
     rf"|bit|in the xml))"
 )
-_STARTS = pattern(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
-_IS_FIRST = pattern(r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b")
+_STARTS = pattern(
+    r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b", needs="begin|open|start"
+)
+_IS_FIRST = pattern(
+    r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b",
+    needs="is the first|is the very first",
+)
 _WIRE = pattern(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
@@ -115,7 +123,8 @@ def _is_other(one: About) -> bool:
 
 _FIRST = pattern(
     r"\b(?P<which>first|last) (?P<what>thing|field|member|array|one)\b(?: (?:on|in|of) (?:the )?(?:wire|payload|M"
-    r"|frame)){0,3} (?:is|comes|:)(?: the)?(?: field)? (?P<name>[FP])(?! ?(?:[/*+]|of (?!M)))"
+    r"|frame)){0,3} (?:is|comes|:)(?: the)?(?: field)? (?P<name>[FP])(?! ?(?:[/*+]|of (?!M)))",
+    needs="first|last",
 )
 
 

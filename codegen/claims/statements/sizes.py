@@ -29,7 +29,8 @@ _LENGTH = pattern(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
     r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
     r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|integers|T\b)|[.-]\d)"
-    r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
+    r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)",
+    needs="len|payload|size",
 )
 _LENGTHS = pattern(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
@@ -43,10 +44,11 @@ _WITH = (
 _PAIRS = (
     pattern(
         r"(?P<first>N) bytes?(?: (?:base|in base|as base|payload|of payload|without(?: (?:the |its )?extensions)?))?"
-        rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}"
+        rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}",
+        needs="incl|plus|with",
     ),
-    pattern(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
-    pattern(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes"),
+    pattern(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})", needs="to N"),
+    pattern(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes", needs="to N"),
     pattern(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
     pattern(
         r"(?P<first>N) bytes?(?: (?:of payload|in base|base))?,? (?:and |but )?the (?:full|whole|complete|extended)"
@@ -56,7 +58,8 @@ _PAIRS = (
     pattern(
         r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
         r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2"
-        r"|mavlink N)"
+        r"|mavlink N)",
+        needs="mavlink N|v1",
     ),
 )
 """The size of a message without its extensions, and with them."""

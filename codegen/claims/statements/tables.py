@@ -30,7 +30,8 @@ _ID = pattern(r"(?:message |msg )?(?:id|number|no\.?|#)")
 _CRC = pattern(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
 _BASE = pattern(
     r"(?:base|min(?:imum)?)(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
-    r"|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1"
+    r"|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1",
+    needs="base|length|mavlink|min|v1|without",
 )
 _FULL = pattern(
     r"(?:max(?:imum)?|full|whole|with ext(?:ensions?|\.)?|extended|(?:v2|mavlink 2) payload|payload,? (?:extended"
@@ -40,7 +41,8 @@ _SIZE = pattern(
     r"(?:payload|length|len|size|bytes|frames?|packets?|(?:bytes )?on (?:the )?wire|(?:v[12]|mavlink [12]|whole"
     r"|full) (?:frames?|packets?))"
     r"(?: (?:bytes|length|len|size))?(?:,? in bytes|,? \(?(?:bytes|b|v[12]|mavlink [12])\)?)?(?:,? v[12]"
-    r"|,? mavlink [12])?"
+    r"|,? mavlink [12])?",
+    needs="bytes|frame|len|on|packet|payload|size",
 )
 _OFFSET = pattern(r"(?:byte )?offset(?: in (?:the )?payload)?|byte|at|pos(?:ition)?|starts at")
 _UNKNOWN = pattern(
@@ -205,11 +207,13 @@ def _hertz(row: Row, column: int) -> Fraction | None:
 
 
 _RATE = pattern(
-    r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?"
+    r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?",
+    needs="freq|hz|messages|rate|second|times",
 )
 _TOTAL = pattern(
     r"(?:bandwidth|load|total|throughput|traffic|data rate|cost)?(?: in)? ?[(\[,]?(?:b|bytes?)(?:/| per | a )(?:s"
-    r"|sec|second)\.?[)\]]?"
+    r"|sec|second)\.?[)\]]?",
+    needs="/s|a s|per s",
 )
 
 

@@ -84,7 +84,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 _LEVEL = pattern(
     r"(?: (?:of|in) M)? (?:(?:is|falls|drops|goes|gets|rises|sinks|climbs|stays) )?(?:below|under|above|over) (?P<at>N)"
-    r" (?:bytes|octets)\b"
+    r" (?:bytes|octets)\b",
+    needs="above N|below N|over N|under N",
 )
 
 

@@ -40,9 +40,13 @@ _FORMS = (
         rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
     ),
     pattern(
-        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {NOTHING}"
+        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {NOTHING}",
+        needs="code for|marker for|number for|sentinel for|value for",
     ),
-    pattern(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
+    pattern(
+        r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])",
+        needs="invalid|sentinel",
+    ),
     pattern(
         rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{NOTHING}|known|available|there is no \w+"
         rf"|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write"
@@ -50,10 +54,14 @@ _FORMS = (
     ),
     pattern(
         r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)"
-        r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
+        r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))",
+        needs="if|when|where|without",
     ),
     pattern(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{NOTHING}|unused)\b"),
-    pattern(r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))"),
+    pattern(
+        r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))",
+        needs="if no|if there is no|if there was no",
+    ),
 )
 _NOT = pattern(
     r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known"

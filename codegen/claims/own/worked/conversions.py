@@ -15,7 +15,9 @@ from codegen.pattern import pattern
 _FLOAT = pattern(r"\bas a float of 32 bits$")
 _VALUE = pattern(r"value|result", re.IGNORECASE)
 _EXACT = pattern(r", exact\b")
-_PARTS = pattern(r"parts of an? (?P<units>[a-z]+(?: times an? [a-z]+)*) for an? (?P<time>[a-z]+) in ", re.IGNORECASE)
+_PARTS = pattern(
+    r"parts of an? (?P<units>[a-z]+(?: times an? [a-z]+)*) for an? (?P<time>[a-z]+) in ", re.IGNORECASE, needs="parts"
+)
 _FORCED = pattern(r"\bforce\b.*\barming\b|\barming\b.*\bforce\b", re.IGNORECASE)
 
 

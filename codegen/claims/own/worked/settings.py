@@ -17,7 +17,7 @@ _REFUSED = pattern(r"the old one\b")
 _ONLY = pattern(r"\bonly (?P<numbers>\d{1,6}(?:, \d{1,6})*,? (?:and|or) \d{1,6}) (?:are|is) accepted")
 _FROM = pattern(r"\b(?P<prefix>[A-Z][A-Z0-9]*_)\)? from (?P<low>\d{1,4}) to (?P<high>\d{1,4})\b")
 _NUMBERED = pattern(r"\bparameters are numbered\b", re.IGNORECASE)
-_DEFAULT = pattern(r"default of (?P<name>[A-Z][A-Z0-9_]+)", re.IGNORECASE)
+_DEFAULT = pattern(r"default of (?P<name>[A-Z][A-Z0-9_]+)", re.IGNORECASE, needs="default")
 _ENTRY = pattern(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}), (?=\d)")
 _WORDS = pattern(r",? ?(?P<words>[^(]*)")
 

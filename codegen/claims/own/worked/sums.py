@@ -20,7 +20,9 @@ _BITS = pattern(r".*\((?P<bits>\d{1,2}) bits\)")
 _BRACKETS = pattern(r"\(([^()]*)\)$")
 _BYTES = pattern(r"\b(?:frames?|payload|bytes|sizes?)\b", re.IGNORECASE)
 _TOGETHER = pattern(r"\btogether\b", re.IGNORECASE)
-_PER = pattern(r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE)
+_PER = pattern(
+    r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE, needs="per"
+)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

@@ -15,7 +15,8 @@ from codegen.pattern import pattern
 _OF_MESSAGE = pattern(r"payload|frame|packet|message|msg|\bon (?:the )?wire\b|extension")
 _SIZE = pattern(
     r"(?:field |data )?(?:size|bytes|octets|width|length|len\.?|bits|nbytes)"
-    r"(?: ?\(?(?:in )?(?:bytes|octets|bits)\)?)?(?: ?\[[^\]]*\])?"
+    r"(?: ?\(?(?:in )?(?:bytes|octets|bits)\)?)?(?: ?\[[^\]]*\])?",
+    needs="bits|bytes|len|octets|size|width",
 )
 _BITS = 8
 _HALF = 2

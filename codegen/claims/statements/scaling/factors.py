@@ -21,7 +21,8 @@ _FACTOR = pattern(
     r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
     r"|and rounds?(?: it| them)? to(?: whole| full)?"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
-    r"|speed))*(?: (?:[a-z-]+ ){1,4}?in)?)? (?P<unit>U)"
+    r"|speed))*(?: (?:[a-z-]+ ){1,4}?in)?)? (?P<unit>U)",
+    needs="divid|multipl",
 )
 _SIGN = pattern(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
