@@ -11,6 +11,7 @@ from codegen.load.expression import Expression, expression_before
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
 from codegen.model.units.unit import Unit, ratio
+from codegen.pattern import pattern
 from codegen.source import Place
 
 RULE = Rule(
@@ -19,17 +20,17 @@ RULE = Rule(
     "'≈' or '~' allows for five percent. Correct the result, or the number that it was computed with.",
 )
 
-_RESULT = re.compile(
+_RESULT = pattern(
     r"(?<![=<>!:+*/-])(?P<sign>=|≈|~=|=~)(?![=>~])\s*(?P<about>[~≈]|about\s|ca\.\s)?\s*"
     r"(?P<number>[-\u2212]?(?:\d{1,3}(?:,\d{3}){1,4}(?!\d)|\d{1,18})(?:\.\d{1,15})?)(?!\w*\(|[\d.,]*\d|[eE][-+]?\d)"
     r"(?:[ ]?(?P<unit>%|[A-Za-zµ°][A-Za-z°]{0,8}(?:/[A-Za-z]{1,3})?\b))?"
 )
-_GOES_ON = re.compile(r"\s*(?:[*/^\u00d7\u00b7\u00f7]|[-+]\s?[\d(])")
-_BEFORE = re.compile(r"[*/\u00d7x] ?\d[\d.,]* ?(?:[a-z]+ )?$")  # "20 Hz x 23 bytes (11 + 12) = 460": an aside
-_COMMENT = re.compile(r"(?://|#|--|/\*|\*|;)(.*)")
+_GOES_ON = pattern(r"\s*(?:[*/^\u00d7\u00b7\u00f7]|[-+]\s?[\d(])")
+_BEFORE = pattern(r"[*/\u00d7x] ?\d[\d.,]* ?(?:[a-z]+ )?$")  # "20 Hz x 23 bytes (11 + 12) = 460": an aside
+_COMMENT = pattern(r"(?://|#|--|/\*|\*|;)(.*)")
 _PLAIN = ("", "text", "txt", "plain", "console")
 _TOLERANCE = r"[^\n]{0,40}?<=?\s*([0-9.]{1,20})"
-_MULTIPLE = re.compile(r"(?:thousand|million|billion|trillion|[kKMG])$", re.IGNORECASE)
+_MULTIPLE = pattern(r"(?:thousand|million|billion|trillion|[kKMG])$", re.IGNORECASE)
 _ABOUT = Fraction(1, 20)
 _WRAPS = (1 << 8, 1 << 16, 1 << 32)
 

@@ -9,6 +9,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.dialect.literals import LIMITS
+from codegen.pattern import pattern
 from codegen.source import Place
 
 RULE = Rule(
@@ -19,13 +20,13 @@ RULE = Rule(
 )
 
 _SCALED = r"\((?P<what>[^()]{1,80}?(?:\([^()]{0,40}\)[^()]{0,40}?)?)\*\s*\d{1,9}(?:\.\d{1,6})?f?\s*\)"
-_RUST = re.compile(rf"{_SCALED}\s*as\s+(?P<type>(?P<sign>[ui])(?P<bits>8|16|32))\b")
-_C = re.compile(rf"\(\s*(?P<type>(?P<sign>u?)int(?P<bits>8|16|32)_t)\s*\)\s*{_SCALED}")
-_LIMITED = re.compile(r"\b(?:f?min|f?max|clamp|constrain\w*)\s*\(", re.IGNORECASE)
-_BOUND = re.compile(r"\b(?:let\s+(?:mut\s+)?|(?:const\s+)?u?int\d\d?_t\s+)(?P<name>\w+)\s*(?::\s*\w+\s*)?=\s*$")
-_MEMBER = re.compile(r"(?P<name>[a-z]\w*)(?:\[[^\]]{0,20}\])?\s*[:=]\s*$")
-_USE = re.compile(r"(?<!\w)(?P<member>[a-z]\w*)(?:\[[^\]]{0,20}\])?\s*[:=]\s*(?P<name>\w+)\b")
-_NAME = re.compile(r"[a-z]\w*")
+_RUST = pattern(rf"{_SCALED}\s*as\s+(?P<type>(?P<sign>[ui])(?P<bits>8|16|32))\b")
+_C = pattern(rf"\(\s*(?P<type>(?P<sign>u?)int(?P<bits>8|16|32)_t)\s*\)\s*{_SCALED}")
+_LIMITED = pattern(r"\b(?:f?min|f?max|clamp|constrain\w*)\s*\(", re.IGNORECASE)
+_BOUND = pattern(r"\b(?:let\s+(?:mut\s+)?|(?:const\s+)?u?int\d\d?_t\s+)(?P<name>\w+)\s*(?::\s*\w+\s*)?=\s*$")
+_MEMBER = pattern(r"(?P<name>[a-z]\w*)(?:\[[^\]]{0,20}\])?\s*[:=]\s*$")
+_USE = pattern(r"(?<!\w)(?P<member>[a-z]\w*)(?:\[[^\]]{0,20}\])?\s*[:=]\s*(?P<name>\w+)\b")
+_NAME = pattern(r"[a-z]\w*")
 
 _Cast = re.Match[str]
 

@@ -1,6 +1,5 @@
 """Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
-import re
 from collections.abc import Iterator, Mapping
 
 from codegen.claims.enum_names import entry_values
@@ -10,26 +9,27 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_CONSTANT = re.compile(
+_CONSTANT = pattern(
     r"^\s*(?:#define|(?:pub |export |static |constexpr )*(?:const|let|var)?)\s*(?P<name>[A-Z][A-Z0-9_]{2,80})"
     r"(?:\s*:\s*\w+)?\s*=?\s+\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8})\)?\s*[;,]?\s*(?://.*|/\*.*|#.*)?$"
 )
-_ROLE = re.compile(
+_ROLE = pattern(
     r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_|(?P<first>CRC_EXTRA|CRC|LENGTH|LEN|ID)_)?(?P<message>\w+?)(?:_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN))?$"
 )
-_NUMBERED = re.compile(r"(?:MAVLINK_)?(?:MSG|MESSAGE)_?ID_")
-_BARE = re.compile(
+_NUMBERED = pattern(r"(?:MAVLINK_)?(?:MSG|MESSAGE)_?ID_")
+_BARE = pattern(
     r"^\s+(?:pub |static |export |readonly |constexpr )*(?:const )?(?:\w+ )?(?:MSG_|MESSAGE_)?"
     r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
 )
-_COMMENT = re.compile(
+_COMMENT = pattern(
     r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?:,?| [^.;]{1,30},) (?:message )?id:? #?(?P<id>\d{1,6})\b"
 )
-_SAID_OF = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?![\w.])")
-_NAMED = re.compile(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
-_KEY = re.compile(
+_SAID_OF = pattern(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?![\w.])")
+_NAMED = pattern(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
+_KEY = pattern(
     r"^\s*[\"']?(?P<key>id|crcExtra|crc_extra|minLength|min_length|maxLength|length)[\"']?\s*:\s*(?P<value>\d{1,6})\b"
 )
 
@@ -68,7 +68,7 @@ def _listed(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
             )
 
 
-_MEMBER = re.compile(
+_MEMBER = pattern(
     r"\s*[\"']?(?P<name>[A-Z][A-Z0-9_]{2,60})[\"']?\s*[=:]\s*(?P<value>\d{1,6})\s*[,;]?\s*(?://.*|#.*|/\*.*)?$"
 )
 
@@ -124,7 +124,7 @@ def _alone(reading: Reading, line: Line, near: list[str]) -> Iterator[Diagnostic
         yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
 
 
-_OWN_LENGTH = re.compile(
+_OWN_LENGTH = pattern(
     r"^\s*(?:#define|(?:pub |export |static |constexpr )*(?:const|let|var))\s+(?:MSG_|MESSAGE_)?"
     r"(?P<role>(?:MIN_|MAX_|PAYLOAD_)?(?:LEN|LENGTH)|(?:min|max|payload)_?(?:len|length)|[pP]ayloadLen(?:gth)?)"
     r"(?:\s*:\s*\w+)?\s*=?\s*(?P<value>\d{1,3})\s*;?\s*(?://.*)?$"

@@ -9,31 +9,30 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
+from codegen.pattern import pattern
 
 _NAME = r"[A-Z][A-Z0-9_]{2,60}"
-_NAMED = re.compile(
-    rf"[\"']?(?P<name>{_NAME})[\"']?\s*(?::|=>|=)\s*(?P<number>0x[0-9a-fA-F]{{1,6}}|\d{{1,6}})(?![\w.])"
-)
-_NUMBERED = re.compile(rf"(?<![\w.])(?P<number>\d{{1,6}})\s*(?::|=>)\s*[\"'](?P<name>{_NAME})[\"']")
-_BY_ID = re.compile(r"(?<![\w.])(?P<id>\d{1,6})\s*(?::|=>)\s*(?P<number>0x[0-9a-fA-F]{1,6}|\d{1,6})(?![\w.])")
-_CASE = re.compile(
+_NAMED = pattern(rf"[\"']?(?P<name>{_NAME})[\"']?\s*(?::|=>|=)\s*(?P<number>0x[0-9a-fA-F]{{1,6}}|\d{{1,6}})(?![\w.])")
+_NUMBERED = pattern(rf"(?<![\w.])(?P<number>\d{{1,6}})\s*(?::|=>)\s*[\"'](?P<name>{_NAME})[\"']")
+_BY_ID = pattern(r"(?<![\w.])(?P<id>\d{1,6})\s*(?::|=>)\s*(?P<number>0x[0-9a-fA-F]{1,6}|\d{1,6})(?![\w.])")
+_CASE = pattern(
     rf"(?:\bcase\s+|==\s*|\b(?:id|msgid|msg_id|message_id)\s*[:=]\s*)(?P<number>\d{{1,6}})\s*[:)]?[:;,{{]?\s*"
     rf"(?://|#|/\*)\s*(?P<name>{_NAME})\b"
 )
-_OBJECT = re.compile(
+_OBJECT = pattern(
     rf"\bid[\"']?\s*[:=]\s*(?P<number>\d{{1,6}})\s*,\s*[\"']?name[\"']?\s*[:=]\s*[\"'](?P<name>{_NAME})[\"']"
     rf"|\bname[\"']?\s*[:=]\s*[\"'](?P<first>{_NAME})[\"']\s*,\s*[\"']?id[\"']?\s*[:=]\s*(?P<then>\d{{1,6}})"
 )
-_KEYED = re.compile(rf"[\"']?(?P<name>{_NAME})[\"']?\s*[:=]\s*\{{(?P<inner>[^{{}}]{{1,200}})")
-_KEY = re.compile(
+_KEYED = pattern(rf"[\"']?(?P<name>{_NAME})[\"']?\s*[:=]\s*\{{(?P<inner>[^{{}}]{{1,200}})")
+_KEY = pattern(
     r"[\"']?(?P<key>id|crcExtra|crc_extra|crc|minLength|min_length|maxLength|length)[\"']?\s*[:=]\s*(?P<value>\d{1,6})\b"
 )
 _ROLES: Mapping[str, "re.Pattern[str]"] = {
-    "crc": re.compile(r"crc|seed", re.IGNORECASE),
-    "id": re.compile(r"(?:msg|message)_?ids?\b|(?<![a-z])ids?\b|_ids?\b|Ids?\b|\bIDS?\b|MsgId|MessageId"),
-    "length": re.compile(r"(?:^|_|\b)len(?:gths?)?s?\b|payload|sizes?\b", re.IGNORECASE),
+    "crc": pattern(r"crc|seed", re.IGNORECASE),
+    "id": pattern(r"(?:msg|message)_?ids?\b|(?<![a-z])ids?\b|_ids?\b|Ids?\b|\bIDS?\b|MsgId|MessageId"),
+    "length": pattern(r"(?:^|_|\b)len(?:gths?)?s?\b|payload|sizes?\b", re.IGNORECASE),
 }
-_BRANCH = re.compile(r"\b(?:match|switch|if|while|return)\b")
+_BRANCH = pattern(r"\b(?:match|switch|if|while|return)\b")
 _ROLE_OF_KEY = {"crcextra": "crc", "crc_extra": "crc", "minlength": "min_length", "min_length": "min_length"}
 
 

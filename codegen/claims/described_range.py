@@ -3,15 +3,17 @@
 import re
 
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
 _NUMBER = r"-?\d{1,6}(?:\.\d{1,3})?"
 _WORDS = (
-    re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*(?:,|\.\.+|-|to)\s*(?P<high>{_NUMBER})\s*\]"),
-    re.compile(rf"\((?P<low>{_NUMBER})\s*(?:\.\.+|-|to)\s*(?P<high>{_NUMBER})[^)\d]{{0,12}}\)"),
-    re.compile(rf"(?<![\w.-])(?P<low>{_NUMBER})\s?(?:\.\.+|to|-)\s?(?P<high>{_NUMBER})(?![\w]|\.\d)"),
-    re.compile(
+    pattern(rf"\[\s*(?P<low>{_NUMBER})\s*(?:,|\.\.+|-|to)\s*(?P<high>{_NUMBER})\s*\]"),
+    pattern(rf"\((?P<low>{_NUMBER})\s*(?:\.\.+|-|to)\s*(?P<high>{_NUMBER})[^)\d]{{0,12}}\)"),
+    pattern(rf"(?<![\w.-])(?P<low>{_NUMBER})\s?(?:\.\.+|to|-)\s?(?P<high>{_NUMBER})(?![\w]|\.\d)"),
+    pattern(
         r"(?<![\w.-])(?P<low>0)(?::| =| means)[^.;]{2,24}[,;] (?P<high>255|100|254)(?::| =| means) (?:max|best|good"
-        r"|full)"
+        r"|full)",
+        needs="100|254|255",
     ),
 )
 

@@ -9,16 +9,15 @@ from codegen.claims.reading import Reading, parts_at, snake
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.once import once
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_CITED = re.compile(
-    r"(?:(?<=[\s(|\u2013\u2014])|^)[\"\u201c](?=\S)[^\"\u201c\u201d]{2,300}[\"\u201d](?=[\s.,;:!?)|]|$)"
-)
-_CAPITALS = re.compile(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
-_GENERIC = re.compile(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
+_CITED = pattern(r"(?:(?<=[\s(|\u2013\u2014])|^)[\"\u201c](?=\S)[^\"\u201c\u201d]{2,300}[\"\u201d](?=[\s.,;:!?)|]|$)")
+_CAPITALS = pattern(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
+_GENERIC = pattern(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
 _OF_MEMBERS = frozenset(("claim-struct", "claim-unit", "claim-sentinel", "claim-offset"))
 _NUMBERS = frozenset(("claim-message-id", "claim-crc-extra", "claim-message-size"))
-_BETWEEN = re.compile(
+_BETWEEN = pattern(
     r"[^\w.!?]*(?:(?:with|has|is|its|the|and|of|message|msg|number|no|id|crc|extra|crc_extra|seed|\d+)[^\w.!?]+)*",
     re.IGNORECASE,
 )
@@ -78,7 +77,7 @@ def _others_in(code: CodeBlock) -> Iterator[int]:
             is_other = not line.text.lstrip().startswith("}")
 
 
-_NO_MAVLINK = re.compile(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
+_NO_MAVLINK = pattern(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
 
 
 def _is_number_of_section(reading: Reading, place: Place) -> bool:
@@ -93,8 +92,8 @@ def _is_taken_from(reading: Reading, place: Place) -> bool:
     return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
 
 
-_SECTION = re.compile(r"\d+(?:\.\d+)+\.?\s+(?:[A-Z][a-z]{2,}|An?) [a-z`]")
-_TAKEN = re.compile(r"\s*[A-Za-z_]\w*\s*[:=]\s*(?!self\.|this\.)[A-Za-z_]\w*\.[A-Za-z_]\w*\s*,")
+_SECTION = pattern(r"\d+(?:\.\d+)+\.?\s+(?:[A-Z][a-z]{2,}|An?) [a-z`]")
+_TAKEN = pattern(r"\s*[A-Za-z_]\w*\s*[:=]\s*(?!self\.|this\.)[A-Za-z_]\w*\.[A-Za-z_]\w*\s*,")
 
 
 def _is_cited(reading: Reading, place: Place) -> bool:
@@ -163,7 +162,7 @@ def _signatures(reading: Reading) -> tuple[tuple[int, frozenset[str]], ...]:
     return tuple(found)
 
 
-_SIGNATURE = re.compile(r"[a-z_]\w*\((?P<arguments>[^()]*)\)")
+_SIGNATURE = pattern(r"[a-z_]\w*\((?P<arguments>[^()]*)\)")
 
 
 def _is_own_argument(reading: Reading, finding: Diagnostic) -> bool:

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading, parts_at
 from codegen.load.prose import CodeBlock
 from codegen.once import once
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_TYPE = re.compile(
+_TYPE = pattern(
     r"\b(?:struct|class|interface|type|impl|union|message)\s+(?:__attribute__\S*\s+)?(?P<name>(?!__attribute__)[A-Za-z_]\w*)"
 )
-_CLOSED = re.compile(r"\s*\}")
-_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_CLOSED = pattern(r"\s*\}")
+_PARTS = pattern(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _AROUND = frozenset(("mavlink", "msg", "message", "t", "data", "struct", "payload", "packet", "wire", "fields"))
 """Words of a type's name besides those of its message."""
 _ALIKE = 4
@@ -21,7 +22,7 @@ _UPPER = 60
 """The most lines above or below a member in which its type is looked for."""
 
 
-_COMMENT = re.compile(r"//|/\*|^\s*\*|#\s|<!--")
+_COMMENT = pattern(r"//|/\*|^\s*\*|#\s|<!--")
 
 
 def _declared(line: str) -> "re.Match[str] | None":
@@ -70,7 +71,7 @@ def _type_around(reading: Reading, place: Place) -> str | None:
     return None
 
 
-_BEHIND = re.compile(r"\s*\}\s*(?P<name>[A-Za-z_]\w*)\s*;")
+_BEHIND = pattern(r"\s*\}\s*(?P<name>[A-Za-z_]\w*)\s*;")
 
 
 @once
@@ -96,7 +97,7 @@ def is_named(name: str, message: str) -> bool:
     return own == plain or "".join(parts) == plain
 
 
-_MEMBER = re.compile(
+_MEMBER = pattern(
     r"\s*(?:(?:pub|public|private|readonly|const)\s+)*(?:(?P<first>[A-Za-z_]\w*)\??\s*:\s*[^:=]"
     r"|(?:unsigned\s+)?[A-Za-z_]\w*\s+(?P<last>[A-Za-z_]\w*)\s*(?:\[[^\]]*\])?\s*;)"
 )

@@ -10,24 +10,25 @@ from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.dialect.wire_types import SPELLINGS
+from codegen.pattern import pattern
 from codegen.source import Place
 
 C_TYPE = r"u?int(?:8|16|32|64)_t|float|double|char"
-_C_FIELD = re.compile(
+_C_FIELD = pattern(
     rf"\s*(?:const\s+)?(?P<type>{C_TYPE})\s+(?P<name>\w+)\s*(?:\[\s*(?P<length>\d{{1,4}})\s*\])?\s*;(?P<rest>.*)"
 )
-_RUST_FIELD = re.compile(
+_RUST_FIELD = pattern(
     r"\s*(?:pub\s+)?(?:r#)?(?P<name>[a-z]\w*?)_?\s*:\s*(?:\[\s*(?P<array>[iuf]\d\d?)\s*;\s*(?P<length>\d{1,4})\s*\]"
     r"|(?P<type>[iuf](?:8|16|32|64)))\s*,?(?P<rest>\s*(?://.*)?)$"
 )
-_END_OF = re.compile(r"\s*\}")
-_END = re.compile(r"\s*\}[^/#]{0,60}(?://|/\*|#)\s*(\d{1,3}) bytes?\b(?! of)")
+_END_OF = pattern(r"\s*\}")
+_END = pattern(r"\s*\}[^/#]{0,60}(?://|/\*|#)\s*(\d{1,3}) bytes?\b(?! of)")
 _ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
-_ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
-_CELL = re.compile(rf"\s*{_ELEMENT}\s*$")
+_ITEM = pattern(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
+_CELL = pattern(rf"\s*{_ELEMENT}\s*$")
 
 
-_NUMBERED = re.compile(r"(?://|/\*|#|<!--|\*)\s.*?\bmessages?\s+(?:id\s*)?#?(\d{1,8})\b", re.IGNORECASE)
+_NUMBERED = pattern(r"(?://|/\*|#|<!--|\*)\s.*?\bmessages?\s+(?:id\s*)?#?(\d{1,8})\b", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)

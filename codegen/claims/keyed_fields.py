@@ -11,13 +11,14 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
-_MESSAGE = re.compile(r"\b(?:message|msg|mavlink)[\"']?\s*[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
-_FIELD = re.compile(r"(?<![\w.])(?:field|member|attribute)[\"']?\s*[:=]\s*[\"']?(?P<field>[a-zA-Z]\w{0,60})\b(?!\.)")
-_PATH = re.compile(
+_MESSAGE = pattern(r"\b(?:message|msg|mavlink)[\"']?\s*[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
+_FIELD = pattern(r"(?<![\w.])(?:field|member|attribute)[\"']?\s*[:=]\s*[\"']?(?P<field>[a-zA-Z]\w{0,60})\b(?!\.)")
+_PATH = pattern(
     r"[:=]\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?:\[\d*\])?[\"']?\s*(?:[,}#/]|$)"
 )
-_ENTRY = re.compile(r"^\s*-\s|[{}]|^\s*\[\[|^[^\s\[].*:\s*$")
+_ENTRY = pattern(r"^\s*-\s|[{}]|^\s*\[\[|^[^\s\[].*:\s*$")
 """A line that begins or ends an entry: an item of YAML, a brace, a table of TOML, a key without indentation."""
 
 

@@ -1,6 +1,5 @@
 """The names that a document may mean, and which of them a name is like that is none."""
 
-import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 
@@ -8,8 +7,9 @@ from codegen.claims.enum_names import all_names, entries_by_start
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
-UPPER = re.compile(
+UPPER = pattern(
     r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\((?!(?:id:? |ID |message |msg )?#?\d))"
 )
 """Names in capitals of several words, that are no paths, calls or patterns."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.model.dialect.dialect import FieldDefinition, WireField, WireMessage
+from codegen.pattern import pattern
 from codegen.resolve.dialect.sentinel import sentinel_of
 
 FIELD = Rule(
@@ -26,7 +27,7 @@ COUNT = Rule(
     Severity.WARNING,
 )
 
-_COUNTED = re.compile(r"\b(?:more than|up to|at most|every|of|for) (\d{1,3}) ([a-z]{3,20})\b")
+_COUNTED = pattern(r"\b(?:more than|up to|at most|every|of|for) (\d{1,3}) ([a-z]{3,20})\b")
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

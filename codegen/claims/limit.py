@@ -11,6 +11,7 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.units.unit import Unit, decimal, ratio
+from codegen.pattern import pattern
 
 RULE = Rule(
     "claim-limit",
@@ -22,20 +23,21 @@ RULE = Rule(
 
 _AMOUNT = r"(?P<number>\d{1,12}(?:\.\d{1,6})?)[ \u00a0]?(?P<unit>[A-Za-z%][A-Za-z/]{0,5})\b"
 _MORE = r"(?:more than|over|above|beyond|greater than|higher than|>)\s?"
-_LIMITED = re.compile(
+_LIMITED = pattern(
     rf"{_AMOUNT}\s(?:limit|maximum|ceiling)\b"
     rf"|\b(?:limit(?:s|ed)?|max(?:imum)?(?:\s(?:size|value))?)\s(?:(?:it|them|this|of|to|is|was|at|previously)\s){{0,3}}"
     rf"{_AMOUNT.replace('number', 'number2').replace('unit>', 'unit2>')}",
     re.IGNORECASE,
+    needs="ceiling|limit|max",
 )
-_IMPOSSIBLE = re.compile(
+_IMPOSSIBLE = pattern(
     rf"\b(?:allow|support|permit|enable|handle|cannot|can't|could not|impossible)\w*\s[^.;|]{{0,50}}?{_MORE}{_AMOUNT}"
     rf"|{_MORE}{_AMOUNT.replace('number', 'number2').replace('unit>', 'unit2>')}"
     r"[^.;|]{0,20}?\b(?:impossible|not possible|could not|cannot)",
     re.IGNORECASE,
 )
-_FIELD = re.compile(r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*(?![\w(])")
-_ADDS_UP = re.compile(r"\bremain(?:ing|der)\b|\bspill", re.IGNORECASE)
+_FIELD = pattern(r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*(?![\w(])")
+_ADDS_UP = pattern(r"\bremain(?:ing|der)\b|\bspill", re.IGNORECASE)
 _MAXIMA = sorted({value for name, value in LIMITS.items() if name.endswith("_MAX")})
 
 

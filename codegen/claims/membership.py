@@ -1,23 +1,22 @@
 """Words that say that a name is a field of a message: "`x` of NAME", "NAME has an `x`", `x` in a list of its fields."""
 
-import re
-
 from codegen.claims.known_names import Names
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
-_NAME = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
-_NO_NAME = re.compile(r"u?int\d*(?:_t)?|float|double|char|bool|true|false|null|none|nan|self|this")
-_HAS = re.compile(
+_NAME = pattern(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+_NO_NAME = pattern(r"u?int\d*(?:_t)?|float|double|char|bool|true|false|null|none|nan|self|this")
+_HAS = pattern(
     r"(?P<message>[A-Z][A-Z0-9_]{3,60})`?(?: also| only| still| itself| too)?"
     r"(?:['\u2019]s| has| carries| contains| holds| reports| provides| calls (?:it|this|that|the field))"
     r"(?: (?:an?|the|its|only|also|both|no|field|extension|array))* $"
 )
-_OF = re.compile(
+_OF = pattern(
     r"`?(?: field| value| array| member)? (?:of|from) (?:the )?(?:message )?`?(?P<message>[A-Z][A-Z0-9_]{3,60})\b"
 )
-_JOIN = re.compile(r"[` ]*(?:,|and|or|/|, and)[` ]*(?:the |an? )?")
-_OWN = re.compile(r"\b(?:our|ours|own|my|we add|extra)\b")
+_JOIN = pattern(r"[` ]*(?:,|and|or|/|, and)[` ]*(?:the |an? )?")
+_OWN = pattern(r"\b(?:our|ours|own|my|we add|extra)\b")
 _FEWEST = 2
 """Fields of the message in the same list."""
 
@@ -73,4 +72,4 @@ def names_field_of(passage: Passage, low: int, high: int, message: WireMessage) 
     return any(message.field(name.rpartition(".")[2]) is not None for name in spans)
 
 
-_BEHIND_DOT = re.compile(r"[A-Z0-9]\.([a-z]\w+)")
+_BEHIND_DOT = pattern(r"[A-Z0-9]\.([a-z]\w+)")

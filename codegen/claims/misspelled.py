@@ -1,10 +1,10 @@
 """Names that are one of a dialect with its words in another order, without a letter, or beside its id."""
 
-import re
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
 
 def is_spelled_so(name: str, known: Iterable[str]) -> bool:
@@ -46,10 +46,10 @@ def _is_alike(name: str, known: str) -> bool:
 
 
 _CLOSE = 0.7
-_ID_BEHIND = re.compile(
+_ID_BEHIND = pattern(
     r"`? ?(?:\(|\|| is | has the id |, )(?:id |ID |#)?\s*(?P<id>\d{1,5})(?=[).,;| ]|$)(?! ?(?:Hz|bytes|B\b))"
 )
-_ID_BEFORE = re.compile(r"(?:^\s*\||[(#]) ?(?P<id>\d{1,5}) ?[|:,)]? ?`?$")
+_ID_BEFORE = pattern(r"(?:^\s*\||[(#]) ?(?P<id>\d{1,5}) ?[|:,)]? ?`?$")
 
 
 def shortened_message(name: str, known: Iterable[str]) -> str | None:

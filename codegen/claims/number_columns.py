@@ -4,7 +4,6 @@ Where a column of numbers is, for most of its messages, the id, CRC_EXTRA or a l
 others are wrong.
 """
 
-import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import groupby
@@ -17,19 +16,20 @@ from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_NAME = re.compile(r"(?<![\w])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w])")
-_NUMBER = re.compile(r"(?<![\w.#-])#?(\d{1,5})(?![\w.]\d|\w|\.)")
+_NAME = pattern(r"(?<![\w])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w])")
+_NUMBER = pattern(r"(?<![\w.#-])#?(\d{1,5})(?![\w.]\d|\w|\.)")
 _FACTS: Mapping[str, Callable[[WireMessage], tuple[int, ...]]] = {
     "id": lambda message: (message.id,),
     "crc": lambda message: (message.crc_extra,),
     "min_length": lambda message: (message.base_length,),
     "length": lambda message: (message.base_length, message.length),
 }
-_ITEM = re.compile(r"\W*(?:#?\d{1,5}\W{1,5}){0,4}[A-Z][A-Z0-9_]{2,60}\W{0,5}(?:#?\d{1,5}\W{0,5}){0,4}")
+_ITEM = pattern(r"\W*(?:#?\d{1,5}\W{1,5}){0,4}[A-Z][A-Z0-9_]{2,60}\W{0,5}(?:#?\d{1,5}\W{0,5}){0,4}")
 """An item that is a name and numbers, and nothing else."""
-_CELL = re.compile(r"#?\d{1,5}")
+_CELL = pattern(r"#?\d{1,5}")
 _IN_TEXT = ("id", "crc")
 """The roles that a column of numbers may have without a heading; a length may be the sent one, without its zeros."""
 _FEWEST = 2

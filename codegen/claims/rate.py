@@ -12,6 +12,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
+from codegen.pattern import pattern
 
 RULE = Rule(
     "claim-bytes-per-second",
@@ -20,33 +21,33 @@ RULE = Rule(
     "zeros at its end, and 12 bytes.",
 )
 
-_PER_SECOND = re.compile(
+_PER_SECOND = pattern(
     r"(?<![\w.,-])(?P<number>\d{1,7}(?:\.\d{1,3})?) ?(?:(?P<bytes>bytes?|B)|(?P<bits>bits?|b))"
     r" ?(?:/ ?s(?:ec(?:ond)?)?|ps|per second|a second|each second|every second)\b",
 )
-_COSTS = re.compile(
+_COSTS = pattern(
     r"(?<![\w.,-])(?P<rate>\d{1,4}(?:\.\d{1,3})?) ?Hz (?:costs?|takes?|needs?|makes?|is|are|means|=) (?:exactly )?$"
 )
 _NUMBER = r"(?<![\w.,-])(?P<{}>\d{{1,4}}(?:\.\d{{1,3}})?)"
-_RATE = re.compile(
+_RATE = pattern(
     rf"{_NUMBER.format('hertz')} ?Hz\b"
     rf"|{_NUMBER.format('times')} (?:times |messages |frames |packets |of them )(?:per|a|each|every|in a|in each)"
     rf" second\b"
     rf"|\bevery {_NUMBER.format('ms')} ?(?:ms|milliseconds)\b|\bevery {_NUMBER.format('s')} ?(?:s|sec|seconds)\b"
     r"|(?P<once>\b(?:once|one) (?:per|a|each|every) second\b)"
 )
-_USED = re.compile(r"\buse (?P<rate>\d{1,3})(?=[.,;]| now\b|$)")
-_ABOUT = re.compile(
+_USED = pattern(r"\buse (?P<rate>\d{1,3})(?=[.,;]| now\b|$)")
+_ABOUT = pattern(
     r"(?:about|roughly|around|approximately|approx\.?|ca\.?|nearly|almost|some|~|\u2248) ?$", re.IGNORECASE
 )
-_CUT = re.compile(
+_CUT = pattern(
     r"\benough\b|\bothers?\b|\btogether\b|\blink (?:has|gives|carries)\b|truncat|trimmed|\bcut\b|zeros|average|measured"
     r"|\bmost\b|\bless\b|\bbelow\b|\bup to\b",
     re.IGNORECASE,
 )
-_SEVERAL = re.compile(r"\b\d+ [A-Za-z]+ (?:at|with) $")
+_SEVERAL = pattern(r"\b\d+ [A-Za-z]+ (?:at|with) $")
 """Before a rate: several senders, whose bytes add up."""
-_FRAMES = re.compile(r"\bframes?\b|\bpackets?\b|on the wire", re.IGNORECASE)
+_FRAMES = pattern(r"\bframes?\b|\bpackets?\b|on the wire", re.IGNORECASE)
 _OFF = Fraction(1, 10)
 """By how much bytes per second may be off that are about so many."""
 _BITS_OF_BYTE = (8, 10)
@@ -84,14 +85,15 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 )
 
 
-_OF_WHOLE = re.compile(r"(?:%|\bper ?cent|\bpart|\bshare|\bfraction|\bout) of (?:the |an? |its |all )?$", re.IGNORECASE)
+_OF_WHOLE = pattern(r"(?:%|\bper ?cent|\bpart|\bshare|\bfraction|\bout) of (?:the |an? |its |all )?$", re.IGNORECASE)
 """Before what a line can carry, of which a message takes a part: "7 % of the 5760 bytes/s"."""
 
 
-_MORE = re.compile(
+_MORE = pattern(
     r"(?:/ ?s|\bps|per second|a second) (?:more|extra|less|on top|in addition|additional(?:ly)?)\b|\badds? (?:about "
     r"|another )?\d",
     re.IGNORECASE,
+    needs="add|extra|less|more|on top",
 )
 """Bytes per second that come on top of those of a message."""
 

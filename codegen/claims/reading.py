@@ -21,30 +21,31 @@ from codegen.model.price import Range
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
 from codegen.once import once
+from codegen.pattern import pattern
 from codegen.resolve.dialect.wire import wire_message
 from codegen.source import Place
 
-_NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
-_WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
-_ABOUT = re.compile(r"mavlink|CRC[_ ]EXTRA", re.IGNORECASE)
-_WORD = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]{3,}(?![\w-])")
-_FRAMED = re.compile(r"CRC_EXTRA|MAVLink|on the wire|payload", re.IGNORECASE)
+_NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
+_WRONG = pattern(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE, needs="bad|incorrect|not copy|wrong")
+_ABOUT = pattern(r"mavlink|CRC[_ ]EXTRA", re.IGNORECASE)
+_WORD = pattern(r"(?<![\w-])[A-Z][A-Z0-9]{3,}(?![\w-])")
+_FRAMED = pattern(r"CRC_EXTRA|MAVLink|on the wire|payload", re.IGNORECASE)
 _FEWEST = 3
 """Fields that a document names, to be about their message without its name."""
-_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,})(?![\w-])")
-_CONSTANT = re.compile(
-    r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])"
+_SURE = pattern(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,})(?![\w-])")
+_CONSTANT = pattern(
+    r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])", needs="MSG"
 )
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
-_TYPE_NAME = re.compile(
+_TYPE_NAME = pattern(
     r"\b(?:struct|class|interface|impl|type|mod) (?P<camel>[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)*)\b"
     r"|\bmavlink_(?:msg_)?(?P<c>[a-z0-9_]{3,60}?)_(?:t|send|pack|decode|encode)\b"
     r"|\.mav\.(?P<python>[a-z0-9_]{3,60}?)_(?:send|encode)\b"
     r"|\b(?P<data>[A-Z][A-Z0-9_]{2,60})_DATA\b|\bMSG_(?:ID_)?(?P<constant>[A-Z0-9_]{3,60}?)(?:_(?:ID|LEN|CRC"
     r"|CRC_EXTRA))?\b"
 )
-_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
-_CITED = re.compile(r"^ {0,3}>", re.MULTILINE)
+_CAMEL = pattern(r"(?<=[a-z0-9])([A-Z])")
+_CITED = pattern(r"^ {0,3}>", re.MULTILINE)
 _MOST_RELATED = 8
 """The most repetitions of a claim that are listed."""
 _FAR = 300
@@ -213,7 +214,7 @@ def _of_headings(
                 yield id(passage), (Mention(name, 0, len(passage.text)),)
 
 
-_END = re.compile(r"[A-Za-z]+(?: [A-Za-z]+){0,3}")
+_END = pattern(r"[A-Za-z]+(?: [A-Za-z]+){0,3}")
 _FAMILY = 2
 """Words that names of messages share at the beginning, to be of a family."""
 

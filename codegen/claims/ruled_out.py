@@ -6,6 +6,8 @@ from a value. Each kind of statement names the groups that make it none, with wo
 
 import re
 
+from codegen.pattern import pattern
+
 DENIED = (r"\bnot\b", r"n't\b", r"\bnever\b", r"\bno longer\b")
 REPLACED = (r"\binstead\b", r"\brather\b", r"\bunlike\b")
 PAST = (r"\bwas\b", r"\bwere\b", r"\bold\b", r"\bearlier\b", r"\bformerly\b", r"\bpreviously\b", r"\bused to\b")
@@ -25,7 +27,7 @@ ASKED = (r"\?",)
 def words(*groups: tuple[str, ...] | str) -> "re.Pattern[str]":
     """Return what finds any word of some groups, and of further patterns, in a short text."""
     patterns = [pattern for group in groups for pattern in ((group,) if isinstance(group, str) else group)]
-    return re.compile("|".join(patterns))
+    return pattern("|".join(patterns))
 
 
 _OWN_THINGS = (
@@ -70,7 +72,7 @@ _ASIDE = words(
 """Words that make a sentence one about other things than the messages of the dialect."""
 
 
-_DENIAL = re.compile(
+_DENIAL = pattern(
     r"\b(?:must|should|may|can) (?:not|never) be\b(?! (?:more|larger|greater|higher|bigger|above|over|exceed))"
 )
 
@@ -85,7 +87,7 @@ def is_aside(sentence: str) -> bool:
     return _ASIDE.search(sentence) is not None
 
 
-_OWN_COLUMN = re.compile(
+_OWN_COLUMN = pattern(
     r"\bour|\bmy\b|\bcolumn (?:type|unit)|\bcsv\b|\bsql\b|database|\bros\b|\btopic|variable|\blocal\b|\bdraft\b|propos"
     r"|\bwrong\b|shown|display",
     re.IGNORECASE,

@@ -9,28 +9,29 @@ from codegen.frozen import dataclass
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2, Range
+from codegen.pattern import pattern
 
 SIGNATURE = 13
 """Bytes that signing adds to a frame of MAVLink 2."""
 
-_BYTES = re.compile(
+_BYTES = pattern(
     r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?(?:payload )?(?:bytes?|octets?|B)\b(?![ ]?(?:/|per\b|a second))",
     re.IGNORECASE,
 )
 # What may stand between a message and its size without making the size that of something else.
-_BETWEEN = re.compile(
+_BETWEEN = pattern(
     r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|(?:message |msg )?id[ :=]{0,2}#?\d{1,6}\b"
     r"|messages?|payload|frames?|packets?|size|length|total|whole|which|is|are|has|have|takes|needs|uses|of"
     r"|an?|the|with|without|only|exactly|base|full|complete|extensions?|v[12]|mavlink(?: ?[12])?|unsigned|signed|up to"
     r"|at most)*",
     re.IGNORECASE,
 )
-_BEFORE_NAME = re.compile(r"[ ]?(?:(?:payload|frames?|packets?|long|of|for|the|an?)[ ]){0,5}", re.IGNORECASE)
-_FRAME = re.compile(r"frame|packet|wire|\bsent\b|truncat|trimmed|cut", re.IGNORECASE)
-_PAYLOAD = re.compile(r"payload", re.IGNORECASE)
-_VERSION_1 = re.compile(r"\bv1\b|mavlink ?1", re.IGNORECASE)
-_VERSION_2 = re.compile(r"\bv2\b|mavlink ?2", re.IGNORECASE)
-_RATE = re.compile(r"(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
+_BEFORE_NAME = pattern(r"[ ]?(?:(?:payload|frames?|packets?|long|of|for|the|an?)[ ]){0,5}", re.IGNORECASE)
+_FRAME = pattern(r"frame|packet|wire|\bsent\b|truncat|trimmed|cut", re.IGNORECASE)
+_PAYLOAD = pattern(r"payload", re.IGNORECASE)
+_VERSION_1 = pattern(r"\bv1\b|mavlink ?1", re.IGNORECASE)
+_VERSION_2 = pattern(r"\bv2\b|mavlink ?2", re.IGNORECASE)
+_RATE = pattern(r"(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
 _NEAR = 60
 """Characters between a message and its size."""
 

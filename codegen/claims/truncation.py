@@ -7,6 +7,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.pattern import pattern
 
 RULE = Rule(
     "claim-truncation",
@@ -16,12 +17,12 @@ RULE = Rule(
     Severity.WARNING,
 )
 
-_NOT_CUT = re.compile(
+_NOT_CUT = pattern(
     r"(?P<name>\b[A-Z][A-Z0-9_]{2,60})?\s?(?:\(?#?\d{1,8}\)?\s)?(?P<message>(?<!\w)messages?)?\s"
     r"(?:will not|won't|cannot|can't|can not|is not|isn't|is never|are never|will never|never gets?)\s"
     r"(?:be\s)?(?:zero[- ]byte[- ]|zero[- ]|byte[- ])?truncat(?:ed|able)",
 )
-_ZERO_WORDS = re.compile(r"\b(?:set to|value of|should be|filled with|is|are|use) (?:0|zeros?)\b", re.IGNORECASE)
+_ZERO_WORDS = pattern(r"\b(?:set to|value of|should be|filled with|is|are|use) (?:0|zeros?)\b", re.IGNORECASE)
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

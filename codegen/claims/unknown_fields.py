@@ -12,20 +12,21 @@ from codegen.claims.rules import NO_FIELD
 from codegen.diagnostics import Diagnostic, did_you_mean
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_ELSE = re.compile(
+_ELSE = pattern(
     r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
     r"|signal|script|module|column|table|key)s?\s+$",
     re.IGNORECASE,
 )
-_IS_ELSE = re.compile(
+_IS_ELSE = pattern(
     r" is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
 )
-_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
-_FIELD = re.compile(r"\b(?:fields?|extensions?)\s+[`]?$", re.IGNORECASE)
-_INTO = re.compile(r"\b(?:in|into)\s+[`]?$", re.IGNORECASE)
-_QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
+_SNAKE = pattern(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_FIELD = pattern(r"\b(?:fields?|extensions?)\s+[`]?$", re.IGNORECASE)
+_INTO = pattern(r"\b(?:in|into)\s+[`]?$", re.IGNORECASE)
+_QUALIFIED = pattern(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
 _FILES = frozenset(
     [
         "msg",
@@ -51,8 +52,8 @@ _FILES = frozenset(
         "csv",
     ]
 )
-_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]|and\b|or\b))")
-_OF_FIELDS = re.compile(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
+_BEGINNING = pattern(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]|and\b|or\b))")
+_OF_FIELDS = pattern(r"\s*\|?\s*(?:field|name|member|variable|field name)s?\s*\|", re.IGNORECASE)
 
 
 def first(passage: Passage) -> "re.Match[str] | None":
@@ -90,8 +91,8 @@ def fields(reading: Reading, passage: Passage, around: Surroundings, names: Name
             yield no_field(reading, passage.place_at(low), message, name)
 
 
-_CALLED = re.compile(r"\b(?:is|are|was) (?:named|called) `?$|\bgoes by the name of `?$", re.IGNORECASE)
-_NOT_CALLED = re.compile(r"\b(?:not|in our|our|log|topic|there)\b", re.IGNORECASE)
+_CALLED = pattern(r"\b(?:is|are|was) (?:named|called) `?$|\bgoes by the name of `?$", re.IGNORECASE)
+_NOT_CALLED = pattern(r"\b(?:not|in our|our|log|topic|there)\b", re.IGNORECASE)
 
 
 def _called(reading: Reading, passage: Passage, around: Surroundings, span: tuple[int, int]) -> Iterator[Diagnostic]:

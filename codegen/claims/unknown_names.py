@@ -28,6 +28,7 @@ from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.once import once
+from codegen.pattern import pattern
 from codegen.source import Place
 
 NO_MESSAGE = Rule(
@@ -44,49 +45,49 @@ NO_ENTRY = Rule(
     Severity.WARNING,
 )
 
-_SENT = re.compile(
+_SENT = pattern(
     r"\b(?:messages?|send|sends|sent|answers?|streams?|streamed|requests?|requested|repl(?:y|ies)|receives?|publishe?s?"
     r"|uses?|emits?|telemetry|Hz)\b",
     re.IGNORECASE,
 )
-_BEFORE = re.compile(
+_BEFORE = pattern(
     r"\b(?:messages?|msg|sends?(?: out| back)?|streams?|requests?|publish(?:es)?|uses?|emits?|answers? with"
     r"|repl(?:y|ies) with|reads?|receives?|forwards?|decodes?|handles?|subscribes? to|listens? (?:to|for)|asks? for"
     r"|waits? for|broadcasts?|records?|logs?) (?:the |an? |each |all |only )?$",
     re.IGNORECASE,
 )
-_BEHIND = re.compile(
+_BEHIND = pattern(
     r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz"
     r"| (?:(?:is|are) (?:not |never |only )?(?:sent|streamed|received|requested|answered|published|broadcast)"
     r"|carries|arrives|comes|reports)\b",
     re.IGNORECASE,
 )
-_SENDS = re.compile(
+_SENDS = pattern(
     r"\b(?:messages?|msg|sends?|streams?|receives?|answers? with|repl(?:y|ies) with|broadcasts?"
     r"|records?) (?:the |an? |each )?$",
     re.IGNORECASE,
 )
-_PARAMETER = re.compile(r"[A-Z]+\d_")
-_IS_SENT = re.compile(
+_PARAMETER = pattern(r"[A-Z]+\d_")
+_IS_SENT = pattern(
     r" ?(?:messages?|packet)\b| (?:is|are) (?:not |never |only )?(?:sent|streamed|received|broadcast)\b| at \d+ ?Hz"
     r"| (?:carries|arrives|comes|contains|reports)\b"
 )
-_OWN = re.compile(
+_OWN = pattern(
     r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?"
     r"|upstream)\b",
     re.IGNORECASE,
 )
-_IN_CODE = re.compile(
+_IN_CODE = pattern(
     r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"
     r"|\bMAVLINK_MSG_ID_(?P<constant>[A-Z][A-Z0-9_]{2,60})(?![\w])"
 )
-_TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
-_DECLARED = re.compile(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
-_CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
-_MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
-_QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
-_WORD = re.compile(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
-_JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
+_TAKEN = pattern(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
+_DECLARED = pattern(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
+_CONSTANT = pattern(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
+_MEMBER = pattern(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
+_QUOTED = pattern(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
+_WORD = pattern(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
+_JOINED = pattern(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
 _NEAR = 20
 """Messages of a sentence that are looked at for one directly beside a name."""
 _SURE = 0.7
@@ -196,7 +197,7 @@ def _following_id(reading: Reading, passage: Passage) -> int | None:
     return int(found["id"]) if found is not None else None
 
 
-_ID_BELOW = re.compile(r"(?:message |msg )?id:? #?(?P<id>\d{1,5})\b", re.IGNORECASE)
+_ID_BELOW = pattern(r"(?:message |msg )?id:? #?(?P<id>\d{1,5})\b", re.IGNORECASE)
 
 
 def _no_message(reading: Reading, place: Place, name: str, near: str) -> Diagnostic:

@@ -5,27 +5,29 @@ from functools import cache
 
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import named_number
+from codegen.pattern import pattern
 
 _VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
 _WORDS = (
-    re.compile(
+    pattern(
         r"\b(?P<value>zero|-?\d{1,6}) (?:means|indicates) (?:unknown|not (?:available|supported)|invalid)",
         re.IGNORECASE,
     ),
-    re.compile(
+    pattern(
         rf"{_VALUE}:? (?:if |when |for |means |is |= ?)?(?:it is |value is )?"
         r"(?:unknown|invalid|not (?:known|available))"
     ),
-    re.compile(rf"{_VALUE}: [^.;,]*\bnot\b"),
-    re.compile(
+    pattern(rf"{_VALUE}: [^.;,]*\bnot\b"),
+    pattern(
         r"\b(?P<value>zero|-?\d{1,6}|U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN) (?:values? |in this value )?(?:means?"
         r"|indicates?|marks?)"
         r" [^.;,>]{0,40}?\b(?:unknown|invalid|not available|ignore|unused)",
         re.IGNORECASE,
+        needs="indicate|mark|mean",
     ),
-    re.compile(rf"\b[Uu]se {_VALUE} if [^.;,]{{0,40}}\b(?:unknown|not available|invalid)"),
-    re.compile(rf"\b(?:unknown|invalid): {_VALUE}", re.IGNORECASE),
-    re.compile(
+    pattern(rf"\b[Uu]se {_VALUE} if [^.;,]{{0,40}}\b(?:unknown|not available|invalid)"),
+    pattern(rf"\b(?:unknown|invalid): {_VALUE}", re.IGNORECASE),
+    pattern(
         rf"(?:unknown|not known|invalid|not available),? (?:set to|set it to|use|is|=|send)[: ]+{_VALUE}", re.IGNORECASE
     ),
 )
@@ -46,8 +48,8 @@ def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
     return None
 
 
-_STATE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|not available)\b")
-_FAILURE = re.compile(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\bfail(?:ed|ure)\b")
+_STATE = pattern(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\b(?:unknown|unset|invalid|not available)\b")
+_FAILURE = pattern(r"(?<![\w.])(?P<value>-?\d{1,5}) ?[=:] ?[^.;,:=]{0,40}?\bfail(?:ed|ure)\b")
 
 
 @cache
@@ -62,7 +64,7 @@ def described_failures(field: WireField) -> tuple[int, ...]:
     return tuple(int(found["value"]) for found in _FAILURE.finditer(field.definition.description))
 
 
-_NEGATIVE = re.compile(
+_NEGATIVE = pattern(
     r"\bnegative values?:? (?:means? |is |for |= ?)?(?:unknown|invalid|not)|\b(?:unknown|invalid)[^.;]{0,20}"
     r" negative\b",
     re.IGNORECASE,

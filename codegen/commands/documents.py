@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from codegen.claims import of_dialect, of_project, settled
 from codegen.claims.overlays import lines_about
 from codegen.claims.reading import Reading, Reference, read_document
-from codegen.commands.codec import read_codec_dialect
 from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.files import DISK, Files, asked_once
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
 
 def dialect_reference(written: str, report: Report) -> Reference | None:
     """Return what a dialect says, by its name or the path of its file; None after a diagnostic."""
+    from codegen.commands.codec import read_codec_dialect
+
     dialect = read_codec_dialect(written, report)
     return None if dialect is None else Reference(dialect)
 

@@ -14,12 +14,13 @@ from codegen.answers.kind import KindOfAnswer
 
 PACKAGE = Path(codegen.__file__).parent
 
-GROUND = {"frozen", "once", "source", "diagnostics"}
+GROUND = {"frozen", "once", "pattern", "source", "diagnostics"}
 READING = {"load", "decode", "resolve", "rules"}
 
 MAY_IMPORT: dict[str, set[str]] = {
     "frozen": set(),
     "once": set(),
+    "pattern": set(),
     "source": {"frozen"},
     "diagnostics": {"frozen", "source"},
     "model": {"frozen", "once", "source"},

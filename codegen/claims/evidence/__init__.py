@@ -5,7 +5,6 @@ an item or a declaration that begins with the name, or a name and a value with n
 closed list. Whatever else was understood of a text is likely at best.
 """
 
-import re
 from bisect import bisect_left
 from collections.abc import Iterator
 
@@ -22,6 +21,7 @@ from codegen.claims.statements.entries import is_borne_out
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.once import once
+from codegen.pattern import pattern
 
 __all__ = ["FIRM", "Evidence", "evidence_of", "spans_at"]
 
@@ -29,8 +29,8 @@ _OWN_RULES = frozenset((
     "claim-arithmetic", "claim-field", "claim-id-taken", "claim-unsendable-message", "claim-flag-of-several-bits",
     "claim-text-contradicts-invalid", "claim-defined-twice", "claim-cast-to-sentinel",
 ))  # fmt: skip
-_SUBJECT = re.compile(r"(?P<first>[A-Z][A-Za-z0-9_]*)(?:\.(?P<field>\w+))?(?:: (?P<entry>[A-Z][A-Z0-9_]+) is\b)?")
-_IN = re.compile(r"\bin (?P<first>[A-Z][A-Z0-9_]*)\.(?P<field>\w+)(?P<entry>\b)")
+_SUBJECT = pattern(r"(?P<first>[A-Z][A-Za-z0-9_]*)(?:\.(?P<field>\w+))?(?:: (?P<entry>[A-Z][A-Z0-9_]+) is\b)?")
+_IN = pattern(r"\bin (?P<first>[A-Z][A-Z0-9_]*)\.(?P<field>\w+)(?P<entry>\b)")
 _HEDGED = words(
     *(REPLACED, PAST, CHANGED, MISTAKEN, SUPPOSED, ASKED, r"\bclaim", r"\baccording\b", r"\bno longer\b"),
     *(r"\bprivate\b", r"\bcustom\b", r"\binternal"),
@@ -47,9 +47,9 @@ _OWN = words(OWN)
 """Words of somebody's own things: the name of a message or an entry beside a number goes for itself."""
 _COMPARED = words(r"\blike\b", r"\bthan\b", r"\bvs\b", r"\binto\b", r"\bonly\b", r"\bhere\b", r"\bthere\b")
 """The same up to the end of a clause."""
-_COMMA = re.compile(r"[,;]")
-_CLAUSE = re.compile(r"[,;.()|]")
-_ABSENT = re.compile(
+_COMMA = pattern(r"[,;]")
+_CLAUSE = pattern(r"[,;.()|]")
+_ABSENT = pattern(
     r"\b(?:unknown|invalid|missing|absent|unused|unset|n/a|no (?:data|value|sensor|estimate|fix|\w+)"
     r"|not (?:known|available|provided|used|supplied|measured|set|supported|valid|fitted|present))\b"
 )

@@ -10,19 +10,20 @@ from codegen.claims.reading import Reading
 from codegen.claims.statements.fields import number
 from codegen.load.prose import PassageKind
 from codegen.once import once
+from codegen.pattern import pattern
 
-_CLEAR = re.compile(
+_CLEAR = pattern(
     r"(?:.*\b(?:value|code|enum|mask|dec(?:imal)?|hex|entry|constant|result|flag|command|bit)\b.*)", re.IGNORECASE
 )
 """A heading that says that numbers are those of entries; "#" and "No." may count the rows."""
-_KEY = re.compile(r"V[\"' ]*(?::|=>|->) ?N|N[\"' ]*(?::|=>|->) ?V")
+_KEY = pattern(r"V[\"' ]*(?::|=>|->) ?N|N[\"' ]*(?::|=>|->) ?V")
 """An entry of a mapping, of which the numbers may be anything."""
-_COUNTED = re.compile(
+_COUNTED = pattern(
     r" (?!(?:in|for|and|or|but|if|when|while|as|with|is|are|not|to|at|on|by|of|from|per|means|says|which|that|so|then"
     r"|since|because|here|there|according|instead|bytes?)\b)[a-z]{3,}"
 )
 """Behind a number that counts something: "3 vehicles"."""
-_OWN = re.compile(r" (?:in|on|of) (?:our|my|their|its|this|that)\b")
+_OWN = pattern(r" (?:in|on|of) (?:our|my|their|its|this|that)\b")
 _HALF = 2
 
 

@@ -20,6 +20,7 @@ from codegen.claims.rules import SCALING, SIZE
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
+from codegen.pattern import pattern
 
 
 def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> Evidence:
@@ -54,7 +55,7 @@ def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> E
     return Evidence.WORDS
 
 
-_OF_MESSAGE = re.compile(r"payload|frame|packet|message|wire", re.IGNORECASE)
+_OF_MESSAGE = pattern(r"payload|frame|packet|message|wire", re.IGNORECASE)
 
 
 def _names_field(span: Span, message: WireMessage) -> bool:
@@ -71,7 +72,7 @@ def _is_constant(span: Span, at: int, name: str) -> bool:
     return re.search(name.lower() + tail, span.source_text(0, at).lower()) is not None
 
 
-_ENTRY_OF_TABLE = re.compile(r"[\s{(\[]*(?:[N\d_]+[\s,:]*){1,6}[\s})\],]*(?://|/\*|#|--)\s*M\s*(?:\*/)?\s*")
+_ENTRY_OF_TABLE = pattern(r"[\s{(\[]*(?:[N\d_]+[\s,:]*){1,6}[\s})\],]*(?://|/\*|#|--)\s*M\s*(?:\*/)?\s*")
 """A line of a table of numbers, with the name behind it."""
 
 
@@ -127,7 +128,7 @@ def of_field(reading: Reading, span: Span, at: int, message: str, field: str, ru
     return Evidence.WORDS
 
 
-_DEFINES = re.compile(r"[FP](?: ?[,/&] ?[FP]| and [FP])* ?(?::|\u2013|- |= )")
+_DEFINES = pattern(r"[FP](?: ?[,/&] ?[FP]| and [FP])* ?(?::|\u2013|- |= )")
 
 
 def _is_of(span: Span, offset: int, message: str) -> bool:
@@ -135,7 +136,7 @@ def _is_of(span: Span, offset: int, message: str) -> bool:
     return found is not None and span.sentence.term(found.start("message")).value == message
 
 
-_OF = re.compile(r"(?: field)? of (?:the )?(?P<message>M)\b")
+_OF = pattern(r"(?: field)? of (?:the )?(?P<message>M)\b")
 
 
 @once

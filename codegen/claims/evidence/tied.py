@@ -5,6 +5,7 @@ import re
 from codegen.claims.parts.sentence import NamedField
 from codegen.claims.parts.span import Span
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _LINKS = frozenset((
     "is", "are", "has", "have", "a", "an", "the", "its", "of", "in", "as", "with", "be", "must", "it", "called",
@@ -56,8 +57,8 @@ def is_clause(span: Span, name: int, at: int) -> bool:
     return low is not None and high is not None and closed(span.text[low : high.start()])
 
 
-_MARK = re.compile(r"[,;:|()]|\s[-\u2013\u2014]\s|\.(?=\s|$)")
-_GROUP = re.compile(r"[FP](?: ?[,/&] ?[FP]| and [FP])*")
+_MARK = pattern(r"[,;:|()]|\s[-\u2013\u2014]\s|\.(?=\s|$)")
+_GROUP = pattern(r"[FP](?: ?[,/&] ?[FP]| and [FP])*")
 
 
 def message_of(value: object) -> str | None:
@@ -73,7 +74,7 @@ def is_alone(span: Span, offset: int) -> bool:
     return _ALONE.fullmatch(written) is not None
 
 
-_ALONE = re.compile(r"\s*[MFPVN][^A-Za-z|]*(?:[,/&]\s*[MFP]\s*)*(?:\([^)]*\))?\s*")
+_ALONE = pattern(r"\s*[MFPVN][^A-Za-z|]*(?:[,/&]\s*[MFP]\s*)*(?:\([^)]*\))?\s*")
 
 
 def is_beside(span: Span, name: int, at: int, message: str = "") -> bool:
@@ -91,8 +92,8 @@ def is_beside(span: Span, name: int, at: int, message: str = "") -> bool:
     return is_listed and closed(gap) and not _RATIO.match(span.text, high + 1)
 
 
-_BEFORE = re.compile(r"[ =:,|#/*();\u2013-]{0,60}(?:is|means|for|command|value|the|are|enum|=|\s)*[ (]*")
-_RATIO = re.compile(r"/\w| ?/ ?N")
+_BEFORE = pattern(r"[ =:,|#/*();\u2013-]{0,60}(?:is|means|for|command|value|the|are|enum|=|\s)*[ (]*")
+_RATIO = pattern(r"/\w| ?/ ?N")
 
 
 def closed(gap: str) -> bool:

@@ -1,6 +1,5 @@
 """The largest value that a converter can show: "16.8 V is beyond the 13.035 V that the shipped divider shows"."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -10,6 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.system import System
 from codegen.model.units.unit import Unit, decimal
+from codegen.pattern import pattern
 
 FULL_SCALE = Rule(
     "claim-full-scale",
@@ -17,7 +17,7 @@ FULL_SCALE = Rule(
     "the factor that it was computed with.",
 )
 
-_SAID = re.compile(
+_SAID = pattern(
     r"\bfull[- ]scale(?: is| of| at|,| value of)? (?=\d)"
     r"|\b(?:beyond|above|over|up to|at most|no more than) (?:the )?"
     r"(?=\d{1,6}\.?\d{0,9} ?[A-Za-z%]{1,3} (?:that|which) (?:it|the) [^.;]{0,40}?"

@@ -12,6 +12,7 @@ from codegen.load.prose import Passage, PassageKind
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.units.nearest_unit import worded_unit
 from codegen.model.units.unit import conversion, decimal
+from codegen.pattern import pattern
 
 PARAMETER = Rule(
     "claim-parameter",
@@ -19,34 +20,34 @@ PARAMETER = Rule(
     "number of parameters. Correct the one that is out of date.",
 )
 
-_NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
+_NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
 _NUMBER = r"-?\d+(?:\.\d+)?"
 _UNIT = r"(?: ?(?P<unit>[A-Za-z%][A-Za-z0-9/%]{0,8})\b)?"
 _BEHIND = {
     "default": (
-        re.compile(rf"\bdefaults?(?: is| of|:|,)? (?:GPIO )?(?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),
-        re.compile(rf"\bis (?P<number>{_NUMBER}){_UNIT} by default\b"),
-        re.compile(rf", (?P<number>{_NUMBER}){_UNIT} by default\b"),
+        pattern(rf"\bdefaults?(?: is| of|:|,)? (?:GPIO )?(?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),
+        pattern(rf"\bis (?P<number>{_NUMBER}){_UNIT} by default\b"),
+        pattern(rf", (?P<number>{_NUMBER}){_UNIT} by default\b"),
     ),
-    "step": (re.compile(rf"\bsteps? of (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),),
+    "step": (pattern(rf"\bsteps? of (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),),
 }
-_RANGE = re.compile(rf"\brange(?: is| of|:|,)? (?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
-_DIRECT = re.compile(rf"(?:,| is| \(|:) ?(?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
-_BEFORE = re.compile(r"\bdefault of (?:the )?$")
-_FIRST = re.compile(rf"(?:,| is| of) (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
-_COUNT = re.compile(r"\b(?:all|the|list of(?: the)?)(?: all)? (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
+_RANGE = pattern(rf"\brange(?: is| of|:|,)? (?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_DIRECT = pattern(rf"(?:,| is| \(|:) ?(?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_BEFORE = pattern(r"\bdefault of (?:the )?$")
+_FIRST = pattern(rf"(?:,| is| of) (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_COUNT = pattern(r"\b(?:all|the|list of(?: the)?)(?: all)? (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
 _HEADS = {
-    "index": re.compile(r"index|number|no\.", re.IGNORECASE),
-    "default": re.compile(r"default", re.IGNORECASE),
-    "minimum": re.compile(r"min(?:imum)?", re.IGNORECASE),
-    "maximum": re.compile(r"max(?:imum)?", re.IGNORECASE),
-    "step": re.compile(r"steps?|increment", re.IGNORECASE),
-    "range": re.compile(r"range", re.IGNORECASE),
-    "type": re.compile(r"type", re.IGNORECASE),
+    "index": pattern(r"index|number|no\.", re.IGNORECASE),
+    "default": pattern(r"default", re.IGNORECASE),
+    "minimum": pattern(r"min(?:imum)?", re.IGNORECASE),
+    "maximum": pattern(r"max(?:imum)?", re.IGNORECASE),
+    "step": pattern(r"steps?|increment", re.IGNORECASE),
+    "range": pattern(r"range", re.IGNORECASE),
+    "type": pattern(r"type", re.IGNORECASE),
 }
-_CELL = re.compile(rf"(?P<number>{_NUMBER}){_UNIT}")
-_SPAN = re.compile(rf"(?P<low>{_NUMBER}) ?(?:to|\u2013|-|\.\.) ?(?P<high>{_NUMBER}){_UNIT}")
-_TYPE = re.compile(r"(?:MAV_PARAM_TYPE_)?(?P<type>U?INT(?:8|16|32)|REAL32)\b.*", re.IGNORECASE)
+_CELL = pattern(rf"(?P<number>{_NUMBER}){_UNIT}")
+_SPAN = pattern(rf"(?P<low>{_NUMBER}) ?(?:to|\u2013|-|\.\.) ?(?P<high>{_NUMBER}){_UNIT}")
+_TYPE = pattern(r"(?:MAV_PARAM_TYPE_)?(?P<type>U?INT(?:8|16|32)|REAL32)\b.*", re.IGNORECASE)
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:

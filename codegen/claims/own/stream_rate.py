@@ -8,6 +8,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import PassageKind
 from codegen.model.units.unit import decimal
+from codegen.pattern import pattern
 
 RATE = Rule(
     "claim-rate",
@@ -15,11 +16,11 @@ RATE = Rule(
     "of date.",
 )
 
-_AT = re.compile(
+_AT = pattern(
     r"(?: \(#?\d{1,5}\))?,?(?: (?:is|are|stays?|goes out|comes))?(?: (?:sent|streamed))?(?: in \w+)? (?:at|with) "
     r"(?P<rate>\d{1,4}(?:\.\d{1,3})?) ?Hz\b"
 )
-_OTHERWISE = re.compile(
+_OTHERWISE = pattern(
     r"\b(?:if|when|would|could|asks?|asked|up to|at most|instead|from|bytes?|receives?)\b", re.IGNORECASE
 )
 

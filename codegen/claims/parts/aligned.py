@@ -11,16 +11,17 @@ from collections.abc import Collection, Iterator
 
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.pattern import pattern
 from codegen.source import Place
 
 _LEAD = r"\s*(?://[/!]?|/\*\*?|\*(?!/)|#(?!\w)|--)?\s*"
-_ENTRY = re.compile(
+_ENTRY = pattern(
     rf"^(?P<lead>{_LEAD})(?P<name>[A-Za-z_]\w*)(?:\[\d*\])?(?P<gap>\s{{2,}}|\t+|\s*;)(?P<rest>[^\s=;({{].*?)\s*(?:\*/)?$"
 )
-_ALONE = re.compile(rf"^(?P<lead>{_LEAD})(?P<name>[A-Za-z_]\w*),\s*$")
-_GOES_ON = re.compile(rf"^(?P<lead>{_LEAD})(?P<rest>\S.*?)\s*(?:\*/)?$")
-_TYPE = re.compile(r"\b(?:u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|float|double|char|\d+[ -]bit)\b")
-_BETWEEN = re.compile(r"\s{2,}|\t+|\s*;\s*")
+_ALONE = pattern(rf"^(?P<lead>{_LEAD})(?P<name>[A-Za-z_]\w*),\s*$")
+_GOES_ON = pattern(rf"^(?P<lead>{_LEAD})(?P<rest>\S.*?)\s*(?:\*/)?$")
+_TYPE = pattern(r"\b(?:u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|float|double|char|\d+[ -]bit)\b")
+_BETWEEN = pattern(r"\s{2,}|\t+|\s*;\s*")
 _FEWEST = 3
 """Lines that begin with a field before a block is such a table."""
 _TYPED = 2
@@ -60,7 +61,7 @@ def csv_rows(code: CodeBlock, fields: Collection[str]) -> Iterator[Passage]:
         yield Passage(PassageKind.ROW, text, tuple(anchors), ())
 
 
-_HEADS = re.compile(r"\s*[a-z][a-z _]*(?:[,;]\s*[a-z][a-z _()/]*){2,}", re.IGNORECASE)
+_HEADS = pattern(r"\s*[a-z][a-z _]*(?:[,;]\s*[a-z][a-z _()/]*){2,}", re.IGNORECASE)
 
 
 def _is_row(found: "re.Match[str]") -> bool:

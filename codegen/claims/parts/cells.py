@@ -4,15 +4,15 @@ A cell of words is said of the only field of its row. A cell that is data, a nam
 other side of a mapping and is said of nothing here.
 """
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.parts.led import led_by
 from codegen.claims.parts.sentence import Sentence, Term
 from codegen.claims.ruled_out import is_own_column
+from codegen.pattern import pattern
 
-_ALONE = re.compile(r"\s*(?:M ?)?F(?: ?[,/&] ?F| and F)*\s*")
-_WORD = re.compile(r"[a-z]{2,}")
+_ALONE = pattern(r"\s*(?:M ?)?F(?: ?[,/&] ?F| and F)*\s*")
+_WORD = pattern(r"[a-z]{2,}")
 _FEWEST = 4
 """Words of a cell that is a sentence."""
 

@@ -14,6 +14,7 @@ from codegen.claims.reading import Reading
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 from codegen.source import Place
 
 _NO_CODE = (
@@ -21,12 +22,12 @@ _NO_CODE = (
     *("markdown", "md", "diff", "csv", "xml", "html", "mermaid"),
 )
 """Blocks that are no declarations: what programs print, and what is quoted; XML is read as definitions."""
-_FIELDS = re.compile(
+_FIELDS = pattern(
     r"\b(?:fields|u?int(?:8|16|32|64)(?:_t)?|float|type)\b[\"']?\s*:|:\s*[\"']?(?:u?int(?:8|16|32|64)(?:_t)?|float)\b"
 )
-_KEYED = re.compile(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
-_COMMENT = re.compile(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
-_DECLARES = re.compile(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
+_KEYED = pattern(r"^\s*[\"']?[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+[\"']?\s*:\s*\d", re.MULTILINE)
+_COMMENT = pattern(r"\s*(?://|/\*|\*(?!\w)|#(?!\s*(?:define|include|if|endif|pragma))|--|;|<!--)")
+_DECLARES = pattern(r"^\s*(?:///?|//!|/\*\*?|\*|#)\s?")
 _MOST = 20
 """So many messages that are named before a part are remembered."""
 
@@ -122,8 +123,8 @@ def _above_from(line: Line, start: int) -> Callable[[int], Place]:
     return lambda offset: line.place._replace(column=line.place.column + start + offset)
 
 
-_OWN_LINE = re.compile(r"\s*(?:#|//)")
-_ANY_COMMENT = re.compile(r"(?:^|\s)(?:#|//)", re.MULTILINE)
+_OWN_LINE = pattern(r"\s*(?:#|//)")
+_ANY_COMMENT = pattern(r"(?:^|\s)(?:#|//)", re.MULTILINE)
 
 
 def _is_prose(line: str) -> bool:
@@ -131,8 +132,8 @@ def _is_prose(line: str) -> bool:
     return _NO_CODE_IN.fullmatch(line) is not None and len(_WORD.findall(line)) >= _FEWEST
 
 
-_NO_CODE_IN = re.compile(r"[^;{}=<>|\[\]]*")
-_WORD = re.compile(r"(?<![\w.])[a-z]{2,}(?![\w(])")
+_NO_CODE_IN = pattern(r"[^;{}=<>|\[\]]*")
+_WORD = pattern(r"(?<![\w.])[a-z]{2,}(?![\w(])")
 _FEWEST = 4
 """Words in small letters that make a line a sentence."""
 
@@ -162,8 +163,8 @@ def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
     return place_at
 
 
-_MAPPING = re.compile(r"\s*(?:$|#|-?\s*[\w.]+:(?:\s|$))")
-_COMMENTED = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
+_MAPPING = pattern(r"\s*(?:$|#|-?\s*[\w.]+:(?:\s|$))")
+_COMMENTED = pattern(r"^[ \t]*#.*$", re.MULTILINE)
 
 
 def _block(code: CodeBlock, topic: Topic, words: Vocabulary) -> Span:

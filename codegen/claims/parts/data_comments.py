@@ -9,14 +9,15 @@ from codegen.claims.parts.sentence import Sentence, Term, Vocabulary
 from codegen.claims.parts.terms import read_sentence
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
+from codegen.pattern import pattern
 
-_COMMENT = re.compile(r"\s*(?:#|//)\s?")
-_TRAILING = re.compile(r"\s(?:#|//).*$")
-_UNUSED = re.compile(r"[\w.-]+: (?:\.\.\.|.* # )")
+_COMMENT = pattern(r"\s*(?:#|//)\s?")
+_TRAILING = pattern(r"\s(?:#|//).*$")
+_UNUSED = pattern(r"[\w.-]+: (?:\.\.\.|.* # )")
 """A comment that is an entry which is not in use, with a comment of its own: "type: ...  # line 9"."""
-_NEXT = re.compile(r"\s*(?:-\s|\{|\[\[)")
+_NEXT = pattern(r"\s*(?:-\s|\{|\[\[)")
 """A line that begins another entry, which the comment above it is about."""
-_OF_FIELD = re.compile(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signal|value|when|topic)[\"']?\s*[:=]")
+_OF_FIELD = pattern(r"^\s*-?\s*[\"']?(?:field|source|name|from|key|path|signal|value|when|topic)[\"']?\s*[:=]")
 
 
 def data_comments(code: CodeBlock, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence, bool]]:
@@ -61,7 +62,7 @@ def _behind(line: Line, words: Vocabulary) -> Iterator[tuple[Line, int, Sentence
         yield line, start, led_by(names, sentence), True
 
 
-_SUBJECT = re.compile(r"\b[a-z]+s (?:arrive|come|are|go|have)\b|\b(?:we|our|they)\b")
+_SUBJECT = pattern(r"\b[a-z]+s (?:arrive|come|are|go|have)\b|\b(?:we|our|they)\b")
 """Words of a comment that is about other things than the field of its line."""
 
 

@@ -1,16 +1,16 @@
 """Fields that a heading names, or a question: they are the subject of the next paragraph."""
 
-import re
 from dataclasses import replace
 
 from codegen.claims.parts.sentence import Sentence, Term
+from codegen.pattern import pattern
 
-_ONLY_NAMES = re.compile(
+_ONLY_NAMES = pattern(
     r"[^a-zA-Z]*(?:N\)? )?(?:the )?(?:fields? )?(?P<names>[FP](?:(?:, ?| and | ?/ ?"
     r"| ?& ?)[FP])*)(?: fields?)?(?: ?\(.*\)"
     r"|:? T(?:\W|U)*)?[^a-zA-Z]*"
 )
-_QUESTION = re.compile(
+_QUESTION = pattern(
     r"(?:[^?]*[.!?] )?(?:[^a-zA-Z]*)(?:what|how|which|why)\b[^.?!]{0,60}?(?P<names>F(?:(?:, ?| and )F)*)[^.?!]{0,24}\?"
 )
 

@@ -9,10 +9,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from codegen.claims.parts.sentence import NamedField, Sentence, Term
+from codegen.pattern import pattern
 
 _JOIN = r"(?:,? (?:and|or|to) |, ?| ?/ ?| ?& ?)"
-_GROUP = re.compile(rf"F(?:{_JOIN}F)*")
-_BREAK = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
+_GROUP = pattern(rf"F(?:{_JOIN}F)*")
+_BREAK = pattern(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bapprox)(?<!\bmax)(?<!\bmin)[.!?](?=\s|$)")
 _ONE = (
     r"\bit\b(?! is (?:\w+ )?(?:that|possible|important|easy|necessary|better|enough|not the)\b)"
     r"|(?<=divide )(?:the )?(?:raw )?(?:value|number|byte|field|count|it)\b|(?<=multiply )(?:the )?(?:raw )?(?:value"
@@ -22,16 +23,16 @@ _ONE = (
     r"|holds?|carries|ends|stays|reads|stands)\b)"
 )
 _MANY = r"\b(?:they|them|both|these|all (?:of them|three|four))\b(?! F)"
-_PRONOUN = re.compile(rf"(?P<one>{_ONE})|(?P<many>{_MANY})")
-_FACTOR = re.compile(r"\b(?:divide|multiply) $")
-_OBJECT = re.compile(r"\b(?:set|sets|fill|fills|leave|leaves|write|writes|send|sends|put|puts) $")
-_LEAD = re.compile(r"[^a-zA-Z]*(?:[a-z']{1,12} ){0,2}|.*[,:] (?:(?:and|but|so|then|otherwise|else|where|when|if) )?")
-_NO_SUBJECT = re.compile(
+_PRONOUN = pattern(rf"(?P<one>{_ONE})|(?P<many>{_MANY})")
+_FACTOR = pattern(r"\b(?:divide|multiply) $")
+_OBJECT = pattern(r"\b(?:set|sets|fill|fills|leave|leaves|write|writes|send|sends|put|puts) $")
+_LEAD = pattern(r"[^a-zA-Z]*(?:[a-z']{1,12} ){0,2}|.*[,:] (?:(?:and|but|so|then|otherwise|else|where|when|if) )?")
+_NO_SUBJECT = pattern(
     r"\b(?:with|without|of|to|for|from|by|in|on|at|than|as|into|like|before|after|times|use|see|read|reads) $"
 )
 _OTHER_TERMS = frozenset("FMEVC")
 _AT_LEAST_TWO = 2
-_LATTER = re.compile(r"the (?:latter|last one)")
+_LATTER = pattern(r"the (?:latter|last one)")
 _FAR = 200
 """The greatest distance back to the last name, in characters."""
 
@@ -87,8 +88,9 @@ def _same_sentence(sentence: Sentence, low: int, high: int) -> Iterator[tuple[in
     yield found.start("what"), found.end("what"), [names[0][1]]
 
 
-_THE_FIELD = re.compile(
-    r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)"
+_THE_FIELD = pattern(
+    r"[,;\u2013\u2014(] ?(?:and |but |because |since |as )?(?P<what>the (?:field|unit)) (?=is|counts|holds|has)",
+    needs="the field|the unit",
 )
 
 

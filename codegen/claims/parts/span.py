@@ -9,16 +9,17 @@ from codegen.claims.parts.sentence import NamedField, Sentence
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 from codegen.source import Place
 
 DATA = ("json", "json5", "jsonc", "yaml", "yml", "toml")
-_BREAK = re.compile(
+_BREAK = pattern(
     r"(?<!\be\.g)(?<!\bi\.e)(?<!\bca)(?<!\bno)(?<!\bapprox)(?<!\bmax)(?<!\bmin)(?<!\bresp)(?<!\bincl)[.!?;](?=\s|$)"
 )
-_GOES_ON = re.compile(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
-_DEFINED = re.compile(r"[FP](?:,? (?:and )?[FP])* : ")
+_GOES_ON = pattern(r"\s*(?:it|its|they|their|that|this|the unit|unit|units|unknown|the value|in U|U\b|[NS] )\b")
+_DEFINED = pattern(r"[FP](?:,? (?:and )?[FP])* : ")
 """A definition list, which is a paragraph for Markdown."""
-_COMPARED = re.compile(
+_COMPARED = pattern(
     r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|in contrast to|instead of|not in"
     r"|here,? (?:but |and |while |whereas )?(?:[a-z]+ |[NTU] ){0,3}in) (?:the )?$|\((?:but |while )?in (?:the )?$"
 )

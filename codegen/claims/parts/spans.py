@@ -1,6 +1,5 @@
 """The parts of a document in which statements stand, each with the messages that it may be about."""
 
-import re
 from collections.abc import Iterator
 from itertools import groupby
 
@@ -16,10 +15,11 @@ from codegen.claims.reading import Reading
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
+from codegen.pattern import pattern
 
-_LONG_NAME = re.compile(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
-_FIRST_NAME = re.compile(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
-_CELL = re.compile(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
+_LONG_NAME = pattern(r"\b[A-Z][A-Z0-9]{1,30}(?:_[A-Z0-9]{1,30}){2}")
+_FIRST_NAME = pattern(r"[\s|*-]*(?P<name>[a-z][a-z0-9_]*)(?=\s*(?:$|[|:(=\u2013-]|\[))")
+_CELL = pattern(r"(?:^|\|)[\s*-]*([a-z]\w*)(?=[\s|:(=\[,\u2013-]|$)")
 _ENOUGH = 3
 """Names that have to begin items or rows before most of them have to be fields."""
 _MOST = 20
@@ -141,15 +141,15 @@ def _is_foreign_item(reading: Reading, part: Passage | CodeBlock) -> bool:
     return found is not None and found["name"] not in known.messages and found["name"] not in known.enums
 
 
-_ITEM = re.compile(r"\b[Mm]essage (?P<name>[A-Z][A-Z0-9_]{2,})\b(?=[.,;:]|$)")
-_GOES_ON = re.compile(r"\|\s*\|")
+_ITEM = pattern(r"\b[Mm]essage (?P<name>[A-Z][A-Z0-9_]{2,})\b(?=[.,;:]|$)")
+_GOES_ON = pattern(r"\|\s*\|")
 """A row without a first cell, which goes on with what the row above it is about."""
-_NUMBERED = re.compile(r"[(#,]\s*(?:id )?#?\d+\b")
+_NUMBERED = pattern(r"[(#,]\s*(?:id )?#?\d+\b")
 """A heading with an id: its whole section is about a message, and not about a parameter."""
-_CALLED = re.compile(
+_CALLED = pattern(
     r"(?:\d[\d.]* )?(?:Message |The message )?(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b(?=\s*(?:$|[(:,#\u2013-]))"
 )
-_CAPTION = re.compile(r"(?:^|\b[Mm]essage )(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b[^.]{0,60}:$")
+_CAPTION = pattern(r"(?:^|\b[Mm]essage )(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\b[^.]{0,60}:$")
 
 
 def _named(reading: Reading, part: Passage | CodeBlock) -> tuple[WireMessage, ...]:

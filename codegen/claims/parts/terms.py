@@ -18,6 +18,7 @@ from codegen.claims.reading import snake
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
 _SCALAR = r"u?int(?:8|16|32|64)(?:_t)?|[ui](?:8|16|32|64)|f(?:32|64)|float(?:32|64)?|double|char"
 _ORDER = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
@@ -32,7 +33,7 @@ _LONG_UNIT = (
 _SYMBOL = r"[A-Za-z%\u00b5\u00b0](?:[A-Za-z0-9%\u00b5\u00b0\u00b2\u00b3]|[/*^](?=[A-Za-z0-9])){0,18}+"
 _POWER = r"(?:1[eE]-?\d{1,2}|10\s?(?:\^|\*\*)\s?-?\d{1,2}|10{0,2}(?:[ ,\u00a0\u202f]000)+(?!\d)|10+(?![\d.]|[ ,]000))"
 _POWERS: Mapping[str, int] = {"hundred": 100, "thousand": 1000, "million": 10**6}
-_TERM = re.compile(
+_TERM = pattern(
     rf"""
     (?P<constant>(?<![\w.])(?:U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|NAN|[ui](?:8|16|32|64)::M(?:AX|IN)
       |float\(['"]nan['"]\)|0x[fF]{{2,16}})(?!\w))
@@ -70,22 +71,22 @@ _TERM = re.compile(
     """,
     re.VERBOSE,
 )
-_PLAIN_NUMBER = re.compile(
+_PLAIN_NUMBER = pattern(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
-_WORD = re.compile(r"\w+")
-_PLACE = re.compile(
+_WORD = pattern(r"\w+")
+_PLACE = pattern(
     r"(?:\w\.[A-Za-z]\w{0,4}:(?:\d{1,6}[:,-])?"
     r"|\b(?:lines?|pages?|steps?|issues?|tickets?|commits?) #?(?:\d{1,6}(?: ?[-\u2013,] ?| to | and ))?)$",
     re.IGNORECASE,
 )
 """Before the number of a line or the like: "gimbal.cpp:102", "line 102", "lines 102 to 110", "step 7"."""
-_PLACE_ALONE = re.compile(r"(?:^|[\s(`]):$")
+_PLACE_ALONE = pattern(r"(?:^|[\s(`]):$")
 """The same without its file, if a colon follows: ":102: NAME"."""
 _PLACE_MOST = 30
-_EMPHASIZED = re.compile(r"[A-Za-z](?:\*{1,2}|__?)$")
+_EMPHASIZED = pattern(r"[A-Za-z](?:\*{1,2}|__?)$")
 """Before the rest of a word whose beginning is in bold: "**nano**seconds"."""
-_FILLING = re.compile(r" bytes?\b|-(?:terminated|filled|padded|bytes?)\b")
+_FILLING = pattern(r" bytes?\b|-(?:terminated|filled|padded|bytes?)\b")
 """Behind "zero" where it is what a byte is, and not how many there are."""
 _SHARES: Mapping[str, int | Fraction] = {
     "tenth": 10,
@@ -96,17 +97,17 @@ _SHARES: Mapping[str, int | Fraction] = {
     "hundred": Fraction(1, 100),
     "thousand": Fraction(1, 1000),
 }
-_COMPOUND = re.compile(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
+_COMPOUND = pattern(rf"{_SYMBOL}(?:/[A-Za-z][A-Za-z0-9^]{{0,6}}){{0,2}}")
 _SHORT_UNITS = frozenset((
     "m", "s", "A", "V", "g", "h", "K", "G", "N", "J", "W", "C", "T", "l", "L", "us", "min", "bits", "bit", "bytes",
     "byte", "in", "a", "rad", "knots", "x",
 ))  # fmt: skip
 """Units that are as often a word or a name: they are read only where a unit has to stand."""
-_UNIT_PLACE = re.compile(
+_UNIT_PLACE = pattern(
     r"(?:\b(?:in|how many|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
     r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/>\u2192]|^|U,? (?:and|or) )\s?['\"]?$"
 )
-_UNIT_END = re.compile(
+_UNIT_END = pattern(
     r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are|you)\b"
     r"|[-\u2013\u2014(] ?)"
 )
@@ -330,9 +331,9 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
-_UNIT_KEY = re.compile(r"\bunits? ?[:=] ?$")
+_UNIT_KEY = pattern(r"\bunits? ?[:=] ?$")
 """Before the value of a key of YAML, which ends with its line."""
-_PER_SECOND = re.compile(r"\sper\ssecond\b")
+_PER_SECOND = pattern(r"\sper\ssecond\b")
 _ENGLISH = frozenset((
     "a", "s", "x", "bar", "min", "rev", "pix", "hour", "day", "kn", "kt", "bit", "bits", "byte", "bytes", "second",
     "minute", "degree", "meter", "metre", "gram", "ton", "sec", "turn", "turns",

@@ -4,7 +4,6 @@
 which messages a part may be about; the other modules each know what is said of one kind of thing and compare it.
 """
 
-import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
 
@@ -39,6 +38,7 @@ from codegen.claims.statements.unnamed import described, elements
 from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
     (types.check, "FP", "T"),
@@ -65,8 +65,8 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (lengths.sized, "FP", "N"),
 )
 """The checks, each with letters of terms: a part needs one of the first, and one of the second if there are any."""
-_HELD = re.compile(r"M \((?:id )?#?$")
-_FURTHER = re.compile(r", (?:of which|so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
+_HELD = pattern(r"M \((?:id )?#?$")
+_FURTHER = pattern(r", (?:of which|so|(?:and )?we|(?:and |but |while )?[FP] (?:is|are|has|have|goes|comes)) ")
 """The beginning of a further statement in a sentence."""
 
 

@@ -20,13 +20,14 @@ from codegen.claims.statements.unknown import NOTHING, is_unknown
 from codegen.claims.unknown_value import described_failures, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _THING = (
     r"(?:sensor|data|fix|gps|estimate|measurement|value|reading|module|receiver|input|signal|device|source|monitor|fan"
     r"|aid|temperature|information|idea|clock|time|probe|thermometer|thermistor|homing|encoder|echo|dop|counter|antenna|compass"
     r"|transponder|camera|estimator|beacon|tracker|gauge|meter|reference)"
 )
-_ABSENT = re.compile(
+_ABSENT = pattern(
     rf"\b{NOTHING}|\b(?:no|without an?|without|without any|lacks an?|has no) (?:[a-z]+ ){{0,2}}{_THING}s?\b"
     r"|\b(?:got|gets|had|finds?|sees?|receives?) no [a-z]+|\b(?:loses?|lost) (?:its|the|their|track)\b"
     r"|\bno (?:known |valid |own )?(?:values?|echo|lock|uid|number)\b"
@@ -37,7 +38,7 @@ _ABSENT = re.compile(
     r"|\b(?:has|have|is|was) not (?:yet )?(?:been )?(?:[a-z]+ )?(?:reported|measured|fitted|connected|computed|set"
     r"|seen|received)\b"
 )
-_TOLD = re.compile(
+_TOLD = pattern(
     r"unknown|invalid|\bmarks?\b|sentinel|no data|not (?:known|available|measured|valid)|n't know|not know|unused"
     r"|unavailable"
     r"|missing|absent|\bcannot\b|nothing is|no sensor|\bwithout (?:any |an? )?(?:measurement|sensor|data|value"
@@ -45,27 +46,27 @@ _TOLD = re.compile(
     r"|dop|known [a-z]+)\b|does(?: not|n't)|until a|\bno (?:known |valid )?value\b|\blo(?:st|ses?) (?:its"
     r"|the) reference|there (?:is|are) no |\bfail|\bbroken"
 )
-_NEGATED = re.compile(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
+_NEGATED = pattern(r"(?:\bnot|\bnever|n't|\bcannot) (?:[a-z]+ ){0,3}$|\brather than $|\bno longer [a-z ]{0,20}$")
 _RULED_OUT = words(
     PAST, MISTAKEN, PROPOSED, REPLACED[:1], r"\bnot (?:N|S)\b", r"\bour\b", r"\bignor(?:es|ing)\b", r"\bnever\b",
     r"\bdefault\b", r"\bstart(?:s|ed)? (?:at|with)\b",
     r"\b(?:do not|don't|must not|should not|not to) (?:send|use|set|fill|write|treat|put|take)",
 )  # fmt: skip
-_USED = re.compile(
+_USED = pattern(
     r"(?:N (?:to|and|or) |N, or |(?<!value) of |\b(?:than|above|below|over|under|least|most|about|until|version|param"
     r"|channels?|bytes?|bit|page|section"
     r"|element|index|number|first|last|within|every|by|times|plus|minus) |[<>\u2264\u2265+*/x-] ?|[NQ] ?|\.\."
     r"|\[)$"
 )
-_NO_VALUE = re.compile(
+_NO_VALUE = pattern(
     r" ?(?:[-+*/\u00d7%]|[NS]\b|\.\.|to N|bytes|times|hz|Q|U\b|of (?:the|these|them|all)|or more|or less"
     r"|[a-z]+s (?:of|are|in)\b|\]|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors|cores"
     r"|antennas|receivers)\b)"
 )
-_GAP = re.compile(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
-_OF_MESSAGE = re.compile(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
+_GAP = pattern(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
+_OF_MESSAGE = pattern(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
 _FAR = 70
-_QUESTION = re.compile(r"\? (?:then|so|in that case|send|use|set|fill|it|write|put|F|N|S)\b")
+_QUESTION = pattern(r"\? (?:then|so|in that case|send|use|set|fill|it|write|put|F|N|S)\b")
 _SMALL = (0, 1)
 """Numbers that a field may really have while something else is unknown."""
 
@@ -155,10 +156,10 @@ def _carried(span: Span, low: int, high: int) -> list[int]:
     return [] if others or low - before[-1].end > _CARRIED else [before[-1].names[-1]]
 
 
-_OF_IT = re.compile(r" (?:of|in) (?:the )?M\b")
-_IT = re.compile(r"\b(?:it|there|this|the field)\b")
-_BEGINS = re.compile(r"[^a-zA-Z]*(?:the )?(?:field )?")
-_OF_SEVERAL = re.compile(
+_OF_IT = pattern(r" (?:of|in) (?:the )?M\b")
+_IT = pattern(r"\b(?:it|there|this|the field)\b")
+_BEGINS = pattern(r"[^a-zA-Z]*(?:the )?(?:field )?")
+_OF_SEVERAL = pattern(
     r"\s*(?:the|both|all|these|those) (?:(?:N|[a-z]+) ){0,2}[a-z]{3,}s\b[^.;]*?\b(?:are|have|use|carry|hold)\b"
 )
 """The beginning of a sentence about several things, which no single field is: "the two temperatures are ..."."""
@@ -200,7 +201,7 @@ def _found(reading: Reading, span: Span, one: About, at: int, sentence: tuple[in
     yield reading.found(as_sure(SENTINEL, is_sure=one.is_sure), span.place(at), f"{one.name} {term.written}", text)
 
 
-_FAILS = re.compile(r"\bfail|\blost\b|\bloses?\b|\bbroken\b")
+_FAILS = pattern(r"\bfail|\blost\b|\bloses?\b|\bbroken\b")
 
 
 def _is_element(span: Span, offset: int) -> bool:

@@ -18,6 +18,7 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
 from codegen.model.units.unit import Unit, conversion
+from codegen.pattern import pattern
 
 _LINKS = frozenset((
     "is", "are", "sent", "send", "sends", "as", "in", "of", "on", "the", "wire", "for", "means", "meaning", "mean",
@@ -31,12 +32,12 @@ _LINKS = frozenset((
     "produce", "carried", "display", "when", "results", "reading",
     "yields", "turns", "nothing", "than", "from", "therefore", "thus", "hence", "visible", "seen", "up", "turned",
 ))  # fmt: skip
-_NOUNS = re.compile(r"\b(?:height|altitude|speed|current|temperature|angle|heading|pressure|distance|humidity)\b")
-_COMPARED = re.compile(
+_NOUNS = pattern(r"\b(?:height|altitude|speed|current|temperature|angle|heading|pressure|distance|humidity)\b")
+_COMPARED = pattern(
     r"(?:\b(?:above|below|over|under|than|least|most|within|until|after|before|about|roughly|between|beyond|to|every"
     r"|near|nearly|around|up to|from|by|per|each|and|or)|[<>~\u00b1+*/x\u00d7-]|\.\.|N[UM]?) ?$"
 )
-_BEHIND = re.compile(
+_BEHIND = pattern(
     r" ?(?:[-+*/\u00d7]|bits?\b|and Q|, Q|\.\.|to N|bytes?\b|octets?\b|times\b|hz\b|or (?:more|less)|%|\u00b1|and N"
     r"|U\b)"
 )
@@ -53,7 +54,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     yield from _intervals(reading, span)
 
 
-_INTERVAL_IS = re.compile(
+_INTERVAL_IS = pattern(
     r"(?P<name>F)(?: (?:of|in) M)?(?: (?:will|then|has|to|must|should|be|is|reads?|=|shows?|carries|holds?"
     r"|field))* ?(?:=|:)? ?(?P<value>N)"
     r"(?=\s*(?:[.,;)]|$|us\b|U))"
@@ -111,9 +112,9 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         return
 
 
-_EXAMPLE = re.compile(r"(?: [a-z]+){0,4}: F = ")
+_EXAMPLE = pattern(r"(?: [a-z]+){0,4}: F = ")
 """Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
-_SENT_AS = re.compile(
+_SENT_AS = pattern(
     r" ?(?:(?:is|are|would be|gets|has to be|must be|then|thus|therefore) )*(?:sent|coded|encoded|transmitted|written"
     r"|stored"
     r"|packed|comes?|comes out|goes out|goes|arrives?|travels?|appears?|represented|reported) (?:as|like"
@@ -142,7 +143,7 @@ _RULED_OUT = words(
     r"\bdivid", r"\bmultipl", r"\blimit", r"\bthreshold", r"\bresolution\b", r"\bsteps?\b", r"\baccura", r"\btoleran",
     r"\bfactor\b", r"\bwarn", r"\balarm",
 )  # fmt: skip
-_AGAINST = re.compile(
+_AGAINST = pattern(
     r"[ ,]*(?:[a-z]+ ){0,3}(?:south|west|down|below|beneath|under|left|back|behind|aft|astern|port|revers|charg|descen"
     r"|sink|brak|lower)"
 )
@@ -158,7 +159,7 @@ def _bounds(span: Span, at: int) -> tuple[int, int]:
     return span.bounds(at)
 
 
-_PARAMETER = re.compile(r"\b(?:param\w*|ids?|messages?|msg|command|section|version|channel|index|no|item|row) ?$|# ?$")
+_PARAMETER = pattern(r"\b(?:param\w*|ids?|messages?|msg|command|section|version|channel|index|no|item|row) ?$|# ?$")
 
 
 def _is_parameter(text: str, low: int, offset: int) -> bool:

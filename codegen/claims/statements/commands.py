@@ -14,20 +14,21 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry
 from codegen.model.units.unit import Unit
 from codegen.once import once
+from codegen.pattern import pattern
 
-_NUMBERED = re.compile(
+_NUMBERED = pattern(
     r"\b(?:param(?:eter)?s?) ?(?:no\.? |number |#)?(?P<spaced>N)|\bparam(?P<joined>[1-7])\b|\bp(?P<short>[1-7])\b"
 )
 _LINK = r"(?:is|are|=|:|\||holds?|carries|has|means|gives|sets|takes|tells|stands for|to|for|\(|-|\u2013|\u2014)"
-_BEHIND = re.compile(
+_BEHIND = pattern(
     rf"\)? ?(?:of V ?|in V ?)?,? ?{_LINK}[ |]*(?:[NQ], )?(?:the |an? |its )?(?P<what>[a-zPU][a-zPU /'-]{{2,40}})"
 )
-_BEFORE = re.compile(
+_BEFORE = pattern(
     r"(?:the |an? |with |: ?)(?P<what>[a-zPU][a-zPU /'-]{2,40}?)(?: \(U\)| in U)?(?: (?:is|goes|stands|belongs"
     r"|comes|sits))?"
     r" (?:in|into|as|by) (?:the )?$"
 )
-_STOPS = re.compile(
+_STOPS = pattern(
     r"\b(?:in|of|as|and|or|where|which|that|if|when|from|with|for|must|not|is|are|goes|to|here)\b|[,.;:|()]"
 )
 _RULED_OUT = words(ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED)
@@ -97,7 +98,7 @@ def _said(
     reading: Reading, span: Span, found: "re.Match[str]", said: "re.Match[str]", command: EnumEntry, at: int
 ) -> Iterator[Diagnostic]:
     text = span.source_text(*said.span("what")).lower()
-    what = _content(_STOPS.split(text)[0] if said.re is _BEHIND else _STOPS.split(text)[-1])
+    what = _content(_STOPS.split(text)[0] if said.start() >= found.end() else _STOPS.split(text)[-1])
     own = next((each for each in command.parameters if each.number == str(at)), None)
     if not what or own is None:
         return
@@ -130,7 +131,7 @@ def _unit(
     yield reading.found(PARAMETER, span.place(stated.start("unit")), f"{command.name} {own.number} {written}", text)
 
 
-_AMOUNT = re.compile(r"\)? ?(?:=|is|:|to|of|set to)? ?(?:N ?\(?(?P<unit>U)\)?|(?P<amount>Q))(?=\s*(?:[,.;)|]|$|and\b))")
+_AMOUNT = pattern(r"\)? ?(?:=|is|:|to|of|set to)? ?(?:N ?\(?(?P<unit>U)\)?|(?P<amount>Q))(?=\s*(?:[,.;)|]|$|and\b))")
 """A parameter with its value and the unit of it."""
 
 

@@ -19,6 +19,7 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 from codegen.once import once
+from codegen.pattern import pattern
 
 _WORD = (
     r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then"
@@ -26,27 +27,27 @@ _WORD = (
 )
 _ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|[-\u2013\u2014] ))"
 _PAIRS = (
-    re.compile(
+    pattern(
         rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is"
         rf"|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is"
         rf"|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
     ),
-    re.compile(
+    pattern(
         r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is"
         r"|has(?: the)? value|bit)+ ?(?P<bit>\bbit )?(?P<value>N)(?=\s*(?:[),.;|\]}]|$|\*/|\band\b))"
     ),
 )
-_ALONE = re.compile(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}")
-_QUOTED = re.compile(r"[\"'\u201c\u201d]")
+_ALONE = pattern(rf"[\s:=]{{0,4}}(?P<value>N), (?P<words>{_WORD}){_ENDS}", needs="N,")
+_QUOTED = pattern(r"[\"'\u201c\u201d]")
 _NOT = ruled_out.words(
     DENIED[:2], REPLACED[:1], MISTAKEN[:1], SUPPOSED[:1], OWN[:1], r"\bown\b", r"\bfirst\b", r"\bversion\b", r"\bper\b"
 )
-_RESPECTIVELY = re.compile(r"(?:N(?:, N)*,? and|N,) $")
+_RESPECTIVELY = pattern(r"(?:N(?:, N)*,? and|N,) $")
 """Before the last of several values: "2 and 4 are horizontal and vertical velocity"."""
-_IN_TURN = re.compile(r" and N\)")
+_IN_TURN = pattern(r" and N\)")
 """Behind the first of two values in parentheses, one for each of two things: "float and fixed RTK (5 and 6)"."""
 _FEWEST = 2
-_CONSTANT = re.compile(
+_CONSTANT = pattern(
     r"^\s*(?:#define|(?:pub |export |static |public |constexpr |final |val |private )*(?:const|let|var|int"
     r"|uint8_t|u8|val|static)?(?: (?:u?int\d+_t|int))?)\s*"
     r"(?P<name>[A-Za-z][A-Za-z0-9_]{1,80})(?:\s*:\s*\w+)?\s*(?:=|\s|\()\s*\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8}"
@@ -126,7 +127,7 @@ def _only(reading: Reading, span: Span, enum: EnumDefinition, low: int, high: in
     yield reading.found(as_sure(ENTRY_VALUE, is_sure=False), span.place(numbers[0]), f"{entry.name} {written}", text)
 
 
-_TOLD_FIRST = re.compile(r"[\s|:=(,]*(?:(?:is|has|always|must be|set to|fixed at|the|value|to|as|=)[\s:]*){0,4}")
+_TOLD_FIRST = pattern(r"[\s|:=(,]*(?:(?:is|has|always|must be|set to|fixed at|the|value|to|as|=)[\s:]*){0,4}")
 
 
 def _enums_named(span: Span) -> list[str]:
@@ -135,7 +136,7 @@ def _enums_named(span: Span) -> list[str]:
     return [str(term.value) for at, term in named if not _NO_ENUM.search(span.text, max(at - 20, 0), at)]
 
 
-_NO_ENUM = re.compile(r"\b(?:not|no|never|nor) (?:an? |any |the |from |of |in )*$")
+_NO_ENUM = pattern(r"\b(?:not|no|never|nor) (?:an? |any |the |from |of |in )*$")
 
 
 def _subject(reading: Reading, above: Span, spans: Sequence[Span]) -> _Subject | None:

@@ -10,35 +10,34 @@ from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _NAMED = (
-    re.compile(
+    pattern(
         r"(?P<name>V)(?: ?(?:\(|=|:|\||->|\u2192|[;,)]+ *(?://|#|/\*)) ?|,? (?:(?:which|that|it) )?(?:is|has|equals"
         r"|as)(?: the)?(?: value| number| bit| code"
         r"| mask| command| cmd)*(?: of)? |,? \(?(?:command|value|number|code|cmd)(?: id)?(?: is)? |, i\.?e\.?,?"
         r" )(?P<value>N)(?![\w.]\d| ?(?:bytes|hz|%)|\s?[-+*/] ?N)"
     ),
-    re.compile(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$|, (?:for|as|in|is)\b))"),
-    re.compile(
-        r"(?P<value>N)(?: is| means| for| =|:)? (?:an? |the )?(?:[a-z]+|P)(?: (?:[a-z]+|P)){0,4} \((?P<name>V)\)"
-    ),
-    re.compile(
+    pattern(r"(?<!, )(?P<name>V), (?P<value>N)(?=\s*(?:[.;)]|$|, (?:for|as|in|is)\b))"),
+    pattern(r"(?P<value>N)(?: is| means| for| =|:)? (?:an? |the )?(?:[a-z]+|P)(?: (?:[a-z]+|P)){0,4} \((?P<name>V)\)"),
+    pattern(
         r"(?P<value>N)(?: ?(?:\(|=|:|\||->|\u2192|,|\u2013|-) ?| |,? (?:is|means|stands for|for|that is|which is"
         r"|this is"
         r"|meaning|i\.e\.|names)(?: the)? )(?P<name>V)(?! ?[=(:|] ?N)(?! ?(?:\||\+|&|and|plus) ?V)"
     ),
 )
-_AFTER_NAME = re.compile(r"V(?: ?[(=:,]? ?| is | has )$")
-_VALUE_HEAD = re.compile(
+_AFTER_NAME = pattern(r"V(?: ?[(=:,]? ?| is | has )$")
+_VALUE_HEAD = pattern(
     r"^$|value|numbers?\b|\bnum\b|\bno\.?$|\bids?\b|\bcodes?\b|\bbits?\b|\bdec|\bhex|\bmask|#|wire|entry|content"
     r"|source|sent|example|meaning|enum|default|is\b",
     re.IGNORECASE,
 )
-_NUMBER_FIRST = re.compile(r"(?:^|[^V\s,]|\bor|\band),? ?N ?[=:]? ?V,? ?(?:and |or )?$")
+_NUMBER_FIRST = pattern(r"(?:^|[^V\s,]|\bor|\band),? ?N ?[=:]? ?V,? ?(?:and |or )?$")
 _LIST = 24
 
 
-_ROW = re.compile(r"V (?:(?:is|has|=) )?N(?:(?:, (?:and )?| and )V (?:(?:is|has|=) )?N){2,30}")
+_ROW = pattern(r"V (?:(?:is|has|=) )?N(?:(?:, (?:and )?| and )V (?:(?:is|has|=) )?N){2,30}")
 
 
 def _listed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -98,11 +97,11 @@ def _is_beside_by_chance(span: Span, low: int, high: int) -> bool:
     return not (is_pair or is_table)
 
 
-_CHOICE = re.compile(r"\?[^?:;]*[NV]$")
+_CHOICE = pattern(r"\?[^?:;]*[NV]$")
 """The first of two values of which a condition chooses one: "ok ? 0 : NAME"."""
-_CALLED = re.compile(r"[\w\])>]\((?:[^()]|\([^()]*\))*$")
+_CALLED = pattern(r"[\w\])>]\((?:[^()]|\([^()]*\))*$")
 """The open parenthesis of a call."""
-_IN_LIST = re.compile(r"\b[NQSV], $")
+_IN_LIST = pattern(r"\b[NQSV], $")
 """A longer list, of which nobody can tell what belongs to what: "3, NAME, 0"."""
 _OF_VALUES = ("", "csv", "tsv", "text", "txt")
 

@@ -1,6 +1,5 @@
 """The year from which a field counts its time: "seconds since 1970" of one that counts from 2019."""
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
@@ -11,9 +10,10 @@ from codegen.claims.statements.fields import number, said_of_fields
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
-_SINCE = re.compile(r"\b(?:since|from|after) (?:the )?(?:[a-z]+ ){0,3}(?:N[ /.-]*(?:[a-z]+ )?)?(?P<year>N)")
-_YEAR = re.compile(r"\b(?:19|20)\d\d\b")
+_SINCE = pattern(r"\b(?:since|from|after) (?:the )?(?:[a-z]+ ){0,3}(?:N[ /.-]*(?:[a-z]+ )?)?(?P<year>N)")
+_YEAR = pattern(r"\b(?:19|20)\d\d\b")
 _NOT = words(DENIED, REPLACED, PAST, MISTAKEN)
 
 

@@ -12,16 +12,18 @@ from codegen.claims.statements.fields import Said, each_about, made_of, number, 
 from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _NAMES = r"(?P<names>[FP](?:(?:,? and |,? or |, ?| ?/ ?| ?& ?)[FP]){0,20})"
-_GROUP = re.compile(_NAMES)
-_KIND = re.compile(
+_GROUP = pattern(_NAMES)
+_KIND = pattern(
     r"\b(?:extensions?|extension fields?)\b(?! of (?!M)| [FP]\b)"
     r"|\b(?:base fields?|the base|base payload)\b|\bno extensions?\b"
     r"|\bthe (?:later|last|new) additions?\b|\bthe (?:later|newer) fields\b"
-    r"|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b"
+    r"|\bthe (?:original|initial) (?:message|fields|definition|payload|part)\b",
+    needs="addition|base|extension|initial|original|later|newer",
 )
-_AND_REST = re.compile(
+_AND_REST = pattern(
     r"^,? (?:and|with) (?:all )?(?:the )?(?:following|next|later|others|rest|ones behind|ones after|that follow)\b"
     r"(?: it)?"
 )
@@ -36,18 +38,20 @@ _IDLE = _VERBS | frozenset((
     "type", "part", "which", "that", "following", "one", "well", "ones", "others", "here",
     "mavlink", "v", "normal", "regular", "ordinary", "plain", "too", "also", "just", "not", "no",
 ))  # fmt: skip
-_LIST = re.compile(
+_LIST = pattern(
     rf"(?P<kind>extensions?(?: fields?)?|base fields?)(?: of M)?(?: are|:| is| \u2013| -"
-    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)"
+    rf"|,){{1,4}}(?: the)?(?: fields?)? {_NAMES}(?! (?:is|are|has|have|belongs?|counts?|was|were)\b)",
+    needs="base field|extension",
 )
-_OFFSET = re.compile(
+_OFFSET = pattern(
     r"(?:(?:at|from|has|is|begins? at|starts? at|sits at|lies at|stands at|comes at|is at|found at|,|\(|:|//|/\*"
     r"|#|\*|\|)\s?)+(?:the )?"
     r"(?:(?:byte )?offset(?: of| is|:| =)?|bytes?(?: number)?|position|index) ?(?P<number>N)(?!\s?(?:bytes"
-    r"|,? ?(?:to|\.\.|-) ?N))"
+    r"|,? ?(?:to|\.\.|-) ?N))",
+    needs="byte|index|offset|position",
 )
-_AT = re.compile(r"@ ?(?P<number>N)")
-_ENUM = re.compile(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
+_AT = pattern(r"@ ?(?P<number>N)")
+_ENUM = pattern(r"[^.;EC]{0,60}?(?P<enum>[EC])(?![\w*])")
 _ENUM_IDLE = frozenset((
     "is", "are", "an", "a", "from", "of", "use", "uses", "the", "enum", "type", "taken", "see", "value", "values",
     "entry", "in", "one", "hold", "holds", "has", "contains", "as", "by", "bitmask", "bits", "flags", "list", "code",
@@ -67,8 +71,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _enum(reading, said)
 
 
-_PLACED = re.compile(r"(?P<name>[FP]) ?\((?P<number>N)\)")
-_OFFSETS = re.compile(r"\boffsets?\b", re.IGNORECASE)
+_PLACED = pattern(r"(?P<name>[FP]) ?\((?P<number>N)\)")
+_OFFSETS = pattern(r"\boffsets?\b", re.IGNORECASE)
 
 
 def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -135,12 +139,12 @@ def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _kinds(reading, span, names if is_of_all else names[-1:], far, is_extension=is_extension)
 
 
-_RESUMED = re.compile(
+_RESUMED = pattern(
     r"[;:,] ?(?:and |but |so )?(?P<what>it|the field|both|they|these|all(?: of them| three| four)?) (?=is|are"
-    r"|belongs?|c[ao]me|counts?)"
+    r"|belongs?|c[ao]me|counts?)",
 )
 """A clause that goes on about the names before it."""
-_IT = re.compile(r"[.;!] it\b")
+_IT = pattern(r"[.;!] it\b")
 
 
 def _is_so(reading: Reading, span: Span, offset: int, *, is_extension: bool) -> bool:
@@ -149,15 +153,19 @@ def _is_so(reading: Reading, span: Span, offset: int, *, is_extension: bool) -> 
     return one is not None and one.field.definition.is_extension == is_extension
 
 
-_THESE = re.compile(
+_THESE = pattern(
     r"\b(?:these|those|all|the last) (?P<many>N)(?: fields)? are (?:all |also )?(?P<kind>extension|base)(?: field)?s?\b"
 )
-_CLAUSE = re.compile(
-    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))"
+_CLAUSE = pattern(
+    r"[,;:.|(\u2013]\s*(?:an? |also )?(?P<kind>extension|base)(?: field)?(?=\s*(?:[,;|)]|\.(?:\s|$)|$|\*/))",
+    needs="base|extension",
 )
 """A clause of an item or a cell that is nothing else."""
-_NAMED_SO = re.compile(r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))")
-_MARKED = re.compile(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
+_NAMED_SO = pattern(
+    r"\b(?P<kind>extension|base field)(?: field)? (?P<name>F)\b(?! of (?!M))",
+    needs="base field|extension",
+)
+_MARKED = pattern(r"F ?[(\[](?:T,? |U,? )*(?P<kind>ext\.?|extension|base)(?: field)?[)\]]")
 _NEAR = 90
 """Characters between names and what kind of fields they are."""
 
@@ -181,7 +189,7 @@ def _kinds(
             )
 
 
-_AND_THE = re.compile(r"\band (?:then )?(?:the|its|all) [a-zFP]")
+_AND_THE = pattern(r"\band (?:then )?(?:the|its|all) [a-zFP]")
 """Another thing whose place follows: "`count` (1), and the data from byte 7"."""
 
 
@@ -241,7 +249,7 @@ def _enum(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
-_OF_THE = re.compile(r" (?:of|in) (?:the|an?|this|that) [a-z]+ ")
+_OF_THE = pattern(r" (?:of|in) (?:the|an?|this|that) [a-z]+ ")
 
 
 def _is_entry(reading: Reading, enum: str, written: str) -> bool:

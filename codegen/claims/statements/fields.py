@@ -12,33 +12,36 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.once import once
+from codegen.pattern import pattern
 
 _JOIN = r"(?:,? (?:and|or|to|through|as well as) |, ?| ?/ ?| ?& ?| ?\+ ?| ?\.\.\.? ?| ?\u2026 ?| ?[-\u2013] ?)"
-_GROUP = re.compile(rf"[FP](?:{_JOIN}[FP])*")
-_BEGINS = re.compile(
+_GROUP = pattern(rf"[FP](?:{_JOIN}[FP])*")
+_BEGINS = pattern(
     r"[\s|*#/>.!<-]*(?:(?:the |a |field |fields |its |both |column |member |new |pub |let |mut |const |readonly "
     r"|public |private )*)"
 )
-_SUBJECT = re.compile(
+_SUBJECT = pattern(
     r"\)?(?: (?:field|fields|value|values|member|members))?(?: of M)?[,]? (?:is|are|has|have|holds?|counts?"
     r"|comes?|stands?|takes?|uses)\b"
 )
 
 
-_SENTENCE = re.compile(r"[.!?:] (?:the )?$")
-_FIELD_CELL = re.compile(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
-_MEMBER = re.compile(r"[a-z_]\.$")
+_SENTENCE = pattern(r"[.!?:] (?:the )?$")
+_FIELD_CELL = pattern(r"\|\s*(?:M ?)?F(?: ?[,/&] ?F)*(?: ?\([^|]*\))?\s*(?=\||$)")
+_MEMBER = pattern(r"[a-z_]\.$")
 """Before the name of a member of another thing, ``T_wb.q``."""
-_OF_ANOTHER = re.compile(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
+_OF_ANOTHER = pattern(r"\b(?:to|of|from|above|over|behind|below|for|at|on|by) the $")
 """Before an everyday word that tells more of another thing: "the distance to the target is ..."."""
-_EXCEPT = re.compile(
-    r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$"
+_EXCEPT = pattern(
+    r"\b(?:all but|except(?: for)?|apart from|other than|besides|unlike|other messages [^.]{0,20}) (?:the )?$",
+    needs="all but|apart|besides|except|other messages|other than|unlike",
 )
 
 
-_CONTRAST = re.compile(
+_CONTRAST = pattern(
     r"\b(?:where|while|whereas|unlike|but|as) (?:in )?(?:the|its|their|that) (?:(?!and\b)[a-z]+ ){0,2}?"
-    r"(?:ones?|others?|latter|former)\b"
+    r"(?:ones?|others?|latter|former)\b",
+    needs="former|latter|one|other",
 )
 """A clause about another thing of the same name: "`lat_int` is an integer where the local one has a float"."""
 
@@ -132,11 +135,9 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
     )
 
 
-_TURNED_INTO = re.compile(r"[FP] ?(?:\u2192|->|=>) ?$")
+_TURNED_INTO = pattern(r"[FP] ?(?:\u2192|->|=>) ?$")
 """Before the name that a field has elsewhere: "`uas_id` -> `id`"."""
-_LIMITED = re.compile(
-    r" (?:of |is |has )?(?:at most|up to|no more than) N (?:bytes|characters|chars|elements|entries)\b"
-)
+_LIMITED = pattern(r" (?:of |is |has )?(?:at most|up to|no more than) N (?:bytes|characters|chars|elements|entries)\b")
 """Behind a word that is the name of an array."""
 _SEVERAL = 3
 """Everyday words that are names of fields, and hardly anything else where so many stand together."""

@@ -23,6 +23,7 @@ from codegen.claims.statements.fields import Said, made_of, named, number, said_
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED, CONVERTED, MISTAKEN, SUPPOSED, OWN[:1], r"buffer", r"\bthan\b", r"\bif\b",
@@ -33,44 +34,52 @@ _NOUN = (
     r"|distances|bins|sectors|channels)"
 )
 _HELD = (
-    re.compile(
+    pattern(
         rf"N (?:more |of the )?(?P<noun>{_NOUN}) (?:(?:can be |are |will |may |do )?(?:fit|stored|held|kept|sent"
         rf"|there) )?(?:in|into|of|for|inside)"
         r" (?:the )?(?:array |field |list )*(?P<name>F|(?<=array )P|(?<=field )P|(?<=list )P)(?! ?(?:of (?!M)|[-+*/]))"
     ),
-    re.compile(rf"\b(?:up to|carry|carries|holds?|takes?|has) (?P<value>N) {_NOUN},? \((?P<name>F)\)"),
-    re.compile(rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b"),
-    re.compile(
+    pattern(rf"\b(?:up to|carry|carries|holds?|takes?|has) (?P<value>N) {_NOUN},? \((?P<name>F)\)"),
+    pattern(
+        rf"\b(?:with|all) (?:its |the |of its )?(?P<value>N) {_NOUN},? (?P<name>F)\b",
+        needs="all|with",
+    ),
+    pattern(
         r"\b(?:only|at most|up to|exactly|just) (?P<value>N) (?:\w+ )?(?:fit|fits|are|can be)(?: \w+)? (?:in|into"
         r"|inside)"
-        r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)"
+        r" (?:the )?(?:array |field )*(?P<name>F|(?<=array )P|(?<=field )P)",
+        needs="at most N|exactly N|just N|only N|up to N",
     ),
-    re.compile(
+    pattern(
         r"\b(?:length|size|dimension|number of (?:elements|entries|values|items)|count|capacity) (?:of|for|in)"
         r" (?:the )?(?:array |field |list )*(?P<name>F)(?: (?:of|in) M)? ?(?:is|=|:|being|has to be|must be|,)+"
         r" ?(?P<value>N)"
-        r"(?! ?(?:bytes?|hz|%|U|[-+*/]))"
+        r"(?! ?(?:bytes?|hz|%|U|[-+*/]))",
+        needs="capacity|count|dimension|length|number of|size",
     ),
-    re.compile(
+    pattern(
         rf"\b(?:ends|stops|fills|closes|cuts) (?:its |the )?(?:array |field |list )?(?P<name>F) (?:after|at|with)"
-        rf" (?P<value>N) (?P<noun>{_NOUN})"
+        rf" (?P<value>N) (?P<noun>{_NOUN})",
+        needs="F after N|F at N|F with N",
     ),
-    re.compile(
+    pattern(
         r"(?P<name>F)(?: (?:of|in) M)? (?:ends|stops|is full|is cut|is over) (?:after|at|with) (?P<value>N)"
-        rf" (?P<noun>{_NOUN})"
+        rf" (?P<noun>{_NOUN})",
+        needs="ends|is cut|is full|is over|stops",
     ),
-    re.compile(
+    pattern(
         r"(?P<name>F)(?: (?:of|in) M)?(?: is|:|,| has| \()* ?(?:an |the )?(?:array|list|vector) (?:of|with)"
         r" (?P<value>N)"
-        r"(?! ?(?:bytes? |bits|x\b|by\b|[A-Z*/]))"
+        r"(?! ?(?:bytes? |bits|x\b|by\b|[A-Z*/]))",
+        needs="array|list|vector",
     ),
 )
-_SIZED_IN_CODE = re.compile(r"\b(?:size|length|len|elements|entries|dimension|count|as long as|long)\b")
-_COUNT_IN_CODE = re.compile(r"(?:\[ ?|\* ?|\( ?|= ?|, ?)(?P<value>N)(?= ?[\]);,]|\s*$)")
-_COMMENT = re.compile(r"#|//|/\*")
+_SIZED_IN_CODE = pattern(r"\b(?:size|length|len|elements|entries|dimension|count|as long as|long)\b")
+_COUNT_IN_CODE = pattern(r"(?:\[ ?|\* ?|\( ?|= ?|, ?)(?P<value>N)(?= ?[\]);,]|\s*$)")
+_COMMENT = pattern(r"#|//|/\*")
 
 
-_ELEMENTS = re.compile(
+_ELEMENTS = pattern(
     r"N (?P<what>elements?|entries|values|items|numbers|slots|characters?|chars|letters|cells|cores|sectors"
     r"|bytes?|octets?|channels"
     r"|bins|places|components|samples|motors|sensors|measurements)\b(?! (?:of (?!T)|per|behind|before|after|further"
@@ -84,11 +93,11 @@ _HOLDS = frozenset((
     "max", "field", "consists", "T", "U", "M", "in", "provides", "reserves", "offers", "fits", "fit", "stores", "made",
     "there", "are", "room", "which",
 ))  # fmt: skip
-_REST = re.compile(
+_REST = pattern(
     r"[,;:.]? ?(?:and |while |but |so )?(?:(?:all|any) )?(?:the )?(?:other|others|remaining|rest|remainder)\b"
 )
 """Behind elements that are used, and not all that there are: "six cells, the other four are unknown"."""
-_LESS = re.compile(
+_LESS = pattern(
     r"\b(?:first|last|lower|upper|only|some|least|more|less|fewer|about|other|remaining|own|our|often|used|uses"
     r"|not|never)\b|\busually\b"
 )
@@ -104,7 +113,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _in_code(reading, span)
 
 
-_VALUE_OF = re.compile(
+_VALUE_OF = pattern(
     r"\b(?:value|maximum|minimum|largest|limit|range) (?:value |number )?(?:of|in|for) (?:the )?(?:field )?$"
 )
 
@@ -222,9 +231,10 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
-_SIZED = re.compile(
+_SIZED = pattern(
     r"N bytes?(?: (?:of|for|long))?(?: the)? (?P<name>[FP])"
-    r"(?!\w|,? (?:and|to|through|up to) [FP]|, [FP]|/| ?(?:-|\u2013|\.\.\.?|\u2026) ?[FP]| ?[NQ])"
+    r"(?!\w|,? (?:and|to|through|up to) [FP]|, [FP]|/| ?(?:-|\u2013|\.\.\.?|\u2026) ?[FP]| ?[NQ])",
+    needs="N byte",
 )
 
 

@@ -18,8 +18,9 @@ from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.units.unit import Unit, conversion, unit_named
+from codegen.pattern import pattern
 
-_TOP = re.compile(
+_TOP = pattern(
     r"\b(?:(?:can|could|will|may|must)(?: ?not|not|n't)? (?:be|go|get|exceed|hold|carry|count|reach|have|show|tell|say)"
     r"(?: (?:more|larger|greater|higher|bigger|further|values|numbers|up|beyond|above|over))*(?: than| to| at most)?"
     r"|cannot (?:be|go|get|exceed|hold|carry|count|reach)"
@@ -35,21 +36,22 @@ _TOP = re.compile(
     r"(?: (?:that )?(?:M )?F (?:can|could|may) (?:show|hold|carry|have|tell|reach))?(?: (?:is|at|of|being|only))*"
     r"[ :=]*(?P<value>[NQ])"
 )
-_UP_TO = re.compile(
+_UP_TO = pattern(
     r"(?:\bup to [NQ](?= (?:can|could|may|fit|fits|(?:is|are) possible)\b)"
-    r"|\b(?:enough for|values|numbers|readings) up to [NQ])"
+    r"|\b(?:enough for|values|numbers|readings) up to [NQ])",
+    needs="up to",
 )
-_OVER = re.compile(
+_OVER = pattern(
     r"\b(?:anything|values|numbers|nothing|a value|more than|what is) (?:above|over|beyond|larger than|greater"
     r" than)? ?(?P<value>[NQ])"
     r" (?:does not|do not|cannot|will not|doesn't|don't|can't|never) (?:fit|go|be|get) (?:into|in|stored in|sent"
     r" in|held by)? ?(?:the )?(?:field )?$"
 )
-_SPAN = re.compile(
+_SPAN = pattern(
     r"(?P<low>[NQ]) ?(?:U ?)?(?:\.\.\.?| ?\u2026 ?| ?[-\u2013] ?| to | and | through | up to )(?:about"
     r" )?(?P<value>[NQ])"
 )
-_RANGE = re.compile(
+_RANGE = pattern(
     r"\b(?:accepts?|takes?|allows?|holds?|carries|supports|from|between|range|ranges|values?|goes|runs|valid"
     r"|allowed|covers|scale|in|is|are|has|have) |[(\[:,|=]"
     r" ?$|^ ?$"
@@ -58,13 +60,13 @@ _RULED_OUT = words(
     DENIED[1:2], REPLACED, PAST, OWN, MISTAKEN, PROPOSED, SHOWN, r"\bshould\b", r"\bpulse", r"\bbytes?\b", r"\belement",
     r"\bscaled", r"\bdivid", r"\bmap(?:ped|s)?\b", r"\bsensor\b", r"\btypical", r"\bnormal",
 )  # fmt: skip
-_NOT_ONE = re.compile(r"\bnot\b(?! (?:be|go|get|exceed|hold|carry|count|reach|more|larger))")
+_NOT_ONE = pattern(r"\bnot\b(?! (?:be|go|get|exceed|hold|carry|count|reach|more|larger))")
 _TOPS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MAX")}))
 _BOTTOMS = tuple(sorted({value for name, value in LIMITS.items() if name.endswith("_MIN") and value < 0}))
-_CAN_SHOW = re.compile(r"\b(?:can|could|may) show\b")
+_CAN_SHOW = pattern(r"\b(?:can|could|may) show\b")
 """Words for the range of a field: it can show no more than it carries."""
 _FAR = 90
-_UNITS_BEHIND = re.compile(r" ?U\b")
+_UNITS_BEHIND = pattern(r" ?U\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +90,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     yield from _beyond(reading, span)
 
 
-_BEYOND = re.compile(
+_BEYOND = pattern(
     r"\b(?:more|anything|values?|numbers?|whatever is|what is) (?:is )?(?:than|above|over|beyond|larger than|greater"
     r" than)"
     r" (?P<value>[NQ]) (?:cannot|can not|can never|cant|will not|wont|does not|do not|doesnt|dont) (?:be"
@@ -97,7 +99,7 @@ _BEYOND = re.compile(
 )
 
 
-_CANNOT = re.compile(r"(?:not|cant|wont|doesnt|dont|never) (?:be|fit)\b")
+_CANNOT = pattern(r"(?:not|cant|wont|doesnt|dont|never) (?:be|fit)\b")
 
 
 def _beyond(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -126,7 +128,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
     ):
         if found is None or (found.end() <= said.end and found["value"] is None):
             continue
-        at = found.end() - 1 if found.re is _UP_TO else found.start("value")
+        at = found.start("value") if "value" in found.re.groupindex else found.end() - 1
         if (at < said.end and found is not lead) or at - said.end > _FAR:
             continue
         gap = _CAN_SHOW.sub("", text[low:at])
@@ -185,7 +187,7 @@ def _described(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]
 _TURNS = (360, 3600, 36000)
 _SCALED = 50
 """So many times as much is the same in a smaller unit."""
-_RUNS = re.compile(
+_RUNS = pattern(
     r"\b(?:runs?|goes|ranges?|between|from|is|are|range|scale|scaled|accepts?|takes?|values?|number)\b[^,]*$"
     r"|^ ?[(:,] ?$"
 )

@@ -1,6 +1,5 @@
 """Numbers that are said to be several flags of a field together: "`flags` = 514, which is A and B"."""
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.enum_names import flags
@@ -9,23 +8,20 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import ENTRY_VALUE, as_sure
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
+from codegen.pattern import pattern
 
 _FLAG = r"V(?: ?\(N\))?"
 _JOIN = r"(?: ?(?:\||\+|,|&|and|plus|with|or)+ ?)+"
 _FLAGS = rf"(?P<flags>{_FLAG}(?:{_JOIN}{_FLAG}){{1,8}})"
 _SUM = (
-    re.compile(
-        rf"(?P<sum>N)(?: ?\(N\))?(?:,? ?(?:=|which is|that is|i\.e\.|is|means|:|\(|for|from))+ ?(?:the )?{_FLAGS}"
-    ),
-    re.compile(
-        rf"{_FLAGS} ?(?:together|in total|,)? ?(?:=|is|are|gives?|makes?|add up to|sum to|i\.e\.) ?(?P<sum>N)\b"
-    ),
+    pattern(rf"(?P<sum>N)(?: ?\(N\))?(?:,? ?(?:=|which is|that is|i\.e\.|is|means|:|\(|for|from))+ ?(?:the )?{_FLAGS}"),
+    pattern(rf"{_FLAGS} ?(?:together|in total|,)? ?(?:=|is|are|gives?|makes?|add up to|sum to|i\.e\.) ?(?P<sum>N)\b"),
 )
-_MORE = re.compile(r" ?(?:\||\+|,|&|and|plus|with) ?(?:[A-Z]|others?|more|some|the)|\.\.\.|[ ,]*(?:etc|among)")
-_LESS = re.compile(r"\b(?:not|except|without|but|minus|unless|instead|if|old|wrong)\b|[-+*|&~/<>] ?$")
+_MORE = pattern(r" ?(?:\||\+|,|&|and|plus|with) ?(?:[A-Z]|others?|more|some|the)|\.\.\.|[ ,]*(?:etc|among)")
+_LESS = pattern(r"\b(?:not|except|without|but|minus|unless|instead|if|old|wrong)\b|[-+*|&~/<>] ?$")
 
 
-_VALUE_OF_FIRST = re.compile(r"\bN (?:is|=|means|stands for) ?$")
+_VALUE_OF_FIRST = pattern(r"\bN (?:is|=|means|stands for) ?$")
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:

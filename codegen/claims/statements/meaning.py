@@ -1,11 +1,11 @@
 """The entry of an enum that words mean: by its name without what all names begin with, or by its description."""
 
-import re
 from collections.abc import Sequence
 from functools import cached_property
 
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 from codegen.once import once
+from codegen.pattern import pattern
 
 _IDLE = frozenset((
     "a", "an", "the", "is", "are", "for", "means", "of", "to", "mode", "state", "type", "and", "value", "it", "in",
@@ -17,7 +17,7 @@ _NO_WORDS = frozenset((
     "elements", "entries", "values", "samples", "seconds", "minutes", "metres", "meters", "percent", "messages",
     "per", "hours", "volts", "degrees", "cells", "channels", "characters", "floats",
 ))  # fmt: skip
-_WORD = re.compile(r"[a-z0-9]+")
+_WORD = pattern(r"[a-z0-9]+")
 _SAME = {"lost": "loss", "ok": "accepted", "temporarily": "temp"}
 
 

@@ -14,8 +14,9 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V2
+from codegen.pattern import pattern
 
-_ID = re.compile(
+_ID = pattern(
     r"(?P<own>\b(?:its |the |with |has |by |under |as |message |msg |numeric ){0,4}(?:(?:message"
     r"|msg)[ _-]?(?:ids?|numbers?|no\.?|type)|msg_?id|id|packet (?:id|number)))\)?"
     r"(?P<of>(?: (?:of|for) (?:the )?M)?)(?: is| of|:| =| must be| should be| being|,){0,4} ?#?(?P<number>N)(?!\w"
@@ -24,23 +25,23 @@ _ID = re.compile(
     r"|, )(?P<word>messages?|msg|packet) (?:no\.? |number |#)?(?P<alone>N)(?=\s*(?:[,.;:)(|]|$|is\b|has\b|in\b"
     r"|from\b|of the|carries|with|and\b|\*/))"
 )
-_OTHER = re.compile(
+_OTHER = pattern(
     r"component|system|array|compid|sysid|param|sensor|camera|target|instance|gimbal|device|command|server|client"
     r"|node|vehicle|\bcan\b|node|\bjob|\bissue|\bticket|\bserial|\bpart|\bbattery|\bpack\b|\bmotor|\bpage|\bphone"
     r"|\bversion|\bstream|\btag\b|\bfield\b|\bproduct|\bvendor|\brequirement|\buser"
 )
-_PAIR = re.compile(r"N \(M\)")
-_HELD = re.compile(
+_PAIR = pattern(r"N \(M\)")
+_HELD = pattern(
     r"M(?: messages?)?(?:,? (?P<mark>id |#|message |msg )?\(? ?| ?\((?P<called>(?:message |msg )?(?:id[ :=]*"
     r"|number |no\.? )?#?) ?)(?P<number>N)\)(?! ?(?:bytes|hz))"
 )
-_HELD_FIRST = re.compile(
+_HELD_FIRST = pattern(
     r"M(?: messages?)? ?\((?P<called>(?:message |msg )?(?:id[ :=]*|number |no\.? )?#?) ?(?P<number>N)(?P<mark>)"
     r"(?=[,;] ?(?!N ?(?:[,)]|hz|ms|U)))"
 )
 """An id that other things stand behind in its parentheses."""
-_HEADED = re.compile(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
-_PLAIN = re.compile(
+_HEADED = pattern(r"(?:\d[\d.]* |N )?M ?(?:,|:|-|\u2013|#|/)? ?(?:id:? |message |#|\()*(?P<number>N)\)?")
+_PLAIN = pattern(
     r"(?:(?:^|[.:;] ?|\b(?:and|while|but|,) )(?P<lead>M) (?:is|=|has (?:the )?number) (?:number |no\.? |id"
     r" )?#?(?P<number>N)"
     r"|(?:^|[.;] )(?:messages?|msg)[ :]*(?P<called>M), ?#?(?P<then>N)"
@@ -53,17 +54,18 @@ _PLAIN = re.compile(
     r" )?(?P<asked>M))"
     r"(?=\s*(?:[,.;)]|$|and\b|in\b|from\b))"
 )
-_OF_RATE = re.compile(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
-_LISTED = re.compile(
+_OF_RATE = pattern(r"\b(?:rates?|hz|sizes?|bytes|lengths?|counts?|crc|seed|times|priority|times per|frequency)\b")
+_LISTED = pattern(
     r"\bids?(?: of both| of the two| are|:)* (?P<numbers>N(?:(?:, | and |,? and | / |/)N)+)"
     r"(?! ?(?:bytes|octets|hz|fields)\b)"
 )
-_CRC = re.compile(
+_CRC = pattern(
     r"\b(?:crc[_ -]?extra|extra[_ ]crc|crc|(?:crc[_ ])?seed|checksum seed|magic byte of the crc|(?:crc )?extra"
     r" byte)\b(?: (?:byte|of"
     r"|is|for|value|seed|must|should|be|has|to|M|the|it|extra|number|parameter"
     r"|with)){0,8}[\s:=(,]*(?P<number>N)(?!\w|\.\d|\s?(?:bytes?|bits?)\b|-|\s?(?::|=|is) ?N)"
-    r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra"
+    r"|(?P<first>N) (?:as|is) (?:the |its |for )?crc[_ -]?extra",
+    needs="crc|extra byte|seed",
 )
 
 
@@ -138,7 +140,7 @@ _TOLD = {
     "hearing": "heard",
 }  # fmt: skip
 """The groups of a message, and those of its number."""
-_IS_ASKED = re.compile(r"MESSAGE_INTERVAL|REQUEST_MESSAGE|\bparam ?1\b|\brequest", re.IGNORECASE)
+_IS_ASKED = pattern(r"MESSAGE_INTERVAL|REQUEST_MESSAGE|\bparam ?1\b|\brequest", re.IGNORECASE)
 
 
 def _listed(reading: Reading, span: Span, start: int, end: int) -> Iterator[Diagnostic]:
@@ -204,11 +206,11 @@ def _id(
     )
 
 
-_CRC_LIST = re.compile(
+_CRC_LIST = pattern(
     r"\bcrc[_ -]?extra\b[^.;:|]{0,60}:"
     r"(?P<pairs>(?: M:? ?=? ?N,?(?: and)?){2,60}|(?: N (?:for|of|is) M,?(?: and)?){2,60})"
 )
-_IN_TURN = re.compile(r"\b(?:former|latter|respectively)\b")
+_IN_TURN = pattern(r"\b(?:former|latter|respectively)\b")
 
 
 def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:

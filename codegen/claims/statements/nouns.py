@@ -16,23 +16,24 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_IN = re.compile(
+_IN = pattern(
     r"(?P<noun>(?:[a-zP][a-zP-]{0,24} ){0,3}[a-zP][a-zP-]{1,24})(?: values?| fields?)?(?: (?:is|are|comes?|given"
     r"|reported|measured|sent|stored|all|always|expressed))*(?: in (?:whole |plain )?| (?:is|are) (?:whole |plain "
     r"|an? T (?:in|of) )?"
     r"| whole | as an? T (?:in|of) )U(?=\s*(?:[,.;:)(]|$|(?:and|as|with|or"
     r"|but|from|at|since|relative)\b))"
 )
-_VERB = re.compile(r"\b(?:is|are|comes?|given|reported|measured|sent|stored|expressed|always|all)\b")
-_NOT = re.compile(
+_VERB = pattern(r"\b(?:is|are|comes?|given|reported|measured|sent|stored|expressed|always|all)\b")
+_NOT = pattern(
     r"\bnot\b|n't\b|\bwe\b|\bour\b|\bmy\b|\bshow|display|\bplot|\blogs?\b|convert|divid|multipl|\binto\b|\bwas\b"
     r"|\bwere\b|\bwould\b|\bif\b|\bwhen\b|\bapp\b|\bscreen|\bpage\b"
     r"|\bprint|\bstor|round|\bwant|\bneed|\bset\b|\bparam|\bfile\b|\btable\b|\bours\b|\bcsv\b|\binput|\bunlike"
     r"|\bsensor'?s?\b|\bdriver|\bdevice|\bgauge|\byour|\bthey\b|\bwhere everything|\bwrong|\bcolumn|\bdisplayed"
     r"|\bgraph|\bchart|\bsetting|\blimit|\bthreshold|\bkeep|\bask|\bthink|\?"
 )
-OF_ELSE = re.compile(
+OF_ELSE = pattern(
     r"\b(?:bus|can|gateway|controllers?|adapter|bridge|receivers?|module|protocol|autopilots?|vendors?|sentences?|register|frames?"
     r"|chip|node|logger|radio|api|ros) (?:itself |frames? |bus |only |also )*(?:reports?|sends?|gives?|delivers?"
     r"|uses?|has|have"
@@ -49,15 +50,16 @@ _MOST_WORDS = 3
 """The last words before a unit that can be the name of a field: "the current ground speed"."""
 _MANY = 6
 """Messages of a document with which a word for a thing may be one of any of them."""
-_TEXT = re.compile(
+_TEXT = pattern(
     r"(?P<lead>\b(?:[a-zPF]{1,24} ){0,6})N (?P<what>characters|chars|letters)\b(?! (?:per|a second|each|of"
-    r"|in a line|wide))"
+    r"|in a line|wide))",
+    needs="characters|chars|letters",
 )
-_LIMIT = re.compile(
+_LIMIT = pattern(
     r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"
 )
-_SUBJECT = re.compile(r"\b(?:names?|texts?|strings?|labels?|identifiers?|ids?|messages?|field|values?|P|F|length|M)\b")
-_ARRAY = re.compile(r"\b(?:up to|an? array of|holds?|carries|list of|at most|has|with) T")
+_SUBJECT = pattern(r"\b(?:names?|texts?|strings?|labels?|identifiers?|ids?|messages?|field|values?|P|F|length|M)\b")
+_ARRAY = pattern(r"\b(?:up to|an? array of|holds?|carries|list of|at most|has|with) T")
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -139,7 +141,7 @@ def is_like(word: str, token: str) -> bool:
     return len(word) > 2 and _ENDING.sub("", token) == stem
 
 
-_ENDING = re.compile(r"(?:ies|y|es|e|s)$")
+_ENDING = pattern(r"(?:ies|y|es|e|s)$")
 
 
 def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -10,9 +10,10 @@ from codegen.claims.ruled_out import COMPARED, DENIED, MISTAKEN, OWN, PAST, REPL
 from codegen.claims.rules import ORDER, as_sure
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
+from codegen.pattern import pattern
 
 _DENIED = words(DENIED[:2], REPLACED, PAST[:1], MISTAKEN[:1], OWN[:1], COMPARED[1:2])
-_ORDER = re.compile(
+_ORDER = pattern(
     r"(?P<first>[FP])(?: field)?(?: (?:of|in) M)?(?: itself)?(?: (?:then|also|really|always|still))? (?:comes?"
     r"|stands?|is|goes"
     r"|lies|sits|sent|is sent|is placed|is stored|are|appears?|sits in front|stands in front|travels?|directly"
@@ -21,26 +22,32 @@ _ORDER = re.compile(
     r" ?(?P<how>before|ahead of|in front of|of|precedes|after|behind|follows"
     r"|prior to)?(?: the)?(?: field)? (?P<second>[FP])\b"
 )
-_THEN = re.compile(
-    r"(?P<first>[FP]) (?:is |comes |goes |stands )?first,? (?:and )?(?:then|followed by) (?P<second>[FP])"
+_THEN = pattern(
+    r"(?P<first>[FP]) (?:is |comes |goes |stands )?first,? (?:and )?(?:then|followed by) (?P<second>[FP])",
+    needs="followed by F|followed by P|then F|then P",
 )
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 _ORDINAL = "|".join(_ORDINALS)
-_PLACED = re.compile(
+_PLACED = pattern(
     rf"(?P<names>[FP](?:(?:, ?|,? and )[FP]){{0,6}})(?: (?:of|in) M)?,? (?:comes?|is|are|goes|go|stands?|sent|follows?)"
     rf" (?:on the wire )?(?:the )?(?P<places>(?:{_ORDINAL})(?:(?:, ?|,? and )(?:{_ORDINAL}))*)\b(?! (?:field|byte"
     rf"|bit|in the xml))"
 )
-_STARTS = re.compile(r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b")
-_IS_FIRST = re.compile(r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b")
-_WIRE = re.compile(
+_STARTS = pattern(
+    r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b", needs="begin|open|start"
+)
+_IS_FIRST = pattern(
+    r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b",
+    needs="is the first|is the very first",
+)
+_WIRE = pattern(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
     r"|\bstruct\b"
 )
-_XML = re.compile(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
+_XML = pattern(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
 
 
-_LIKE_XML = re.compile(r"\b(?:just |exactly )?(?:like|as) in the (?:xml|definition|dialect)\b")
+_LIKE_XML = pattern(r"\b(?:just |exactly )?(?:like|as) in the (?:xml|definition|dialect)\b")
 
 
 def _is_of_definition(sentence: str) -> bool:
@@ -58,7 +65,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         low, high = span.bounds(found.start())
         how = (
             "before"
-            if found.re is _THEN
+            if "how" not in found.re.groupindex
             else found["how"] or ("follows" if "follows" in found[0] else "precedes" if "precedes" in found[0] else "")
         )
         is_wire = "sent" in found[0] or _WIRE.search(text[max(low - 200, 0) : high]) is not None
@@ -88,8 +95,9 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             or _DENIED.search(span.text[low:high])
         ):
             continue
-        names = [at for at in range(*found.span("names" if found.re is _PLACED else "name")) if span.text[at] in "FP"]
-        places = re.findall(_ORDINAL, found["places"]) if found.re is _PLACED else ["first"]
+        is_list = "names" in found.re.groupindex
+        names = [at for at in range(*found.span("names" if is_list else "name")) if span.text[at] in "FP"]
+        places = re.findall(_ORDINAL, found["places"]) if is_list else ["first"]
         for at, place in zip(names, places, strict=False):
             one = about(reading, span, at)
             index = _ORDINALS.index(place)
@@ -113,9 +121,10 @@ def _is_other(one: About) -> bool:
     return any(other is not one.field for other in one.others)
 
 
-_FIRST = re.compile(
+_FIRST = pattern(
     r"\b(?P<which>first|last) (?P<what>thing|field|member|array|one)\b(?: (?:on|in|of) (?:the )?(?:wire|payload|M"
-    r"|frame)){0,3} (?:is|comes|:)(?: the)?(?: field)? (?P<name>[FP])(?! ?(?:[/*+]|of (?!M)))"
+    r"|frame)){0,3} (?:is|comes|:)(?: the)?(?: field)? (?P<name>[FP])(?! ?(?:[/*+]|of (?!M)))",
+    needs="first|last",
 )
 
 
@@ -144,10 +153,10 @@ def _first(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         )
 
 
-_SEQUENCE = re.compile(
+_SEQUENCE = pattern(
     r"[FP](?:(?:,? (?:and |then |and then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}"
 )
-_IN_ORDER = re.compile(
+_IN_ORDER = pattern(
     r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts|of M|is|:)|(?:sent|packed"
     r"|transmitted) as|byte order:|memory order|serialized"
 )

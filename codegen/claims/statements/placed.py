@@ -3,7 +3,6 @@
 What the numbers are, most of them tell: where more than half are the offsets of their fields, all are meant to be.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
@@ -14,8 +13,9 @@ from codegen.claims.statements.fields import number
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
-_PLACED = re.compile(
+_PLACED = pattern(
     r"[\s*/#|-]*(?:bytes? |offset )?(?P<at>N)(?:\s?(?:\.\.\.?|-|\u2013"
     r"|to) ?N)?[\s:|.)=\u2013-]{0,5}(?:T )?(?P<name>[FP])(?!\w)"
 )

@@ -17,20 +17,22 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.pattern import pattern
 
-_BYTES = re.compile(
+_BYTES = pattern(
     r"N(?: |-)?(?P<what>payload |base )?(?:bytes?|octets?)\b(?!\s?(?:/(?!message|frame|packet)|per (?!message"
     r"|frame|packet)|a second|each second|of (?!(?:the )?(?:payload|base|air|M))|for each|behind|before|more|at the"
     r"|in front|further|header|left|free|above|less|every|later|longer|larger|bigger|shorter|extra"
     r"|short|too|off|missing|lost|dropped))"
 )
-_LENGTH = re.compile(
+_LENGTH = pattern(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
     r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
     r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|integers|T\b)|[.-]\d)"
-    r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)"
+    r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)",
+    needs="len|payload|size",
 )
-_LENGTHS = re.compile(
+_LENGTHS = pattern(
     r"N bytes?[;,.]?(?: \()?(?:(?: and| or|,)? (?P<then>N)(?: bytes)? (?:with|including) (?:the |all "
     r"|its )?(?:extensions?|F|everything|them|it)\b"
     r"|[^.NF;]{0,30} (?:with|including) (?:the |all |its )*(?:extensions?|everything|them|F(?! ?N)"
@@ -40,59 +42,59 @@ _WITH = (
     r"(?:with|including|incl\.?|plus) (?:the |all |its |all its )*(?:extensions?|extension fields?|everything|them|F)\b"
 )
 _PAIRS = (
-    re.compile(
+    pattern(
         r"(?P<first>N) bytes?(?: (?:base|in base|as base|payload|of payload|without(?: (?:the |its )?extensions)?))?"
-        rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}"
+        rf"[,;:/]? ?(?:\(|and |or |but )*(?P<then>N)(?: bytes?)? {_WITH}",
+        needs="incl|plus|with",
     ),
-    re.compile(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})"),
-    re.compile(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes"),
-    re.compile(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
-    re.compile(
+    pattern(rf"\bfrom (?P<first>N) (?:bytes )?to (?P<then>N) bytes,? (?:of payload )?(?:by |{_WITH})", needs="to N"),
+    pattern(r"\bM (?:grew|grows|went|goes|grown) from (?P<first>N) (?:bytes )?to (?P<then>N) bytes", needs="to N"),
+    pattern(r"(?P<first>N) ?/ ?(?P<then>N) bytes"),
+    pattern(
         r"(?P<first>N) bytes?(?: (?:of payload|in base|base))?,? (?:and |but )?the (?:full|whole|complete|extended)"
         r"(?: one| payload| form)?(?: is| has|:)? (?P<then>N)\b"
     ),
-    re.compile(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
-    re.compile(
+    pattern(r"(?P<first>N) bytes?(?: base)?,? (?:plus|and|with) (?:the )?extensions?:? (?:it is )?(?P<then>N)\b"),
+    pattern(
         r"(?P<first>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v1|mavlink N)\)?"
         r"(?:,| and| or|;| but| /)* ?(?P<then>N)(?: bytes)?(?: of payload)? (?:in|for|with|as|under|on|\() ?(?:v2"
-        r"|mavlink N)"
+        r"|mavlink N)",
+        needs="mavlink N|v1",
     ),
 )
 """The size of a message without its extensions, and with them."""
-_FRAMED = re.compile(
+_FRAMED = pattern(
     r"(?P<first>N) bytes?(?: (?:of )?payload| base)?(?:,|;| and| or| \(|:)+ ?(?P<then>N)(?: bytes?)? (?:in|as|per"
     r"|for|on|with)"
     r" (?:the |a |an |one |each |whole |full |its )*(?:v2 |mavlink N )?(?:frame|packet|wire|link|header|air)\b"
 )
 """The payload, and the whole frame."""
-_SHORT = re.compile(
+_SHORT = pattern(
     r"\bso far\b|truncat|trimmed|\bcut\b|\bzeros?\b|recorded|captur|shorten|often|\bwithout trailing|\bat least\b"
     r"|\bat most\b|\bup to\b|\bonly\b(?= N)|\bplus\b|(?<!including )(?<!without the )(?<!with )(?<!with the"
     r" )(?<!including the )header|\bbuffer\b|\bon average|\bshrink|\bshorter\b|\bskip"
     r"|\bminus\b|\bfirst\b|\blast\b|becomes|\bcannot\b|\bannounce|\bwith (?:that|this) |\bfills?\b|complete(?!"
     r" (?:M|v2|frame|payload|packet))"
 )
-_KINDS = re.compile(
+_KINDS = pattern(
     r"(?P<payload>payloads?|\bdata part|\bbase (?:length|part|size|message|form|fields)|^base\b|without (?:the"
     r" )?header)"
     r"|(?P<frame>frames?|on (?:the|a) (?:wire|line|link|air)|\bin the air\b)|(?P<message>messages?\b"
     r"|\bit\b|\bM\b|length|long|size|large|big|takes|struct|parser|fields|\btotal|\btogether|costs?\b)"
 )
-_OF_ELSE = re.compile(
+_OF_ELSE = pattern(
     r"\band $|[FP](?: of M)?[,(]? ?(?:(?:is|are|has|have|takes?|holds?|carries|with|the|of|up to|an?|array|length"
     r"|size) )*$|\b(?:values|arrays|fields|elements|words|numbers|parts|items|entries|pieces|floats|blocks"
     r"|names?) (?:of|with|has|have|at) $|\b(?:adds?|plus|header|overhead|checksum|crc|array|buffer|chunk|name"
-    r"|text"
-    r"|string"
-    r"|field|each(?! M)|element|of which|reads?|asks?|asked|requests?"
-    r"|only|first|last|another|more than|less than|within|every|copies|memcpy"
-    r"|block|chunks|pieces|blocks|ram|flash|heap|stack"
+    r"|text|string"
+    r"|field|each(?! M)|element|of which|reads?|asks?|asked|requests?|only|first|last|another|more than|less than"
+    r"|within|every|copies|memcpy|block|chunks|pieces|blocks|ram|flash|heap|stack"
     r"|(?<!without )(?<!without the )extensions? (?:adds?|are|is|have|has|takes?)|file|page"
     r"|line|sd|write|wrote|offset|than|from|after|to|by|in|grows?|with|saves?|frees?|leaves|byte|drops?|(?<!M"
     r" )(?<!mavlink N )carr(?:y"
     r"|ies)|holds?|brings?) (?:\w+ ){0,2}$"
 )
-_BESIDE = re.compile(
+_BESIDE = pattern(
     r"(?:\bM|\bmessages?|\bit|\bwhich|\blength|\bsize|\btotal|\btakes|\blen|\blarge|\bthat"
     r"|\btogether)\)?(?:,? ?\(?(?:id |#|number |message )*N\)?)?(?: (?:in|with|under|for) (?:v1|v2|mavlink"
     r" N))?(?: (?:is|has|have|takes?|needs?|are|of|with|only"
@@ -100,50 +102,49 @@ _BESIDE = re.compile(
     r"|base|payload|being|and|M|without|extensions?|up|to|long|expects|check|must|be|should|weighs?|=|comes?|counts?|uses?|carries|each"
     r"|means))*[ ,:(=|]*(?:N bytes[;,]? (?:and|or) )?N[ -]?\w*(?: bytes?)?$"
 )
-_VERSION = re.compile(r"mavlink[ -]?(?:v|version )?N")
-_BEHIND = re.compile(
+_VERSION = pattern(r"mavlink[ -]?(?:v|version )?N")
+_BEHIND = pattern(
     r"(?: |-)?(?:long |of |in )?(?:the )?(?P<payload>payload|base\b)"
     r"|(?: |-)?(?:long )?(?:(?:on|in|as) (?:the|an?)(?: whole| full| complete"
     r"| v[12]| (?:un)?signed| mavlink N){0,4} (?:wire|link|line|frame|packet)|(?:of air )?per"
     r" frame|(?P<frame>frames?|packets?))"
     r"|(?: |-)(?P<message>long|large|in size|in total|in all\b|(?:[a-z]+ )?M\b)"
 )
-_CLAUSES = re.compile(r", (?:and|but|so|while|the) ")
-_EACH = re.compile(r" ?(?:/|per |a )(?:message|frame|packet)")
-_FIELD_OF = re.compile(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
+_CLAUSES = pattern(r", (?:and|but|so|while|the) ")
+_EACH = pattern(r" ?(?:/|per |a )(?:message|frame|packet)")
+_FIELD_OF = pattern(r"[FP] (?:of|in) M (?:is|has|takes|holds|carries|with)\b[^,;.NM]*$")
 """A field that a size is said of, whose message stands behind it."""
-_FOREIGN = re.compile(
+_FOREIGN = pattern(
     r"\b(?:rtcmN?|ubx|nmea|can ?fd|can|sbd|iN?c|spi|uart|serial|modbus|crsf|sbus|s\.bus|msp|udp|tcp|ip|ethernet|lora"
-    r"|rtp|ais"
-    r"|ads-?b|wi-?fi|usb|ppp|slip|hdlc|lte|iridium|dronecan|uavcan|bluetooth|ble|xbee|mqtt|raw|video|image|log)"
-    r"(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
+    r"|rtp|ais|ads-?b|wi-?fi|usb|ppp|slip|hdlc|lte|iridium|dronecan|uavcan|bluetooth|ble|xbee|mqtt|raw|video|image"
+    r"|log)(?:[ -]N)?[ -](?:frames?|packets?|messages?|sentences?|datagrams?|payloads?)\b"
     r"|\b(?:frames?|packets?|messages?) (?:on|over) (?:the )?(?:can|uart|spi|i2c|iNc|serial|bus|radio|modbus)\b"
 )
 """A frame of another protocol, whose size is told."""
-_FRAMES_OF = re.compile(
+_FRAMES_OF = pattern(
     r"[ -](?:[a-z]+ )?(?:frames?|packets?|messages?|sentences?|datagrams?|records?) (?:of|from) (?:an?|the|our|its|this"
     r"|each|every) (?!M\b)"
 )
 """Behind a size: it is that of frames of something that is no message, "nine-byte frames of a lidar"."""
-_CALCULATED = re.compile(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
-_GOES_ON = re.compile(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
+_CALCULATED = pattern(r"(?<!M )= ?$|[+*/\u00d7] ?$|[FNP] ?[-+*\u00d7] ?$")
+_GOES_ON = pattern(r" ?(?:[=+*\u00d7]|\+|- N)|(?: of| for| each| in(?: the)?)? [FP]\b| (?:are|is|were) left\b")
 _HYPOTHETICAL = words(
     ASKED, DENIED[:2], PROPOSED, REPLACED[:1], PAST[:1], OWN[:1], r"\bown\b", r"\bif\b",
     r"\bwould\b(?! (?:be|have|take|need) )", r"\b(?:another|more|second|new|extra|added|adding)\b.*\bwould\b",
 )  # fmt: skip
-_BEGINS = re.compile(r"[\W]*(?:message|msg|id|M|number)?[ :=(]*(?:N\)?)?,? ?")
-_ABOUT = re.compile(
+_BEGINS = pattern(r"[\W]*(?:message|msg|id|M|number)?[ :=(]*(?:N\)?)?,? ?")
+_ABOUT = pattern(
     r"(?:\babout|\broughly|\baround|\bca\.?|\bapproximately|\bapprox\.?|\bnearly|\balmost|\bsome|~|\u2248) ?$"
 )
 _TOLERANCE = Fraction(1, 10)
 """By how much a size may be off that is called about so many bytes."""
-_BASE = re.compile(r"\bbase\b|without (?:the |its |any )?extensions?|\bminimum\b")
-_EXTENDED = re.compile(
+_BASE = pattern(r"\bbase\b|without (?:the |its |any )?extensions?|\bminimum\b")
+_EXTENDED = pattern(
     r"\bwith (?:the |its |all )?(?:extensions?|everything|them)\b|\bwith F"
     r"|\b(?:full|whole|complete|extended|long) (?:one|payload|message|form|version)\b"
     r"|\bthe (?:latter|whole|rest)\b|\bin full\b"
 )
-_UNSIGNED = re.compile(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
+_UNSIGNED = pattern(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,7 +272,7 @@ def _kind(size: _Size) -> str | None:
     return None if kind == "message" and not is_beside else kind
 
 
-_OTHER_LINK = re.compile(
+_OTHER_LINK = pattern(
     r"\b(?:baud|uart|rs-?(?:232|422|485)|i2c|spi|can bus|s\.?bus|crsf|modbus|nmea|n2k|ubx|rtcm|dshot|sbd|lora|ais)\b"
 )
 """Words of a paragraph about the frames of something else, if it names no message."""
@@ -301,10 +302,10 @@ def _is_claim(size: _Size) -> bool:
     return size.first is not None or _GOES_ON.match(size.behind) is None
 
 
-_WHOLE = re.compile(r" (?:in base|in all|in total|altogether|all in all)\b")
+_WHOLE = pattern(r" (?:in base|in all|in total|altogether|all in all)\b")
 """Behind the size of a whole message, whatever fields are listed before it."""
-_FIRST_OF = re.compile(r"\bfirst $")
-_OF_MESSAGE = re.compile(r" of (?:the )?M\b")
+_FIRST_OF = pattern(r"\bfirst $")
+_OF_MESSAGE = pattern(r" of (?:the )?M\b")
 
 
 def _is_amount(size: _Size) -> bool:
@@ -343,7 +344,7 @@ def _messages(reading: Reading, size: _Size) -> tuple[WireMessage, ...]:
     return messages
 
 
-_OTHER_ONE = re.compile(r",? and (?:the |a )?M (?:has |is |takes |only |with )*N\b")
+_OTHER_ONE = pattern(r",? and (?:the |a )?M (?:has |is |takes |only |with )*N\b")
 """Behind a size: another message with its own one, "it has 64 bytes and NAME 62"."""
 
 

@@ -9,6 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.pattern import pattern
 
 _FAR = 2000
 """The greatest distance back in a passage to the message of a statement, in characters."""
@@ -33,7 +34,7 @@ class About:
         return not fits(self.field) and not any(fits(other) for other in self.others)
 
 
-_OF = re.compile(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>M)\b")
+_OF = pattern(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>M)\b")
 
 
 def about(reading: Reading, span: Span, offset: int) -> About | None:
@@ -99,11 +100,9 @@ def _is_of_unknown(span: Span, low: int, offset: int) -> bool:
     return bool(names) and names[-1][1] == "C" and _IN_IT.match(span.text, names[-1][0] + 1, offset) is not None
 
 
-_ITSELF = re.compile(r"M (?:has|is|uses|carries|wants|sends|keeps|counts|knows|does)\b")
+_ITSELF = pattern(r"M (?:has|is|uses|carries|wants|sends|keeps|counts|knows|does)\b")
 """A message that a clause of its own is about: "only 16 bits here, NAME has 32"."""
-_IN_IT = re.compile(
-    r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$"
-)
+_IN_IT = pattern(r"[^.;]{0,24}\b(?:has|have|with|in which|where|whose|carries|holds|contains|its|also)\b[^.;]{0,60}$")
 
 
 def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMessage], *, is_sure: bool) -> About | None:
@@ -115,10 +114,10 @@ def _about(name: str, messages: Iterable[WireMessage], others: Iterable[WireMess
     return None
 
 
-_THAT = re.compile(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
+_THAT = pattern(r"\b(?:that|this|it|the other|the (?:old|new|first|second) one)\b")
 
 
-_OF_UNKNOWN = re.compile(
+_OF_UNKNOWN = pattern(
     r"(?:\b(?:in|on|of|from|inside|with)(?: an?| the)? C\b|(?:^|(?<=[.!?;]) )(?:an? |the )?C\b)(?![^;]*M)"
 )
 """A name in capitals that is no message, where a message stands."""

@@ -23,31 +23,34 @@ from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_IN_BYTES = re.compile(r",? ?[(\[](?:in )?(?:b|bytes?)[)\]]$|,? in bytes$")
-_ID = re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)")
-_CRC = re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
-_BASE = re.compile(
+_IN_BYTES = pattern(r",? ?[(\[](?:in )?(?:b|bytes?)[)\]]$|,? in bytes$")
+_ID = pattern(r"(?:message |msg )?(?:id|number|no\.?|#)")
+_CRC = pattern(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra[ _]crc|crc seed|seed|extra")
+_BASE = pattern(
     r"(?:base|min(?:imum)?)(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
-    r"|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1"
+    r"|(?:payload )?without ext(?:ensions?|\.)?|(?:v1|mavlink 1)(?: payload)?|payload,? base|length v1",
+    needs="base|length|mavlink|min|v1|without",
 )
-_FULL = re.compile(
+_FULL = pattern(
     r"(?:max(?:imum)?|full|whole|with ext(?:ensions?|\.)?|extended|(?:v2|mavlink 2) payload|payload,? (?:extended"
     r"|full|max))(?: (?:payload|length|size|len|bytes))?(?: \(bytes\))?"
 )
-_SIZE = re.compile(
+_SIZE = pattern(
     r"(?:payload|length|len|size|bytes|frames?|packets?|(?:bytes )?on (?:the )?wire|(?:v[12]|mavlink [12]|whole"
     r"|full) (?:frames?|packets?))"
     r"(?: (?:bytes|length|len|size))?(?:,? in bytes|,? \(?(?:bytes|b|v[12]|mavlink [12])\)?)?(?:,? v[12]"
-    r"|,? mavlink [12])?"
+    r"|,? mavlink [12])?",
+    needs="bytes|frame|len|on|packet|payload|size",
 )
-_OFFSET = re.compile(r"(?:byte )?offset(?: in (?:the )?payload)?|byte|at|pos(?:ition)?|starts at")
-_UNKNOWN = re.compile(
+_OFFSET = pattern(r"(?:byte )?offset(?: in (?:the )?payload)?|byte|at|pos(?:ition)?|starts at")
+_UNKNOWN = pattern(
     r"(?:if |when )?(?:invalid|unknown|sentinel|no data|missing|n/a|not (?:known|available|used))(?: (?:value|is"
     r"|if))?|value if unknown"
 )
-_NOT_PAYLOAD = re.compile(r"frame|packet|wire")
-_NAMED = re.compile(r"message|msg|\bids?\b|crc|payload|frame|extension|mavlink|v[12]\b")
+_NOT_PAYLOAD = pattern(r"frame|packet|wire")
+_NAMED = pattern(r"message|msg|\bids?\b|crc|payload|frame|extension|mavlink|v[12]\b")
 """A heading that says what its numbers are; "#" and "Size" may be of something else, unless half of them are right."""
 _ENOUGH = 2
 
@@ -203,12 +206,14 @@ def _hertz(row: Row, column: int) -> Fraction | None:
     return None if value is None or isinstance(value, float) else Fraction(value)
 
 
-_RATE = re.compile(
-    r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?"
+_RATE = pattern(
+    r"(?:update |send |stream )?(?:rate|hz|freq(?:uency)?\.?|per second|times/s|messages/s)(?: ?[(\[,]? ?hz[)\]]?)?",
+    needs="freq|hz|messages|rate|second|times",
 )
-_TOTAL = re.compile(
+_TOTAL = pattern(
     r"(?:bandwidth|load|total|throughput|traffic|data rate|cost)?(?: in)? ?[(\[,]?(?:b|bytes?)(?:/| per | a )(?:s"
-    r"|sec|second)\.?[)\]]?"
+    r"|sec|second)\.?[)\]]?",
+    needs="/s|a s|per s",
 )
 
 
@@ -249,7 +254,7 @@ def _is_borne_out(reading: Reading, rows: Sequence[Row], column: int) -> bool:
     return 2 * right >= len(places) > 0
 
 
-_LENGTH = re.compile(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")
+_LENGTH = pattern(r"(?:array )?(?:length|elements|entries|count|size of (?:the )?array|array size|dimension)")
 
 
 def _lengths(reading: Reading, rows: Sequence[Row], column: int) -> Iterator[Diagnostic]:
@@ -269,8 +274,8 @@ def _holds(field: WireField, value: float | Fraction) -> bool:
     return value in (field.count, field.size)
 
 
-_EXTENSION = re.compile(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 only|mavlink 2 only")
-_YES_OR_NO = re.compile(r"\s*(?:(?P<yes>yes|y|x|true|\u2713|\u2714|extension|ext)|(?P<no>no|n|false|base|-))\s*")
+_EXTENSION = pattern(r"(?:is )?(?:an )?(?:extension|ext\.?)(?: field)?\??|v2 only|mavlink 2 only")
+_YES_OR_NO = pattern(r"\s*(?:(?P<yes>yes|y|x|true|\u2713|\u2714|extension|ext)|(?P<no>no|n|false|base|-))\s*")
 
 
 def _extensions(reading: Reading, rows: Sequence[Row], column: int) -> Iterator[Diagnostic]:

@@ -25,6 +25,7 @@ from codegen.claims.statements.fields import Said, claimed, made_of, named, said
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
 _IDLE = frozenset((
     "is", "are", "as", "an", "a", "of", "type", "types", "stored", "sent", "encoded", "coded", "in", "the", "field",
@@ -40,11 +41,11 @@ _NOT = words(
     r"\bfrom\b", r"\bpack(?:ed)? into\b",
     r"\b(?:and|while|whereas|but) (?:the|its|their) ", r", the \w",
 )  # fmt: skip
-_BEFORE = re.compile(
+_BEFORE = pattern(
     r"T (?:fields?|values?|arrays?|members?|called|named|in|for|[-\u2013:]|(?:fields?|arrays?|values?) (?:called"
     r"|named)|(?:elements?|values?|entries) (?:of|in)(?: the)?)? ?$|\bT $"
 )
-_AFTER = re.compile(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
+_AFTER = pattern(r" (?:buffer|here in|in (?:our|my|the (?:log|app|csv|database|code))\b)")
 _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
 
 
@@ -78,8 +79,8 @@ def _is_plain(gap: str) -> bool:
 
 
 _LONG_GAP = 70
-_LEADS = re.compile(r"(?:\b(?:is|as|are|an?|type|it is|comes|goes|arrives|travels|in|=|being|the) |[:,(=] ?)$")
-_OTHER = re.compile(
+_LEADS = pattern(r"(?:\b(?:is|as|are|an?|type|it is|comes|goes|arrives|travels|in|=|being|the) |[:,(=] ?)$")
+_OTHER = pattern(
     r"[FPEVCNQS]|\b(?:copy|copied|keep|kept|store|stored|read|cast|log|logs|logged|written|saved|turn|turned|hold|held"
     r"|variable|local|our|we|us|by us|here|driver|sensor|register|message|struct|database|column|file|needs?|wants?"
     r"|expects?|treat|treated|give|gives|gave|takes?|sum|count|index|length|size|prefix|each|first|last|bit|enum)\b"
@@ -99,11 +100,11 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
 
-_OF_ANOTHER = re.compile(r", (?:\w+ )*[a-z]{3,} = ?$|\band (?:[a-z]+ )*[a-z]{3,}: ?$|\bone of (?:the )?$")
+_OF_ANOTHER = pattern(r", (?:\w+ )*[a-z]{3,} = ?$|\band (?:[a-z]+ )*[a-z]{3,}: ?$|\bone of (?:the )?$")
 """Another thing that is named behind fields, "x y z, covariance = 36 doubles", or several, "one of three bytes"."""
 
 
-_MEANS = re.compile(r"\bN (?:is|means|=|:) (?:an? )?$")
+_MEANS = pattern(r"\bN (?:is|means|=|:) (?:an? )?$")
 """Between a field and a word that is a value's meaning: "`fix_type`: 5 is float", which is a kind of a solution."""
 
 
@@ -116,13 +117,13 @@ def _is_path(span: Span, offset: int) -> bool:
     return span.text.startswith("::", offset + 1) or span.text.endswith("::<", 0, offset)
 
 
-_CASTS = re.compile(r"\) ?[(\w&*]")
-_TURNED = re.compile(
+_CASTS = pattern(r"\) ?[(\w&*]")
+_TURNED = pattern(
     r"\b(?:widen|enlarg|extend|shrink|narrow|promot|convert|cast|turn|chang|mak|grow)\w* "
     r"(?:up )?(?:the |both |field |type of )*$"
 )
 """Before a name of what is to be given another type: "may we widen F to T"."""
-_TO = re.compile(r"(?: (?:of|in) (?:the )?M)? (?:in)?to (?:an? )?$")
+_TO = pattern(r"(?: (?:of|in) (?:the )?M)? (?:in)?to (?:an? )?$")
 
 
 def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -163,8 +164,8 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
 
 
-_IS_ARRAY = re.compile(r"\[|;")
-_NEXT = re.compile(r",|\b(?:and|plus|with)\b")
+_IS_ARRAY = pattern(r"\[|;")
+_NEXT = pattern(r",|\b(?:and|plus|with)\b")
 
 
 def _type_before(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -198,7 +199,7 @@ def _spelled(stated: StatedType, written: str) -> str:
     return stated.name if stated.length is None else f"{stated.name}[{stated.length}]"
 
 
-_AGAINST = re.compile(r" (?:against|instead of|rather than|where|while) ")
+_AGAINST = pattern(r" (?:against|instead of|rather than|where|while) ")
 
 
 def _is_contrast(said: Said, offset: int, one: About) -> bool:

@@ -33,8 +33,9 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, unit_named
+from codegen.pattern import pattern
 
-_PLACE = re.compile(
+_PLACE = pattern(
     r"(?:\b(?:in|as|how many|(?:number|amount|count|T) of|counts|count|hold|use|carry|contain|give|measure|report"
     r"|units? (?:is|are|of|was)|units?:?|counts?|holds?|uses?|carries|contains?|gives?|measures?"
     r"|reports?|measured in|is|are|be|both|in an? [a-z]+ as)"
@@ -42,7 +43,7 @@ _PLACE = re.compile(
     r"|[(\[|:,=#*/\u2013\u2014-](?: ?(?:whole|full|plain|integer))?"
     r"|\bT|\"|^)\s*$"
 )
-_IS_SHORT = re.compile(
+_IS_SHORT = pattern(
     r"\s*(?:[,.;:)\]|}(]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|relative|positive|per"
     r"|but|because|while|on|of|to|up|too|also|clockwise|counter|a?msl|agl|into|after|behind|before|in|where|which|like"
     r"|by|east|north|along|under|until|within|then|not|so|are|is|until|now|already|relative|wide|rms)\b|[-\u2013\u2014])"
@@ -56,19 +57,19 @@ _NOT = words(
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^)[,;] the (?!unit|value|field|number)\w",
 )  # fmt: skip
-_SCALED_AFTER = re.compile(
+_SCALED_AFTER = pattern(
     r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
     r" (?:screen|display)|here\b|is wrong"
     r"|was wrong|\?|, which is wrong)"
 )
-_ELSEWHERE = re.compile(
+_ELSEWHERE = pattern(
     r" (?:in|on|at|by|for|from) (?:(?:the |an? )?(?:ais|n2k|nmea(?: N)?|ubx|j1939|can|ros|pgn|rtcm|i2c|s\.?bus"
     r"|sensor|device|driver|datagram|bus|receiver)\b|(?:the )?(?!M)[a-z0-9.-]{2,16}(?: [a-z0-9.-]{1,12})?,"
     r" (?:[a-z]+ ){0,4}(?:here\b|in M|in mavlink|on the (?:wire|link)))"
 )
 """Behind the unit of another thing: "degrees in AIS, hundredths here"."""
 _GAP_LONG = 90
-_NUMBERED = re.compile(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?:N(?:\.\.\.?N|-N)?[:,] )")
+_NUMBERED = pattern(r"((?://[/!<]*|/\*[*!<]*|#) ?)(?:offset |byte |bytes )?(?:N(?:\.\.\.?N|-N)?[:,] )")
 """A comment that begins with a place on the wire, "/* 16: rad */"."""
 
 
@@ -81,9 +82,10 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     yield from _steps(reading, span)
 
 
-_LEVEL = re.compile(
+_LEVEL = pattern(
     r"(?: (?:of|in) M)? (?:(?:is|falls|drops|goes|gets|rises|sinks|climbs|stays) )?(?:below|under|above|over) (?P<at>N)"
-    r" (?:bytes|octets)\b"
+    r" (?:bytes|octets)\b",
+    needs="above N|below N|over N|under N",
 )
 
 
@@ -127,8 +129,8 @@ def _steps(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             yield reading.found(as_sure(UNIT, is_sure=False), span.place(offset), f"{one.name} in {term.written}", text)
 
 
-_CELL = re.compile(r"\|\s*Q\s*(?=\||$)")
-_UNIT_HEAD = re.compile(r"\bunits?\b|\bresolution|\blsb\b|\bscal", re.IGNORECASE)
+_CELL = pattern(r"\|\s*Q\s*(?=\||$)")
+_UNIT_HEAD = pattern(r"\bunits?\b|\bresolution|\blsb\b|\bscal", re.IGNORECASE)
 _OTHERS = 1
 """Amounts of a row of which one is a unit."""
 
@@ -164,7 +166,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
 
 
-_STORED = re.compile(r"^ (?:is|are) stored in (?=(?:whole |plain )?$)")
+_STORED = pattern(r"^ (?:is|are) stored in (?=(?:whole |plain )?$)")
 """Between a field and its unit: so it is on the wire."""
 
 
@@ -177,7 +179,7 @@ def _before(said: Said) -> int | None:
     return text.rindex("U", 0, said.start) if held is not None or (before and "U" in before[0]) else None
 
 
-_UNIT_OF = re.compile(r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$")
+_UNIT_OF = pattern(r"\b(?:units? of|U (?:in|for|of)|unit for) (?:the )?(?:fields? )?$")
 
 
 def _is_of_else(said: Said, gap: str, behind: str) -> bool:
@@ -207,15 +209,15 @@ def _is_own(span: Span, offset: int) -> bool:
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
-_REPORTED = re.compile(
+_REPORTED = pattern(
     r"\b(?:the|an?|its|our) (?:[a-z-]+ ){1,3}(?:reports?|sends?|gives?|delivers?|outputs?|measures?|counts?|has|uses?"
     r"|speaks?|works)(?: in| whole| plain)* $"
 )
-_TURNED = re.compile(r"[^.;|]{0,60}\b(?:divid|multipl|convert|scale[sd]?\b|turn(?:s|ed) (?:it|that|them|this) into)")
+_TURNED = pattern(r"[^.;|]{0,60}\b(?:divid|multipl|convert|scale[sd]?\b|turn(?:s|ed) (?:it|that|them|this) into)")
 """Behind the unit that something else has: what is done to get the field from it."""
-_SHOWN_KEY = re.compile(r"\b(?:suffix|label|display\w*|shown\w*|format|to|output\w*|title|caption) ?[:=] ?$")
+_SHOWN_KEY = pattern(r"\b(?:suffix|label|display\w*|shown\w*|format|to|output\w*|title|caption) ?[:=] ?$")
 """Before the unit of what is shown of a field."""
-_OWN_COLUMN = re.compile(
+_OWN_COLUMN = pattern(
     r"\bour|shown|display|\bapp\b|csv|\blog|convert|\bafter|\bnew\b|\bsi\b|scaled|topic|\bros\b|\bpage|output"
     r"|exported|screen|column",
     re.IGNORECASE,
@@ -245,7 +247,7 @@ def _last_clause(gap: str) -> str:
     return _PRONOUN.split(gap)[-1]
 
 
-_PRONOUN = re.compile(
+_PRONOUN = pattern(
     r"\b(?:although|but|and|because|since|while|as|:|;)? ?(?:it|they|which|that|this)(?=(?: field| one)? (?:is"
     r"|are|has|comes?|counts?)\b)"
     r"|\b(?:because|since|as) its(?= in $)"
@@ -274,7 +276,7 @@ def _found(reading: Reading, said: Said, offset: int) -> Iterator[Diagnostic]:
         )
 
 
-_AS_TYPE = re.compile(r"\b(?:is|are) (?:a |single |one |both )?$")
+_AS_TYPE = pattern(r"\b(?:is|are) (?:a |single |one |both )?$")
 """Before "bytes": it is the type that is told."""
 
 

@@ -14,6 +14,7 @@ from codegen.claims.unknown_value import described_unknowns, is_negative_unknown
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
+from codegen.pattern import pattern
 
 NOTHING = (
     r"(?:unknown|unavailable|invalid|undefined|absent|missing|unmeasured|unset|unspecified|not (?:known|available"
@@ -33,40 +34,48 @@ _IS = (
     r"|marker|value|sentinel)\b){0,12}"
 )
 _FORMS = (
-    re.compile(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:(?:[a-z]+ ){{1,3}}(?:is|are) )?{NOTHING}"),
-    re.compile(
+    pattern(rf"(?P<value>[NS]){_IS}{_THERE}(?:M )?(?:(?:[a-z]+ ){{1,3}}(?:is|are) )?{NOTHING}"),
+    pattern(
         rf"{NOTHING}\)?(?: values?)?(?: (?:is|are|as|by|with|it|then|means|value|gives|has|use|set|to|sends?|sent"
         rf"|written|marked|shown|it is|use))*[\s:=,(\u2013\u2014>-]*(?P<value>[NS])(?! ?(?:bytes|=|is|:))"
     ),
-    re.compile(
-        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {NOTHING}"
+    pattern(
+        rf"(?P<value>[NS]),? (?:is the |the |its |which is the )?(?:value|marker|sentinel|number|code) for {NOTHING}",
+        needs="code for|marker for|number for|sentinel for|value for",
     ),
-    re.compile(r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])"),
-    re.compile(
+    pattern(
+        r"\b(?:sentinel|invalid value|invalid|\"invalid\")(?: value)?(?: is|:|=| of)*[\s\"]*(?P<value>[NS])",
+        needs="invalid|sentinel",
+    ),
+    pattern(
         rf"(?:if|when|unless|without) [^.;,|()]{{0,40}}?(?:{NOTHING}|known|available|there is no \w+"
         rf"|without an? \w+|no \w+ is (?:fitted|connected|present))[^.;|()]{{0,30}}?\b(?:fill|send|set|put|write"
         rf"|use|is|it is|be|with|to|reads?|gives?)(?: [^.;|()NS]{{0,30}}?)? (?P<value>[NS])(?![ ]?[NSU%])"
     ),
-    re.compile(
+    pattern(
         r"(?P<value>[NS]) (?:if|when|where|without) (?:there is no|no|an? \w+ (?:without|is missing)"
-        r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))"
+        r"|a) [a-z ]{2,30}?(?= ?(?:[,.;:)|]|$|\*/))",
+        needs="if|when|where|without",
     ),
-    re.compile(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{NOTHING}|unused)\b"),
-    re.compile(r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))"),
+    pattern(rf"\|\s*(?P<value>[NS])\s*\|[^|.;NSU]{{0,40}}?\b(?:{NOTHING}|unused)\b"),
+    pattern(
+        r"\bif (?:there (?:is|was) )?no [^.;:|()NSFU]{1,24}: ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))",
+        needs="if no|if there is no|if there was no",
+    ),
 )
-_NOT = re.compile(
+_NOT = pattern(
     r"\bnot N\b|\bnot S\b|\binstead\b|\brather\b|\bold\b|\bunlike\b|\bour\b|\bwrong|\bwould\b|n't\b(?! known"
     r"| available)|\bnever\b|\bvalid\b(?<!invalid)"
 )
 
 
-_NEXT_STATE = re.compile(rf"[NS] ?(?:is |means |=|:|-|\u2013)? ?{NOTHING}, $")
+_NEXT_STATE = pattern(rf"[NS] ?(?:is |means |=|:|-|\u2013)? ?{NOTHING}, $")
 """Before the value of another state: "255 unknown, 0 empty"."""
-_DO_NOT = re.compile(
+_DO_NOT = pattern(
     r"\b(?:never|do not|don't|must not|should not) (?:ever )?(?:send|use|set|write|fill|put|treat|take) [a-z ]*$"
 )
-_INVALID = re.compile(rf"\b{NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
-_IS_VALUE = re.compile(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
+_INVALID = pattern(rf"\b{NOTHING}(?: [a-z]+){{0,2}} (?:in|of|for) (?:the )?(?:fields? )?$")
+_IS_VALUE = pattern(r"(?: of M)?(?: is| has|:| =) ?(?P<value>[NS])(?=\s*(?:[,.;)|]|$|\*/))")
 _COMMON = 1
 """Numbers up to this one stand beside a field for anything."""
 
@@ -155,17 +164,17 @@ def _impossible(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         )
 
 
-_VALUE_FOR = re.compile(r"S (?:for|in|with|at) (?:the |both |all )?(?:fields? )?$")
-_FOR_NEXT = re.compile(r" (?:for|in|with|at) (?:F|P|the |both |all )")
+_VALUE_FOR = pattern(r"S (?:for|in|with|at) (?:the |both |all )?(?:fields? )?$")
+_FOR_NEXT = pattern(r" (?:for|in|with|at) (?:F|P|the |both |all )")
 """Behind a value that belongs to what follows it: "`a`, UINT8_MAX for `b`"."""
-_BESIDE = re.compile(r"(?:[\s:=(\u2013-]|\bis\b|\bT\b|,){0,6}S")
+_BESIDE = pattern(r"(?:[\s:=(\u2013-]|\bis\b|\bT\b|,){0,6}S")
 
 
 def _carries(field: WireField, value: float) -> bool:
     return not field.type.is_integer or math.isnan(value) or field.type.minimum <= value <= field.type.maximum
 
 
-_COUNTS = re.compile(
+_COUNTS = pattern(
     r" ?(?:[/*+]|\.\.|to N|bytes|times|%|(?:elements|cells|motors|sensors|channels|servos|entries|slots|sectors"
     r"|cores)\b)"
 )

@@ -1,12 +1,14 @@
 """Other dialects that receivers know: which of their messages have a name or an id that the project adds, too."""
 
+import os
 import re
 from collections.abc import Collection, Iterable, Iterator
 
+from codegen.decode.decoded import decoded
 from codegen.diagnostics import Report, Rule
 from codegen.load.files import Files
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.load.xml_tree import place_of, read_xml
+from codegen.load.xml_tree import parse_xml_bytes, place_of
 from codegen.model.dialect.dialect import MAX_MESSAGE_ID, KnownMessage, MessageDefinition
 from codegen.model.dialect.literals import bounded_number, is_identifier
 from codegen.source import Place
@@ -22,7 +24,15 @@ _MESSAGE = re.compile(rb'<message\s+id="(\d{1,8})"\s+name="(\w+)"')
 
 def decode_known_file(path: str, files: Files, report: Report, asked_at: Place) -> tuple[KnownMessage, ...]:
     """The messages of a file that the project names under ``known``; it needs to state no more than name and id."""
-    root = read_xml(path, files, report, asked_at)
+    data = files.read_bytes(path, report, asked_at)
+    if data is None:
+        return ()
+    path = os.path.abspath(path)
+    return decoded("known messages", data, path, lambda found: _known_messages(data, path, found), report) or ()
+
+
+def _known_messages(data: bytes, path: str, report: Report) -> tuple[KnownMessage, ...]:
+    root = parse_xml_bytes(data, path, report)
     if root is None:
         return ()
     messages = []

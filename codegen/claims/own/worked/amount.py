@@ -1,6 +1,5 @@
 """Numbers of a text, with their units, as worked examples write them."""
 
-import re
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cache
@@ -8,15 +7,14 @@ from functools import cache
 from codegen.frozen import dataclass
 from codegen.model.units.nearest_unit import worded_unit
 from codegen.model.units.unit import NUMBER, Unit, ratio, unit_named
+from codegen.pattern import pattern
 
-_AMOUNT = re.compile(
+_AMOUNT = pattern(
     r"(?<![\w.^/#])(?<!\w-)(?<!\w\[)(?P<number>[-\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|(?:2|10)\^\d{1,2}"
     r"|\d{1,3}(?:,\d{3}){1,4}(?![\d,])|\d{1,18}(?:\.\d{1,15})?))(?![\d^]|\.\d)"
 )
-_UNIT = re.compile(
-    r"(?P<gap>[ \u00a0]?)(?P<unit>%|[A-Za-z\u00b5\u00b0][A-Za-z\u00b0]{0,11}(?:/[A-Za-z]{1,4})?)(?![\w(])"
-)
-_NO_AMOUNT = re.compile(r"(?:MAVLink|RFC|[Cc]riteri(?:on|a)|[Pp]ages?|[Vv]ersion|[Rr]ow|[Tt]able|[Ff]igure) $")
+_UNIT = pattern(r"(?P<gap>[ \u00a0]?)(?P<unit>%|[A-Za-z\u00b5\u00b0][A-Za-z\u00b0]{0,11}(?:/[A-Za-z]{1,4})?)(?![\w(])")
+_NO_AMOUNT = pattern(r"(?:MAVLink|RFC|[Cc]riteri(?:on|a)|[Pp]ages?|[Vv]ersion|[Rr]ow|[Tt]able|[Ff]igure) $")
 _BYTES = unit_named("bytes")
 _MORE = {
     "byte": _BYTES,

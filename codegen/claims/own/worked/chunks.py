@@ -9,12 +9,13 @@ from codegen.claims.own.worked.sizes import text_start
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V2
+from codegen.pattern import pattern
 
 _MESSAGE, _NUMBER, _PLACE = "STATUSTEXT", "id", "chunk_seq"
 """The message that carries texts, with the fields for the number of the text and the place of a chunk."""
-_CHUNK, _CHARACTERS = re.compile(r"chunk", re.IGNORECASE), re.compile(r"characters", re.IGNORECASE)
-_FRAME = re.compile(r"frame(?: \(v2\)|,? v2)?", re.IGNORECASE)
-_TEXT = re.compile(r"\btext of (?P<length>\d{1,5}) characters with the number (?P<number>\d{1,5})\b")
+_CHUNK, _CHARACTERS = pattern(r"chunk", re.IGNORECASE), pattern(r"characters", re.IGNORECASE)
+_FRAME = pattern(r"frame(?: \(v2\)|,? v2)?", re.IGNORECASE)
+_TEXT = pattern(r"\btext of (?P<length>\d{1,5}) characters with the number (?P<number>\d{1,5})\b")
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

@@ -10,12 +10,15 @@ from codegen.claims.own.worked.amount import Amount
 from codegen.claims.own.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.nearest_unit import worded_unit
+from codegen.pattern import pattern
 
-_FLOAT = re.compile(r"\bas a float of 32 bits$")
-_VALUE = re.compile(r"value|result", re.IGNORECASE)
-_EXACT = re.compile(r", exact\b")
-_PARTS = re.compile(r"parts of an? (?P<units>[a-z]+(?: times an? [a-z]+)*) for an? (?P<time>[a-z]+) in ", re.IGNORECASE)
-_FORCED = re.compile(r"\bforce\b.*\barming\b|\barming\b.*\bforce\b", re.IGNORECASE)
+_FLOAT = pattern(r"\bas a float of 32 bits$")
+_VALUE = pattern(r"value|result", re.IGNORECASE)
+_EXACT = pattern(r", exact\b")
+_PARTS = pattern(
+    r"parts of an? (?P<units>[a-z]+(?: times an? [a-z]+)*) for an? (?P<time>[a-z]+) in ", re.IGNORECASE, needs="parts"
+)
+_FORCED = pattern(r"\bforce\b.*\barming\b|\barming\b.*\bforce\b", re.IGNORECASE)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

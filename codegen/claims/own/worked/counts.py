@@ -10,17 +10,16 @@ from codegen.claims.own.worked.readings import Measured, factor_names, measured
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_COUNT = re.compile(r"(?:ADC )?counts?", re.IGNORECASE)
-_NEAREST = re.compile(r"nearest (?:ADC )?count", re.IGNORECASE)
-_KEPT = re.compile(r"round|convert|stored|kept", re.IGNORECASE)
-_SIDE = re.compile(r"(?P<side>below|above) (?=[\d-])", re.IGNORECASE)
-_ONE = re.compile(
-    r"\b(?:one|a single) (?:count|step)(?: of the (?:ADC|converter))?(?:,| is| =|:)? (?=\d)", re.IGNORECASE
-)
-_SAID = re.compile(r"\bcount (?P<before>\d{1,6})\b(?![.\d])|\b(?P<behind>\d{1,6}) counts\b", re.IGNORECASE)
-_DEFAULT = re.compile(r"\bdefault multiplier of (?=\d)", re.IGNORECASE)
-_FULL = re.compile(r"\bfull[- ]scale\b", re.IGNORECASE)
+_COUNT = pattern(r"(?:ADC )?counts?", re.IGNORECASE)
+_NEAREST = pattern(r"nearest (?:ADC )?count", re.IGNORECASE)
+_KEPT = pattern(r"round|convert|stored|kept", re.IGNORECASE)
+_SIDE = pattern(r"(?P<side>below|above) (?=[\d-])", re.IGNORECASE)
+_ONE = pattern(r"\b(?:one|a single) (?:count|step)(?: of the (?:ADC|converter))?(?:,| is| =|:)? (?=\d)", re.IGNORECASE)
+_SAID = pattern(r"\bcount (?P<before>\d{1,6})\b(?![.\d])|\b(?P<behind>\d{1,6}) counts\b", re.IGNORECASE)
+_DEFAULT = pattern(r"\bdefault multiplier of (?=\d)", re.IGNORECASE)
+_FULL = pattern(r"\bfull[- ]scale\b", re.IGNORECASE)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

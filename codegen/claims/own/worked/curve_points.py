@@ -9,10 +9,11 @@ from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.spec.board import CurveSpec
 from codegen.model.units.unit import read_measure
+from codegen.pattern import pattern
 
-_POINTS = re.compile(r"[\d.]+: [\d.]+(?: and [\d.]+: [\d.]+)?")
-_BEYOND = re.compile(r"(?P<side>above|below) (?=\d)")
-_PER = re.compile(r"per [a-z]+\b.*", re.IGNORECASE)
+_POINTS = pattern(r"[\d.]+: [\d.]+(?: and [\d.]+: [\d.]+)?")
+_BEYOND = pattern(r"(?P<side>above|below) (?=\d)")
+_PER = pattern(r"per [a-z]+\b.*", re.IGNORECASE)
 
 Points = Sequence[tuple[Fraction, Fraction]]
 

@@ -9,26 +9,27 @@ from codegen.claims.own.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.units.unit import Unit, unit_named
+from codegen.pattern import pattern
 
 SECOND, HERTZ, PERCENT = (unit_named(name) for name in ("s", "Hz", "%"))
 _DAY = Fraction(86400)
 _TURN = {"ticks_us": Fraction(2**30, 10**6), "ticks_ms": Fraction(2**30, 10**3)}
 """Seconds after which the clocks of MicroPython begin anew. Source: its documentation of ``time.ticks_ms()``."""
-_PERIOD = re.compile(r"period of ", re.IGNORECASE)
-_LOOP = re.compile(r"\b(?:control slots?|main loop|passes|(?:one )?pass|slots)\b", re.IGNORECASE)
-_NAMED_LOOP = re.compile(r"\bmain loop\b", re.IGNORECASE)
-_SHARE = re.compile(r"(?:share|load) of ", re.IGNORECASE)
-_WITHIN = re.compile(r"\bwithin ", re.IGNORECASE)
-_FITS = re.compile(r"\b(?P<word>holds|fit|takes)$", re.IGNORECASE)
+_PERIOD = pattern(r"period of ", re.IGNORECASE)
+_LOOP = pattern(r"\b(?:control slots?|main loop|passes|(?:one )?pass|slots)\b", re.IGNORECASE)
+_NAMED_LOOP = pattern(r"\bmain loop\b", re.IGNORECASE)
+_SHARE = pattern(r"(?:share|load) of ", re.IGNORECASE)
+_WITHIN = pattern(r"\bwithin ", re.IGNORECASE)
+_FITS = pattern(r"\b(?P<word>holds|fit|takes)$", re.IGNORECASE)
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
-_ORDINAL = re.compile(rf"\bfrom the last .{{1,40}} to the (?P<ordinal>{'|'.join(_ORDINALS)}) \w+ at ", re.IGNORECASE)
-_RATE_OF = re.compile(r"\bof (?P<count>\d{1,9}) (?P<what>[a-z]+) at (?P<rate>\d{1,9}) (?P=what) per second\b")
-_BAUD = re.compile(r"\b(?P<baud>\d{3,7}) baud, (?P<bits>[1-9]\d?) bits per byte\b")
-_THAT = re.compile(r"% of that ")
-_UPDATE = re.compile(r"\b(?P<component>[a-z_]+) update\b")
-_ADDS = re.compile(r"\bloop that adds (?=\d)")
-_ONE_DAY = re.compile(r"\b(?:in|of) (?:one|a) day\b")
-_ONE_TURN = re.compile(r"\b(?:one|a) turn of (?P<clock>ticks_[mu]s)\b")
+_ORDINAL = pattern(rf"\bfrom the last .{{1,40}} to the (?P<ordinal>{'|'.join(_ORDINALS)}) \w+ at ", re.IGNORECASE)
+_RATE_OF = pattern(r"\bof (?P<count>\d{1,9}) (?P<what>[a-z]+) at (?P<rate>\d{1,9}) (?P=what) per second\b")
+_BAUD = pattern(r"\b(?P<baud>\d{3,7}) baud, (?P<bits>[1-9]\d?) bits per byte\b")
+_THAT = pattern(r"% of that ")
+_UPDATE = pattern(r"\b(?P<component>[a-z_]+) update\b")
+_ADDS = pattern(r"\bloop that adds (?=\d)")
+_ONE_DAY = pattern(r"\b(?:in|of) (?:one|a) day\b")
+_ONE_TURN = pattern(r"\b(?:one|a) turn of (?P<clock>ticks_[mu]s)\b")
 BYTES_PER_SECOND = unit_named("bytes/s")
 
 

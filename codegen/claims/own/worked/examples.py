@@ -13,6 +13,7 @@ from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.system import System
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
 EXAMPLE = Rule(
     "claim-example",
@@ -21,8 +22,8 @@ EXAMPLE = Rule(
     "worked examples that nothing can compute.",
 )
 
-_BRACKETS = re.compile(r"\(([^()]{1,18})\)$")
-_HEADING = re.compile(r"\b(?:worked )?examples?\b", re.IGNORECASE)
+_BRACKETS = pattern(r"\(([^()]{1,18})\)$")
+_HEADING = pattern(r"\b(?:worked )?examples?\b", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,5 @@
 """Tables of what fields carry: a column for a quantity, and others headed by elements of a message."""
 
-import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
@@ -12,9 +11,10 @@ from codegen.model.answers.known import Known
 from codegen.model.dialect.dialect import WireField
 from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.pattern import pattern
 
-_FIELD = re.compile(r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\.\.(?P<high>\d{1,3}))?\])?")
-_QUANTITY = re.compile(r"(?P<name>[A-Za-z][A-Za-z0-9_ ]*?)(?: \([^()]*\))?")
+_FIELD = pattern(r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\.\.(?P<high>\d{1,3}))?\])?")
+_QUANTITY = pattern(r"(?P<name>[A-Za-z][A-Za-z0-9_ ]*?)(?: \([^()]*\))?")
 _UNKNOWN = "unknown"
 
 

@@ -12,12 +12,13 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.expression import expression_before
 from codegen.load.prose import Passage
 from codegen.model.units.unit import decimal
+from codegen.pattern import pattern
 
-_FORMULA = re.compile(r"(?P<name>[A-Za-z_]\w*) = (?P<expression>[\w\s.*/+()-]{3,200})")
+_FORMULA = pattern(r"(?P<name>[A-Za-z_]\w*) = (?P<expression>[\w\s.*/+()-]{3,200})")
 _MOST = 50
 """The most formulas of a document that are looked at."""
-_NAME = re.compile(r"[A-Za-z_]\w*")
-_LARGEST = re.compile(r"largest (?:intermediate|product|value) of $", re.IGNORECASE)
+_NAME = pattern(r"[A-Za-z_]\w*")
+_LARGEST = pattern(r"largest (?:intermediate|product|value) of $", re.IGNORECASE)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

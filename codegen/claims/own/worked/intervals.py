@@ -1,6 +1,5 @@
 """Rows about the intervals of a message: a time beside the rate that it is, and the rate of a stream."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -8,11 +7,12 @@ from codegen.claims.own.worked.amount import of_unit
 from codegen.claims.own.worked.examples import Entry, Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import unit_named
+from codegen.pattern import pattern
 
 _SECOND, _HERTZ = unit_named("s"), unit_named("Hz")
-_INTERVAL = re.compile(r"MESSAGE_INTERVAL\b")
-_FASTEST = re.compile(r"\b(?:highest|fastest) of the stream\b")
-_NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
+_INTERVAL = pattern(r"MESSAGE_INTERVAL\b")
+_FASTEST = pattern(r"\b(?:highest|fastest) of the stream\b")
+_NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

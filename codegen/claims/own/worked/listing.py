@@ -11,9 +11,10 @@ from codegen.claims.own.worked.examples import Examples, read_examples
 from codegen.claims.reading import Reading, read_document, read_parts
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
+from codegen.pattern import pattern
 from codegen.source import Place
 
-_EXAMPLE = re.compile(r"\bfor example\b|\be\.g\.|\d[^|.;=]{0,60} [=\u2248] [^|.;=]{0,20}\d", re.IGNORECASE)
+_EXAMPLE = pattern(r"\bfor example\b|\be\.g\.|\d[^|.;=]{0,60} [=\u2248] [^|.;=]{0,20}\d", re.IGNORECASE)
 _CHECKS = (check_examples, check_claims)
 
 

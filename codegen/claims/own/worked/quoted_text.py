@@ -8,10 +8,11 @@ from codegen.claims.own.worked.examples import Examples, Statement
 from codegen.claims.own.worked.sizes import is_v1, text_start
 from codegen.diagnostics import Diagnostic
 from codegen.model.price import HEAD_V2
+from codegen.pattern import pattern
 
-_LENGTH = re.compile(r"\blength of ", re.IGNORECASE)
-_CHARACTERS = re.compile(r"\bcharacters\b")
-_CARRIED = re.compile(r"\bframe with that text\b", re.IGNORECASE)
+_LENGTH = pattern(r"\blength of ", re.IGNORECASE)
+_CHARACTERS = pattern(r"\bcharacters\b")
+_CARRIED = pattern(r"\bframe with that text\b", re.IGNORECASE)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

@@ -9,16 +9,17 @@ from codegen.claims.own.worked.examples import Entry, Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.vehicle import Parameter
+from codegen.pattern import pattern
 
-_SET = re.compile(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+) (?=-?\d)")
-_ANSWERED = re.compile(r"(?:value )?answered|answer", re.IGNORECASE)
-_REFUSED = re.compile(r"the old one\b")
-_ONLY = re.compile(r"\bonly (?P<numbers>\d{1,6}(?:, \d{1,6})*,? (?:and|or) \d{1,6}) (?:are|is) accepted")
-_FROM = re.compile(r"\b(?P<prefix>[A-Z][A-Z0-9]*_)\)? from (?P<low>\d{1,4}) to (?P<high>\d{1,4})\b")
-_NUMBERED = re.compile(r"\bparameters are numbered\b", re.IGNORECASE)
-_DEFAULT = re.compile(r"default of (?P<name>[A-Z][A-Z0-9_]+)", re.IGNORECASE)
-_ENTRY = re.compile(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}), (?=\d)")
-_WORDS = re.compile(r",? ?(?P<words>[^(]*)")
+_SET = pattern(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+) (?=-?\d)")
+_ANSWERED = pattern(r"(?:value )?answered|answer", re.IGNORECASE)
+_REFUSED = pattern(r"the old one\b")
+_ONLY = pattern(r"\bonly (?P<numbers>\d{1,6}(?:, \d{1,6})*,? (?:and|or) \d{1,6}) (?:are|is) accepted")
+_FROM = pattern(r"\b(?P<prefix>[A-Z][A-Z0-9]*_)\)? from (?P<low>\d{1,4}) to (?P<high>\d{1,4})\b")
+_NUMBERED = pattern(r"\bparameters are numbered\b", re.IGNORECASE)
+_DEFAULT = pattern(r"default of (?P<name>[A-Z][A-Z0-9_]+)", re.IGNORECASE, needs="default")
+_ENTRY = pattern(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}), (?=\d)")
+_WORDS = pattern(r",? ?(?P<words>[^(]*)")
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

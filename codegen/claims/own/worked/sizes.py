@@ -10,17 +10,18 @@ from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.pattern import pattern
 
-_NAME = re.compile(r"(?P<name>[A-Z][A-Z0-9_]{2,60})(?=$|,| \()")
-_CHARACTERS = re.compile(r"\b(?P<count>\d{1,3}) characters\b")
-_V1 = re.compile(r"\bv1\b|\bMAVLink 1\b", re.IGNORECASE)
+_NAME = pattern(r"(?P<name>[A-Z][A-Z0-9_]{2,60})(?=$|,| \()")
+_CHARACTERS = pattern(r"\b(?P<count>\d{1,3}) characters\b")
+_V1 = pattern(r"\bv1\b|\bMAVLink 1\b", re.IGNORECASE)
 _COLUMNS = {
-    "id": re.compile(r"(?:message )?(?:id|number)", re.IGNORECASE),
-    "base": re.compile(r"payload,? \(?base\)?|base payload", re.IGNORECASE),
-    "full": re.compile(r"payload,? \(?(?:extended|with extensions)\)?|extended payload", re.IGNORECASE),
-    "sent": re.compile(r"payload sent(?: \(v2\))?|payload,? sent", re.IGNORECASE),
-    "v2": re.compile(r"frame(?: \(v2\)|,? v2|,? MAVLink 2)", re.IGNORECASE),
-    "v1": re.compile(r"frame(?: \(v1\)|,? v1|,? MAVLink 1)", re.IGNORECASE),
+    "id": pattern(r"(?:message )?(?:id|number)", re.IGNORECASE),
+    "base": pattern(r"payload,? \(?base\)?|base payload", re.IGNORECASE),
+    "full": pattern(r"payload,? \(?(?:extended|with extensions)\)?|extended payload", re.IGNORECASE),
+    "sent": pattern(r"payload sent(?: \(v2\))?|payload,? sent", re.IGNORECASE),
+    "v2": pattern(r"frame(?: \(v2\)|,? v2|,? MAVLink 2)", re.IGNORECASE),
+    "v1": pattern(r"frame(?: \(v1\)|,? v1|,? MAVLink 1)", re.IGNORECASE),
 }
 
 

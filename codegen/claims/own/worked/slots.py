@@ -8,17 +8,18 @@ from codegen.claims.own.worked.amount import Amount, of_unit
 from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import unit_named
+from codegen.pattern import pattern
 
 _SECOND = unit_named("s")
-_SLOT, _TIME = re.compile(r"slot", re.IGNORECASE), re.compile(r"time", re.IGNORECASE)
+_SLOT, _TIME = pattern(r"slot", re.IGNORECASE), pattern(r"time", re.IGNORECASE)
 _FEWEST = 2
 """Rows that have to agree before another one is wrong."""
-_DURATION = re.compile(r"duration\b.*", re.IGNORECASE)
+_DURATION = pattern(r"duration\b.*", re.IGNORECASE)
 _COLUMNS = {
-    "next": re.compile(r"next pass", re.IGNORECASE),
-    "slot": re.compile(r"its slot", re.IGNORECASE),
-    "missed": re.compile(r"slots missed|missed slots", re.IGNORECASE),
-    "after": re.compile(r"pass after that", re.IGNORECASE),
+    "next": pattern(r"next pass", re.IGNORECASE),
+    "slot": pattern(r"its slot", re.IGNORECASE),
+    "missed": pattern(r"slots missed|missed slots", re.IGNORECASE),
+    "after": pattern(r"pass after that", re.IGNORECASE),
 }
 
 

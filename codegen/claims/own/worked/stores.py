@@ -8,8 +8,9 @@ from codegen.claims.own.worked.amount import Amount, amounts
 from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import Unit, unit_named
+from codegen.pattern import pattern
 
-_LEFT = re.compile(r"\b(?:left|remaining|rest)\b", re.IGNORECASE)
+_LEFT = pattern(r"\b(?:left|remaining|rest)\b", re.IGNORECASE)
 _PERCENT, _SECOND = unit_named("%"), unit_named("s")
 
 

@@ -14,17 +14,18 @@ from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.price import BITS_OF_A_BYTE, HEAD_V1, HEAD_V2, frame_size
 from codegen.model.units.unit import unit_named
+from codegen.pattern import pattern
 
 BYTES, PER_SECOND, HERTZ, SECOND = (unit_named(name) for name in ("bytes", "bytes/s", "Hz", "s"))
-_PARAMETERS = re.compile(r"\b(?:all|list of(?: the)?) (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
-_BAUD = re.compile(r"\b(?P<baud>[1-9]\d{2,6}) baud\b")
-_BITS = re.compile(r"\b(?P<bits>[1-9]\d?) bits per byte\b")
-_SAME = re.compile(r"(?:^|: )the same\b", re.IGNORECASE)
-_FRAME, _PAYLOAD = re.compile(r"\bframe\b", re.IGNORECASE), re.compile(r"\bpayload\b", re.IGNORECASE)
-_WHOLE = re.compile(r"\b(?:whole|largest|extended|with extensions)\b", re.IGNORECASE)
-_OTHER = re.compile(r"\bdraft|\bthat text\b|\bof the\b|\bsigned\b", re.IGNORECASE)
-_SIGNED = re.compile(r"\bsigned\b", re.IGNORECASE)
-_INSTANCE = re.compile(r"\bfor (?P<component>[a-z][a-z_]*) (?P<number>\d{1,3})\b")
+_PARAMETERS = pattern(r"\b(?:all|list of(?: the)?) (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
+_BAUD = pattern(r"\b(?P<baud>[1-9]\d{2,6}) baud\b")
+_BITS = pattern(r"\b(?P<bits>[1-9]\d?) bits per byte\b")
+_SAME = pattern(r"(?:^|: )the same\b", re.IGNORECASE)
+_FRAME, _PAYLOAD = pattern(r"\bframe\b", re.IGNORECASE), pattern(r"\bpayload\b", re.IGNORECASE)
+_WHOLE = pattern(r"\b(?:whole|largest|extended|with extensions)\b", re.IGNORECASE)
+_OTHER = pattern(r"\bdraft|\bthat text\b|\bof the\b|\bsigned\b", re.IGNORECASE)
+_SIGNED = pattern(r"\bsigned\b", re.IGNORECASE)
+_INSTANCE = pattern(r"\bfor (?P<component>[a-z][a-z_]*) (?P<number>\d{1,3})\b")
 _MOST = 8
 """Messages that a statement adds up."""
 _LISTED = "PARAM_VALUE"

@@ -8,18 +8,21 @@ from math import floor
 from codegen.claims.own.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.units.unit import unit_named
+from codegen.pattern import pattern
 
 _FEWEST = 3
 """Numbers of one entry that make a list of samples."""
-_LIST = re.compile(r"-?[\d.]+(?:, -?[\d.]+)+")
-_SUM, _MEAN = re.compile(r"sum", re.IGNORECASE), re.compile(r"mean", re.IGNORECASE)
-_READING = re.compile(r"(?:reading|rounded)\b.*", re.IGNORECASE)
-_WIDE = re.compile(r".*u(?P<bits>16|32)\(\)")
-_BITS = re.compile(r".*\((?P<bits>\d{1,2}) bits\)")
-_BRACKETS = re.compile(r"\(([^()]*)\)$")
-_BYTES = re.compile(r"\b(?:frames?|payload|bytes|sizes?)\b", re.IGNORECASE)
-_TOGETHER = re.compile(r"\btogether\b", re.IGNORECASE)
-_PER = re.compile(r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE)
+_LIST = pattern(r"-?[\d.]+(?:, -?[\d.]+)+")
+_SUM, _MEAN = pattern(r"sum", re.IGNORECASE), pattern(r"mean", re.IGNORECASE)
+_READING = pattern(r"(?:reading|rounded)\b.*", re.IGNORECASE)
+_WIDE = pattern(r".*u(?P<bits>16|32)\(\)")
+_BITS = pattern(r".*\((?P<bits>\d{1,2}) bits\)")
+_BRACKETS = pattern(r"\(([^()]*)\)$")
+_BYTES = pattern(r"\b(?:frames?|payload|bytes|sizes?)\b", re.IGNORECASE)
+_TOGETHER = pattern(r"\btogether\b", re.IGNORECASE)
+_PER = pattern(
+    r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE, needs="per"
+)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:

@@ -9,16 +9,17 @@ from codegen.claims.own.worked.examples import Examples, Row, Statement, Table
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.units.unit import Unit, unit_named
+from codegen.pattern import pattern
 
 _SECOND = unit_named("s")
-_TREND = re.compile(r"trend\b.*", re.IGNORECASE)
-_HOLDS = re.compile(r"\bwindow holds (?=\d)")
-_LAST = re.compile(r"(?:.*, )?(?P<count>\d{1,4}) (?:at|on a ramp of (?=-?\d))")
-_STEP = re.compile(r"\bstep from (?=-?\d)")
-_READINGS = re.compile(r"readings after the step", re.IGNORECASE)
-_FIRST = re.compile(r"from the first reading to the first trend\b", re.IGNORECASE)
-_MIDDLES = re.compile(r"distance between the middles of the two halves\b", re.IGNORECASE)
-_BETWEEN = re.compile(r"trend from .* changes between the halves\b", re.IGNORECASE)
+_TREND = pattern(r"trend\b.*", re.IGNORECASE)
+_HOLDS = pattern(r"\bwindow holds (?=\d)")
+_LAST = pattern(r"(?:.*, )?(?P<count>\d{1,4}) (?:at|on a ramp of (?=-?\d))")
+_STEP = pattern(r"\bstep from (?=-?\d)")
+_READINGS = pattern(r"readings after the step", re.IGNORECASE)
+_FIRST = pattern(r"from the first reading to the first trend\b", re.IGNORECASE)
+_MIDDLES = pattern(r"distance between the middles of the two halves\b", re.IGNORECASE)
+_BETWEEN = pattern(r"trend from .* changes between the halves\b", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)

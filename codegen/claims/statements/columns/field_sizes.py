@@ -1,6 +1,5 @@
 """Columns of sizes in tables whose rows name fields: the sizes are those of the fields, not of their messages."""
 
-import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -11,11 +10,13 @@ from codegen.claims.statements.columns.rows import Row, field_of
 from codegen.claims.statements.fields import number
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
-_OF_MESSAGE = re.compile(r"payload|frame|packet|message|msg|\bon (?:the )?wire\b|extension")
-_SIZE = re.compile(
+_OF_MESSAGE = pattern(r"payload|frame|packet|message|msg|\bon (?:the )?wire\b|extension")
+_SIZE = pattern(
     r"(?:field |data )?(?:size|bytes|octets|width|length|len\.?|bits|nbytes)"
-    r"(?: ?\(?(?:in )?(?:bytes|octets|bits)\)?)?(?: ?\[[^\]]*\])?"
+    r"(?: ?\(?(?:in )?(?:bytes|octets|bits)\)?)?(?: ?\[[^\]]*\])?",
+    needs="bits|bytes|len|octets|size|width",
 )
 _BITS = 8
 _HALF = 2

@@ -1,12 +1,11 @@
 """Rows of tables: their cells, and the message and the field that each is about."""
 
-import re
-
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,9 +30,9 @@ class Row:
         return next((at for at, cell in enumerate(self.cells) if _FIELD.fullmatch(text, *cell)), None)
 
 
-_FIELD = re.compile(r"\s*(?P<name>[FP])\s*(?:\[[^\]|]*\])?\s*")
-_NUMBER = re.compile(r"\s*#?(?P<number>N)(?: ?bytes?| b)?\s*")
-_MESSAGE = re.compile(r"\s*(?P<message>M)(?: \([^)]*\))?\s*")
+_FIELD = pattern(r"\s*(?P<name>[FP])\s*(?:\[[^\]|]*\])?\s*")
+_NUMBER = pattern(r"\s*#?(?P<number>N)(?: ?bytes?| b)?\s*")
+_MESSAGE = pattern(r"\s*(?P<message>M)(?: \([^)]*\))?\s*")
 
 
 def row_of(reading: Reading, span: Span) -> Row:

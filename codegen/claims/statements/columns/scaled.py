@@ -6,13 +6,14 @@ from fractions import Fraction
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.statements.fields import number
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
-_TIMES = re.compile(
+_TIMES = pattern(
     r"(?:(?:scal(?:e|ing)|conversion)(?: factor)?|factor|multipl(?:ier|y|ied)(?: (?:by|with))?|[*\u00d7x])",
     re.IGNORECASE,
 )
-_DIVIDED = re.compile(r"(?:divisor|divided?(?: (?:by|with))?|[/\u00f7])", re.IGNORECASE)
-_FACTOR = re.compile(r"\s*(?P<how>[*\u00d7x/\u00f7]?) ?(?P<number>N)\s*")
+_DIVIDED = pattern(r"(?:divisor|divided?(?: (?:by|with))?|[/\u00f7])", re.IGNORECASE)
+_FACTOR = pattern(r"\s*(?P<how>[*\u00d7x/\u00f7]?) ?(?P<number>N)\s*")
 
 
 def factor_beside(span: Span, at: int) -> Fraction | None:

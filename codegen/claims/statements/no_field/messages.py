@@ -7,6 +7,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.statements.subjects import subjects
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.pattern import pattern
 
 _MOST = 3
 """Messages that may be meant; of more than these nothing is said."""
@@ -18,7 +19,7 @@ def meant(reading: Reading, span: Span, offset: int) -> tuple[WireMessage, ...]:
     low, high = (0, len(span.text)) if is_listed else span.bounds(offset)
     if any(span.sentence.within(low, high, "CV")):
         return ()  # something else that has a name
-    if span.kind is PassageKind.ROW and (re.search("[FP]", span.text) or not _FIRST_CELL.match(span.text)):
+    if span.kind is PassageKind.ROW and (re.search("[FP]", span.text) or not _FIRST_COLUMN.match(span.text)):
         return ()  # what is said of a field, or of something else
     own = tuple(dict.fromkeys(name for _, name in span.named(low, high)))
     if own:
@@ -29,6 +30,6 @@ def meant(reading: Reading, span: Span, offset: int) -> tuple[WireMessage, ...]:
     return found if len(found) <= _MOST else ()
 
 
-_FIRST_CELL = re.compile(r"\|?\s*M\b")
-_SEVERAL = re.compile(r"\bP(?:, (?:and )?| and )P\b")
+_FIRST_COLUMN = pattern(r"\|?\s*M\b")
+_SEVERAL = pattern(r"\bP(?:, (?:and )?| and )P\b")
 """Several words that are names of fields: together they hardly are anything else."""

@@ -26,6 +26,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
 _NOT = words(
     ASKED, CHANGED, COMPARED, CONVERTED, DENIED, MISTAKEN, OWN, PAST, REPLACED, SHOWN, SUPPOSED,
@@ -35,11 +36,11 @@ _NOT = words(
     r"\berror", r"\bresolution\b", r"\bpublish", r"\bread as\b", r"\bhad been\b", r"\bstyle\b", r"\bnew\b",
     r"\bhowever\b", r"\bkept\b", r"\bkeep", r"\bthe others?\b",
 )  # fmt: skip
-_BEFORE = re.compile(
+_BEFORE = pattern(
     r"(?:\b(?:in|is|are|as|has|have|uses?|carries|counts?|unit:?|units?(?: is| are)?|both|all)"
     r"(?: (?:whole|plain|full))?|[(|:,]|T)\s*$"
 )
-_BEHIND = re.compile(r"\s*(?:[,.;:)|]|\*/|$|(?:and|or|in|of|per|from|above|below|relative|to)\b)")
+_BEHIND = pattern(r"\s*(?:[,.;:)|]|\*/|$|(?:and|or|in|of|per|from|above|below|relative|to)\b)")
 _LEAD = 30
 """Characters before a unit that have to say it of something."""
 _COUNTED = ("bytes", "bits")

@@ -4,7 +4,6 @@ Such fields have no unit in the dialect, but several in their descriptions: "loc
 latitude in degrees * 10^7". The factor stands far behind their names, or in the next sentence.
 """
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
@@ -16,8 +15,9 @@ from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_TIMES = re.compile(r"\s(?:times|multiplied|scaled)\s|[*\u00d7]")
+_TIMES = pattern(r"\s(?:times|multiplied|scaled)\s|[*\u00d7]")
 _NOT = words(ASKED, CHANGED, DENIED, MISTAKEN, OWN, PAST, REPLACED, SUPPOSED, r"\bplanner\b", r"\bfile\b")
 _FAR = 300
 """Characters before a factor in which the fields are named."""

@@ -14,30 +14,32 @@ from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, conversion
+from codegen.pattern import pattern
 
-_FACTOR = re.compile(
+_FACTOR = pattern(
     r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,40}?\b(?:by|with) (?P<number>N)[,:]?"
     r"(?: (?:for|to get|to give|gives?|is|makes?|to obtain|into|to|if you want|yields?|->|=|turns it into|results in"
     r"|and rounds?(?: it| them)? to(?: whole| full)?"
     r"|and you (?:have|get)|you get)(?: (?:the|an?|whole|value|it|in|get|as|values|number|angle|height|altitude"
-    r"|speed))*(?: (?:[a-z-]+ ){1,4}?in)?)? (?P<unit>U)"
+    r"|speed))*(?: (?:[a-z-]+ ){1,4}?in)?)? (?P<unit>U)",
+    needs="divid|multipl",
 )
-_SIGN = re.compile(
+_SIGN = pattern(
     r"(?<!U )(?<!U)(?P<how>[/*\u00d7\u00f7]|\btimes\b) ?(?P<number>N)"
     r"(?: ?(?:=|gives?|is|->|\u2192|for|to|in|makes|[#(|]|//))+ ?(?:in )?(?P<unit>U)"
 )
-_COMMENTED = re.compile(
+_COMMENTED = pattern(
     r"\)* ?(?P<how>[/*]) ?\(?(?P<number>N)[)\]}]*[;,]? *(?://|#"
     r"|/\*) ?(?:[a-zVEP ,;:()-]{0,40}[ ,(])??(?P<unit>U)(?=\s*(?:[,.;)]|\*/|$|[a-z]))"
 )
 """A factor of code whose result the comment behind it tells the unit of."""
-_WANTED = re.compile(
+_WANTED = pattern(
     r"\b(?:to get|to give|to obtain|for|to have|in order to get) (?:the )?(?:[a-z]+ in )?(?P<unit>U),?"
     r" (?:you )?(?:(?:can |have to |must )?(?:divide|multiply) )?(?:the |field )*$"
 )
-_EQUATION = re.compile(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
-_BY = re.compile(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
-_SCALE = re.compile(
+_EQUATION = pattern(r"\b(?:value |height |number )?in (?P<unit>U) ?= ?(?:the )?$")
+_BY = pattern(r"\b(?P<how>divid\w*|multipl\w*)\b[^.;|]{0,20}? (?:by|with) (?P<number>N)")
+_SCALE = pattern(
     r"\b(?:scaled? (?:by|with)|scaling(?: factor)?(?: of| is|:)?|scale(?: factor)?(?: of| is|:)?|factor(?: of| is"
     r"|:)?|multiplied by|times|[*\u00d7x]) (?P<number>N)(?!\s?[./%\w])"
 )
@@ -135,10 +137,8 @@ _SUFFIXES = {
     "millis": "ms",
     "radians": "rad",
 }
-_CALLED = re.compile(
-    r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*?(?:_(?P<snake>[a-zA-Z]+)|(?P<camel>[A-Z][a-z]+))(?![\w(])"
-)
-_APPLIED = re.compile(r"(?: \||\)| as T| as f64)* ?(?P<how>[/*]) ?(?P<number>N)(?: ?[|;,)\]}]|$)")
+_CALLED = pattern(r"(?<![\w.])[a-z][a-z0-9]*(?:_[a-z0-9]+)*?(?:_(?P<snake>[a-zA-Z]+)|(?P<camel>[A-Z][a-z]+))(?![\w(])")
+_APPLIED = pattern(r"(?: \||\)| as T| as f64)* ?(?P<how>[/*]) ?(?P<number>N)(?: ?[|;,)\]}]|$)")
 
 
 def _named_factor(reading: Reading, said: Said) -> Iterator[Diagnostic]:
@@ -188,7 +188,7 @@ def turns(field: WireField, unit: Unit, stated: Fraction) -> bool:
 
 _LEAST = 1000
 """The least factor by which a description scales: "10" may be the beginning of a power."""
-_STEPS = re.compile(
+_STEPS = pattern(
     r"(?:.*E(?P<tens>\d)|(?P<prefix>[mcdu])(?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*(?P<factor>\d+))"
 )
 

@@ -5,6 +5,7 @@ from functools import cache
 
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, unit_named
+from codegen.pattern import pattern
 
 
 def of_field(unit: Unit, field: WireField) -> Unit:
@@ -29,7 +30,7 @@ def is_same_unit(one: Unit, other: Unit) -> bool:
     return (one.dimension, one.scale, one.pi, one.zero) == (other.dimension, other.scale, other.pi, other.zero)
 
 
-_SCALED = re.compile(r"\b(?P<unit>degrees|meters) ?\* ?(?:10\^|1e)(?P<tens>\d)\b")
+_SCALED = pattern(r"\b(?P<unit>degrees|meters) ?\* ?(?:10\^|1e)(?P<tens>\d)\b")
 
 
 @cache
@@ -49,7 +50,7 @@ def shown_units(field: WireField) -> str | None:
     return field.definition.units or " or ".join(unit.name for unit in described_units(field)) or None
 
 
-_UNITLESS = re.compile(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
+_UNITLESS = pattern(r"\bunitless\b|\bdimensionless\b", re.IGNORECASE)
 
 
 def has_unit(field: WireField, unit: Unit) -> bool:

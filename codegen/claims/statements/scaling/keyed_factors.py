@@ -3,7 +3,6 @@
 ``field: relative_alt, factor: 0.01, unit: m`` says that the field counts in centimetres.
 """
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -18,15 +17,16 @@ from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit, conversion
+from codegen.pattern import pattern
 
-_FACTOR = re.compile(
+_FACTOR = pattern(
     r"(?<![\w-])(?P<how>div(?:id\w*|isors?)?|denominator|factor|scal(?:e|ing)(?:_?factor)?|multipl\w*|mult?|gain|lsb|resolution"
     r"|slope)(?:_by)? ?[:=] ?(?P<number>N)(?![\w.])"
 )
-_UNIT = re.compile(r"(?<![\w-])(?:[a-z]+_)?units?(?:_\w+)? ?[:=] ?(?P<unit>U)")
-_TURNED = re.compile(r"(?<![\w-])(?:to|target|convert\w*|out\w*|display\w*|shown?\w*|offset|bias|add) ?[:=]")
+_UNIT = pattern(r"(?<![\w-])(?:[a-z]+_)?units?(?:_\w+)? ?[:=] ?(?P<unit>U)")
+_TURNED = pattern(r"(?<![\w-])(?:to|target|convert\w*|out\w*|display\w*|shown?\w*|offset|bias|add) ?[:=]")
 """A key by which an entry does more to its number than a factor."""
-_ENTRY = re.compile(r"(?:^| )- |\}|\{|\[\[")
+_ENTRY = pattern(r"(?:^| )- |\}|\{|\[\[")
 """The ends of an entry on either side: an item of YAML, a brace, a table of TOML."""
 
 
@@ -98,4 +98,4 @@ def _bounds(span: Span, said: Said) -> tuple[int, int]:
     return low, min(stop.start() if stop is not None else len(span.text), *others[:1], len(span.text))
 
 
-_KEY = re.compile(r" ?[:=] ?\{")
+_KEY = pattern(r" ?[:=] ?\{")

@@ -19,24 +19,25 @@ from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_COMMENT = re.compile(r" ?(?://|/\*|# )[/!<*]?\s*")
-_FILLED = re.compile(r"\s?[:=](?!=)\s?")
-_READS = re.compile(
+_COMMENT = pattern(r" ?(?://|/\*|# )[/!<*]?\s*")
+_FILLED = pattern(r"\s?[:=](?!=)\s?")
+_READS = pattern(
     r"(?:\bp|\bbuf\w*|\bdata|payload|bytes|view|\braw|msg|\bb)(?:\.(?:get|read)[a-z]*\d*(?:le|be)?\(|\[)N"
     r"|(?:get|read|unpack|_at|from|[lb]e|int|u|i|f)_?\w*\((?:[^()]*, )?N\b|unpack_from\([^()]*\bN\)"
 )
 """A call or an index that takes a number out of some bytes."""
-_BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
-_SCALED = re.compile(r"(?: as [a-zT0-9]+)? ?(?P<how>[*/]) ?(?P<number>N)$")
-_ARITHMETIC = re.compile(r"[-+*/%&|?~^]|<<|>>")
-_MEMBER = re.compile(r"(?P<of>[a-z_]\w*)(?:\.|->)$")
+_BRACKETS = pattern(r"\([^()]*\)|\[[^\[\]]*\]")
+_SCALED = pattern(r"(?: as [a-zT0-9]+)? ?(?P<how>[*/]) ?(?P<number>N)$")
+_ARITHMETIC = pattern(r"[-+*/%&|?~^]|<<|>>")
+_MEMBER = pattern(r"(?P<of>[a-z_]\w*)(?:\.|->)$")
 _OWN_THINGS = frozenset((
     "self", "this", "state", "out", "result", "our", "cfg", "config", "ui", "row", "info", "log", "status", "own",
     "sample", "ctx", "store", "model", "view",
 ))  # fmt: skip
 """Objects whose members are somebody's own, whatever they are called."""
-_SAID = re.compile(
+_SAID = pattern(
     r"(?:(?:message|raw|wire|field)(?: unit)? ?)?"
     r"(?:(?:->|\u2192|=|=>|in|now|to|gives|is|as|unit:|T,?) ?){0,3}(?P<unit>U)"
     r"(?=\s*(?:[,.;)]|\*/|$|and\b|as\b|above\b|from\b|[a-z]{3,}))"

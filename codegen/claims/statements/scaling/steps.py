@@ -14,35 +14,36 @@ from codegen.claims.statements.scaling.field_units import has_unit, of_field, sh
 from codegen.diagnostics import Diagnostic
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
 _COUNT = r"(?:counts?|digits?|lsb|bits?|steps?|ticks?|increments?|units?|raw units?)"
 _AMOUNT = r"(?P<amount>Q|N U)"
 _BEHIND = (
-    re.compile(
+    pattern(
         rf"\b(?:one|an?|each|every|the|N) {_COUNT} ?(?:is|are|=|means|stands for|equals|of|represents|:)+ ?{_AMOUNT}"
     ),
-    re.compile(rf"\b(?:units|steps|increments|multiples|counts|ticks|resolution|lsb) of {_AMOUNT}"),
-    re.compile(rf"{_AMOUNT} ?(?:per|/|a|for each|each) {_COUNT}\b"),
-    re.compile(rf"\b(?:in|has|with|of) {_AMOUNT}[ -](?:steps|increments|counts)\b"),
-    re.compile(rf"\blsb:? ?(?:is|of|=)? ?{_AMOUNT}"),
-    re.compile(
+    pattern(rf"\b(?:units|steps|increments|multiples|counts|ticks|resolution|lsb) of {_AMOUNT}"),
+    pattern(rf"{_AMOUNT} ?(?:per|/|a|for each|each) {_COUNT}\b"),
+    pattern(rf"\b(?:in|has|with|of) {_AMOUNT}[ -](?:steps|increments|counts)\b"),
+    pattern(rf"\blsb:? ?(?:is|of|=)? ?{_AMOUNT}"),
+    pattern(
         r"(?P<counts>N) (?:counts|steps|units|ticks)"
         r"(?: (?:for|per|to|in|make|make up|are))+ (?:each |one |an? |every )?(?P<unit>U)"
     ),
 )
-_STEP_OF = re.compile(rf"\b(?:each|every|one|an?|the) {_COUNT} (?:of|in) (?:the )?$")
-_IS = re.compile(rf"(?: (?:of|in) M)? ?(?:is|=|means|stands for|equals|represents) ?{_AMOUNT}")
-_ALONE = re.compile(rf": {_AMOUNT}(?=\s*(?:[,;]|\.(?:\s|$)|$|\*/|each\b))")
-_WORD = re.compile(r"\b(?:count|digit|lsb|bit|step|tick|increment|unit|multiple|resolution|each)")
+_STEP_OF = pattern(rf"\b(?:each|every|one|an?|the) {_COUNT} (?:of|in) (?:the )?$")
+_IS = pattern(rf"(?: (?:of|in) M)? ?(?:is|=|means|stands for|equals|represents) ?{_AMOUNT}")
+_ALONE = pattern(rf": {_AMOUNT}(?=\s*(?:[,;]|\.(?:\s|$)|$|\*/|each\b))")
+_WORD = pattern(r"\b(?:count|digit|lsb|bit|step|tick|increment|unit|multiple|resolution|each)")
 _RULED_OUT = words(
     DENIED, REPLACED, PAST, MISTAKEN, OWN, r"\bshow", r"\bresolution of the\b", r"\bsensor", r"\bround", r"\blimit",
     r"\bchange", r"\bseconds? or\b",
 )  # fmt: skip
-_MOVED = re.compile(r"\b(?:(?:moves?|jumps?|rises?|changes?|falls?|goes)\b|display|screen|knob|slider)")
+_MOVED = pattern(r"\b(?:(?:moves?|jumps?|rises?|changes?|falls?|goes)\b|display|screen|knob|slider)")
 """Before steps in which something changes, or is shown, and not what one is."""
-_OTHER = re.compile(r"[MEVC|]|\.\s(?!\s?(?:it|its|they|one|each|every|a) )")
+_OTHER = pattern(r"[MEVC|]|\.\s(?!\s?(?:it|its|they|one|each|every|a) )")
 """Between a field and a step that is of another thing."""
-_IN_MESSAGE = re.compile(r" (?:of|in|from) M\b")
+_IN_MESSAGE = pattern(r" (?:of|in|from) M\b")
 _BEHIND_STEP = 12
 _FAR = 120
 

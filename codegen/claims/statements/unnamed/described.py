@@ -34,15 +34,16 @@ from codegen.claims.statements.types import has_type
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.pattern import pattern
 
-_IS = re.compile(
+_IS = pattern(
     r"(?P<noun>(?:[a-zP][a-zP-]{1,24} ){0,2}(?:[a-z][a-z-]{2,24}|P))(?: (?:values?|fields?|counters?|readings?"
     r"|numbers?))?"
     r"(?: (?:of|in) M)?(?:,? (?:is|are|comes?|goes|travels?|arrives?|as|an?|in|sent|the|which|that|each|all|only"
     r"|just|whole|full"
     r"|U|arrays? of|given|reported|again|here|just|one|too|also|both|on the wire))+ (?P<type>T)\b(?!,? (?:or|and) T)"
 )
-_LINKED = re.compile(r"\b(?:is|are|comes?|goes|travels?|arrives?|as|in an?|each)\b[^.;]*$")
+_LINKED = pattern(r"\b(?:is|are|comes?|goes|travels?|arrives?|as|in an?|each)\b[^.;]*$")
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED[:2], MISTAKEN, SUPPOSED, COMPARED, OWN, TEMPORARY[:1], ASKED, PROPOSED,
     r"\bcast", r"\bconvert", r"\bcopied\b", r"\bread\b", r"\bfrom\b", r"\bparam", r"\bfile\b", r"\bcolumn",
@@ -95,7 +96,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{name} {written}", text)
 
 
-_PRONOUN = re.compile(
+_PRONOUN = pattern(
     r"(?:^|\b(?:and|but|so|because|since|as) )(?:it|that|this|the field|the value|the number|the counter)$"
 )
 _FAR = 200

@@ -3,7 +3,6 @@
 The array is the only one of the message with a unit of that dimension, or all of them have another unit.
 """
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
@@ -28,8 +27,9 @@ from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.units.unit import Unit
+from codegen.pattern import pattern
 
-_IN = re.compile(
+_IN = pattern(
     r"\b(?:(?:each|every|an?|one) (?:element|entry|sector|slot|bin|item)|(?:the|all|its) (?:elements|entries|sectors"
     r"|slots|bins|items))(?: (?:of|in) the array)? (?:is|are|comes?|holds?)(?: (?:all|always|given|measured|sent|told)"
     r")*(?: in)?(?: whole| plain)? U(?=\s*(?:[,.;:)]|$|and\b))"
@@ -37,7 +37,7 @@ _IN = re.compile(
 _NOT = words(
     DENIED, REPLACED, PAST, CHANGED, MISTAKEN, SUPPOSED, OWN, SHOWN, CONVERTED, r"\?", r"\bif\b",
 )  # fmt: skip
-_OF_DEVICE = re.compile(r"\b(?:sensor|driver|lidar|radar|sonar|scanner|device)")
+_OF_DEVICE = pattern(r"\b(?:sensor|driver|lidar|radar|sonar|scanner|device)")
 """Before the unit: it is that of a source."""
 
 

@@ -20,11 +20,12 @@ from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
+from codegen.pattern import pattern
 
-_DESCRIBED = re.compile(
+_DESCRIBED = pattern(
     r"\bvalues? of (?P<values>[A-Z0-9_-]+(?:(?: or|,) [A-Z0-9_-]+)*) means? to (?P<verb>[a-z]+)", re.IGNORECASE
 )
-_LESS_ONE = re.compile(r"(?P<name>U?INT\d+_MAX)-1")
+_LESS_ONE = pattern(r"(?P<name>U?INT\d+_MAX)-1")
 _BACK = r"(?:[a-zNF]+ ){0,3}back"
 _VERBS: Mapping[str, str] = {
     "release": rf"releas(?:es?|ing)\b|(?:give|gives|giving|hand|hands) {_BACK}\b",
@@ -34,15 +35,15 @@ _VERBS: Mapping[str, str] = {
 """Words for what descriptions call so."""
 _STEMS = ("releas", "back", "ignor", "alone", "untouched", "leave", "keep")
 _ANY = "|".join(f"(?P<{verb}>{form})" for verb, form in _VERBS.items())
-_VALUE_FIRST = re.compile(
+_VALUE_FIRST = pattern(
     r"(?P<values>[NS](?:(?:,| and| or) [NS])*),? ?"
     rf"(?:(?:both|each|is the one that|is what|are|also|means?|=|:|to|tells to|all) ?)*(?:{_ANY})"
 )
-_VERB_FIRST = re.compile(
+_VERB_FIRST = pattern(
     rf"\b(?:{_ANY})[^.;NS]{{0,60}}?(?:channels? N(?: ?(?:to|-|\u2013) ?N)?[^.;NS]{{0,24}}?)?"
     r"\b(?:write|send|put|use|set|with|by|is)(?: it| them)?(?: to)? (?P<values>[NS])\b"
 )
-_RANGE = re.compile(
+_RANGE = pattern(
     r"\b[a-z]+ (?P<low>N) ?(?:to|-|\u2013|\u2026|through|\.\.\.?) ?(?P<high>N)\b"
     r"|\b(?:first|lower) (?P<many>N) [a-z]+s\b"
     r"|\bfrom [a-z]+ (?P<from>N) (?:on|up)|\b[a-z]+ (?P<up>N) and (?:up|above|higher)|\bchannel (?P<one>N)\b"

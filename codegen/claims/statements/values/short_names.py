@@ -19,23 +19,22 @@ from codegen.claims.statements.subjects import about
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import EnumDefinition
+from codegen.pattern import pattern
 
 _WORDS = r"(?!(?:and|or|but|with|to|from|of|as|at|which|that|so|then|per|is|than)\b)[a-zPC][a-zPC -]{1,36}?"
-_LISTED = re.compile(
+_LISTED = pattern(
     rf"(?:(?<=[:.,;(\u00b7] )|(?<=\()|(?<=\band )|(?<=\bor ))(?P<words>{_WORDS}) (?P<value>N)"
     r"(?=\s*(?:[,.;)]|$|and\b|or\b|\u00b7))"
 )
-_DOTTED = re.compile(
-    r"(?:(?<=[:\u00b7] )|^)(?P<value>N) (?P<words>[a-zPC][a-zPC -]{1,36}?)(?=\s*(?:\u00b7|\.(?:\s|$)|$))"
-)
-_ITEM = re.compile(r"[\s*-]*(?P<words>[a-zPC][a-zPC -]{1,36}?),? (?P<value>N)\s*\.?\s*$")
-_SAID = re.compile(
+_DOTTED = pattern(r"(?:(?<=[:\u00b7] )|^)(?P<value>N) (?P<words>[a-zPC][a-zPC -]{1,36}?)(?=\s*(?:\u00b7|\.(?:\s|$)|$))")
+_ITEM = pattern(r"[\s*-]*(?P<words>[a-zPC][a-zPC -]{1,36}?),? (?P<value>N)\s*\.?\s*$")
+_SAID = pattern(
     rf"(?:(?<=[.;,:] )|^|(?<=\band ))(?:the )?(?P<words>{_WORDS})(?:, which)? (?:is|has|=|equals)(?: the| value| bit)*"
     r" (?P<value>N)(?=\s*(?:[.;,)]|$|and\b))"
 )
-_END = re.compile(r"(?P<words>C)(?:,? (?:which|that))?(?: \(| =| is| has(?: the)? value|:)+ ?(?P<value>N)\b")
+_END = pattern(r"(?P<words>C)(?:,? (?:which|that))?(?: \(| =| is| has(?: the)? value|:)+ ?(?P<value>N)\b")
 """The end of the name of an entry, "RTK_FIXED, which is 6"."""
-_NUMBERED = re.compile(
+_NUMBERED = pattern(
     r"(?P<name>P) (?P<value>N) (?:is|means|stands for|=|:)(?: the| for)? (?P<words>[a-z][a-z -]{1,30}?)"
     r"(?=\s*(?:[.;,)]|$))"
 )

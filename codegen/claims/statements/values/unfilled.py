@@ -18,13 +18,14 @@ from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
+from codegen.pattern import pattern
 
 _NOUN = (
     r"(?:slots?|cells?|elements?|entry|entries|places?|positions?|sectors?|bins?|cores?|channels?|axis|axes|motors?)"
 )
 _STEMS = ("slot", "cell", "element", "entr", "place", "position", "sector", "bin", "core", "channel", "ax", "motor")
-_MENTIONED = re.compile(rf"\b(?P<noun>{_NOUN})\b")
-_UNFILLED = re.compile(
+_MENTIONED = pattern(rf"\b(?P<noun>{_NOUN})\b")
+_UNFILLED = pattern(
     r"\b(?:un(?:used|served|populated|connected|fitted)|absent|missing|invalid|empty|not (?:used|fitted|present"
     r"|connected|served|measured|covered|there|available|populated|wired|known|filled|in use|installed)"
     r"|without (?:an? |any |its )?(?:[a-z]+ )?(?:sensor|measurement|reading|data|value|stick|core|cell|motor|input"
@@ -33,17 +34,17 @@ _UNFILLED = re.compile(
     r"|(?:do(?:es)? not|don't|doesn't) exist|nothing (?:fills|is behind)|nobody (?:fills|uses|wants|measures|serves)"
     r"|(?:above|beyond|over|behind|after|past) (?:the|your|our|its) (?:[a-z]+ )?(?:count|number|last|end))\b"
 )
-_TOLD = re.compile(
+_TOLD = pattern(
     r"\b(?:is|are|has|have|holds?|carry|carries|gets?|(?:stays?|kept)(?: at)?|set to|fill(?:ed)? (?:it |them )?with"
     r"|marked (?:with|by|as)|put|sends?|sent as|written as|contains?|be|with)"
     r"(?: an?| the value| value| all| always| then| plain| just)* (?P<value>[NS])\b"
 )
-_NAMED_FIRST = re.compile(
+_NAMED_FIRST = pattern(
     r"(?P<value>[NS])(?: ?[=:]| (?:means|marks|is for|stands for|in|is|for))(?: (?:an?|the|all|F|of|M|marks|means|in))*"
     rf" (?:[a-z]+ ){{0,2}}{_NOUN}\b"
 )
-_CONTRAST = re.compile(r"\b(?:while|whereas|but|otherwise)\b|;")
-_NO_VALUE = re.compile(r" ?(?:[-+*/%]|U\b|Q|N|to N|\.\.|bytes?\b|volts|times|of [a-z]|cells|slots|elements|channels)")
+_CONTRAST = pattern(r"\b(?:while|whereas|but|otherwise)\b|;")
+_NO_VALUE = pattern(r" ?(?:[-+*/%]|U\b|Q|N|to N|\.\.|bytes?\b|volts|times|of [a-z]|cells|slots|elements|channels)")
 _RULED_OUT = words(
     PAST, MISTAKEN, PROPOSED, r"\b(?:do not|don't|must not|never|not to) (?:send|use|set|fill|write|put)", r"\?",
     r"\bnot (?:N|S)\b", r"\bparam", r"\brather than\b", r"\binstead of\b",
@@ -154,5 +155,5 @@ def _kin(reading: Reading, span: Span, at: int, noun: str, value: str) -> Sequen
     return found if len(found) >= _FEWEST else ()
 
 
-_OF_FIELDS = re.compile(r"channel|ax|motor")
+_OF_FIELDS = pattern(r"channel|ax|motor")
 """Nouns for things that have a field each."""
