@@ -7,7 +7,7 @@ import shutil
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 
 import measure
@@ -49,8 +49,7 @@ def figures(quick: bool) -> list[Figure]:
         os.environ["CODEGEN_CACHE"] = str(folder / "cache")
         _compile()
         fresh = _numbered(folder)
-        mavgen = partial(_mavgen, fresh, "common")
-        mavgen = cache(mavgen) if quick else mavgen  # one run of it shows that it runs
+        mavgen = measure.once(rounds)(partial(_mavgen, fresh, "common"))
         first_run = nullcontext if quick else _first_run  # that of a codec shows that there are such
         return [
             *_codecs(fresh, mavgen, rounds, quick),
@@ -173,6 +172,7 @@ def _rover(
     build = [measure.tool("codegen"), "build"]
     measure.said(build, cwd=first)
 
+    @measure.once(rounds)
     def cold() -> Weighed:
         path = measure.rover_specs(next(fresh))
         found = measure.weighed(build, path)
@@ -190,6 +190,7 @@ def _rover(
     def unchanged() -> Weighed:
         return _expect(measure.weighed(build, first), written=False)
 
+    @measure.once(rounds)
     def edited() -> Weighed:
         _edit(first / "specs" / "parameters.yaml")
         return _expect(measure.weighed(build, first), written=True)

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
+from functools import partial
 from pathlib import Path
 
 import measure
@@ -50,9 +51,13 @@ def figures(
     diff = [measure.tool("codegen"), "diff", "--fail-on", "never", "--allow-errors"]
     revisions, releases = [*diff, "HEAD~1", "HEAD"], [*diff, f"{_older_release()}:common", "pymavlink:common"]
 
-    def first(command: list[str]) -> Weighed:
+    checked, compared, released = (
+        measure.once(rounds)(partial(measure.weighed, command, project)) for command in (check, revisions, releases)
+    )
+
+    def first(run: Callable[[], Weighed]) -> Weighed:
         with first_run(next(fresh)):
-            return measure.weighed(command, project)
+            return run()
 
     def edited() -> Weighed:
         with (project / DOCUMENT).open("a", encoding="utf-8") as file:
@@ -72,14 +77,14 @@ def figures(
         return found
 
     contestants: dict[str, Callable[[], Weighed]] = {
-        "check": lambda: measure.weighed(check, project),
+        "check": checked,
         "check_edited": edited,
         "check_table": table,
-        "check_first": lambda: first(check),
-        "diff": lambda: measure.weighed(revisions, project),
-        "diff_first": lambda: first(revisions),
-        "diff_releases": lambda: measure.weighed(releases, project),
-        "diff_releases_first": lambda: first(releases),
+        "check_first": lambda: first(checked),
+        "diff": compared,
+        "diff_first": lambda: first(compared),
+        "diff_releases": released,
+        "diff_releases_first": lambda: first(released),
         "mavgen": mavgen,
     }
     if rounds > 1:

@@ -1,13 +1,12 @@
 """Sensors cost little where they have nothing to do, and lines of a receiver of satellites where they have."""
 
 import shutil
-import subprocess
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 
 import cost
 import pytest
+from in_process import build
 
 PROJECTS = Path(__file__).resolve().parents[1] / "projects"
 KINDS = 7
@@ -23,7 +22,7 @@ def counted(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, float]:
         pytest.skip(cost.problem())
     folder = tmp_path_factory.mktemp("cost")
     shutil.copytree(PROJECTS / "sensors" / "specs", folder / "specs")
-    subprocess.run([Path(sys.executable).parent / "codegen", "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     modules = cost.compiled([folder / "generated" / name for name in ("firmware", "mocks")], folder / "compiled")
     costs, said = cost.instructions("cost_sources.py", 0, [modules], folder)
     assert {name: said[name] for name in ("gga", "rmc", "gsa", "vtg", "gsv")} == dict.fromkeys(

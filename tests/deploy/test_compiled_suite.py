@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import run_suite
+from in_process import build
 from whole_program import module_folders
 
 from codegen.diagnostics import Report
@@ -27,7 +28,7 @@ def test_the_suite_passes_with_compiled_modules(architecture: str, tmp_path: Pat
     if architecture == BYTECODE:
         with (tmp_path / "specs" / "codegen.yaml").open("a") as settings:
             settings.write("machine_code: false\n")
-    subprocess.run([sys.executable, "-m", "codegen", "build"], cwd=tmp_path, check=True, capture_output=True)
+    build(tmp_path)
     texts = {
         path.name: path.read_text()
         for folder in module_folders(tmp_path / "generated", "firmware")

@@ -6,12 +6,11 @@ draft_project/ is the specification without its dialects, which are those of the
 import json
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from generated_suite import suite_is_green
+from in_process import build, codegen
 
 from codegen.cli import main
 from codegen.decode.spec import decode_spec
@@ -89,9 +88,7 @@ def test_files_of_other_overlays_are_known_to_be_unused(tmp_path: Path) -> None:
 def test_the_firmware_sends_the_chosen_layout(overlays: tuple[str, ...], tmp_path: Path) -> None:
     """The generated suite is green on both interpreters; its oracle is mavgen's dialect of the corrected XML."""
     project(tmp_path, *overlays)
-    command = [sys.executable, "-m", "codegen", "build"]
-    built = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert built.returncode == 0, built.stdout + built.stderr
+    build(tmp_path)
     suite_is_green(tmp_path, "generated/tests")
     assert "BATTERY_CELL_VOLTAGES" in (tmp_path / "generated" / "tests" / "cases.json").read_text()
 
@@ -115,8 +112,7 @@ def shipped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
         text, number = re.subn(f"(?m)^  - dialects/(?:{'|'.join(pair)}).xml$", f"  - dialects/{chosen}.xml", text)
         assert number == 1
     file.write_text(text)
-    command = [sys.executable, "-m", "codegen", "build"]
-    built = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    built = codegen(folder, "build")
     assert (built.returncode, built.stdout) == (0, ""), built.stderr
     return request.param, folder
 

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import codegen
 from whole_program import whole_program
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -36,8 +37,7 @@ def built(folder: Path, **was: str) -> "subprocess.CompletedProcess[str]":
         assert text.count(f"  {name}:\n") == 1
         text = text.replace(f"  {name}:\n", f"  {name}:\n    was: {names}\n")
     written.write_text(text)
-    command = [sys.executable, "-m", "codegen", "build", "--project", "specs/codegen.yaml"]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    return codegen(folder, "build", "--project", "specs/codegen.yaml")
 
 
 @pytest.fixture(scope="module")

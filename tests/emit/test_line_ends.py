@@ -1,17 +1,11 @@
 """A checkout of git under Windows, with CRLF, is the same specification and the same output."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from in_process import codegen
 
 TEXT = {".py", ".yaml", ".xml", ".md", ".json", ".html"}
-
-
-def codegen(folder: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
-    command = [sys.executable, "-m", "codegen", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def check_out_with_crlf(folder: Path) -> int:

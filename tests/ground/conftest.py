@@ -2,13 +2,13 @@
 
 import re
 import shutil
-import subprocess
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 from ground_link import GroundLink
+from in_process import build
 from programs import BIN, Program
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -99,5 +99,5 @@ def estimating(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     assert changed != written
     state.write_text(changed)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True, timeout=120)
+    build(project)
     return project

@@ -1,11 +1,11 @@
 """MAVProxy tells the simulated boat of tests/projects/commanded what to do: a pump with progress, lights, modes."""
 
 import shutil
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from in_process import build
 from programs import BIN, Program
 from test_mavproxy import mavproxy
 
@@ -52,7 +52,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Program]:
         "scenarios:\n  nominal: {doc: Nothing happens., duration: 60 s}\n"
     )
     (project / "boat.py").write_text(CODE)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True, timeout=120)
+    build(project)
     port = free_port()
     command = [str(BIN / "codegen"), "sim", "--duration", "forever", "--out", f"udp:127.0.0.1:{port}"]
     with (

@@ -1,13 +1,13 @@
 """MAVProxy and MAVSDK against the simulated examples/boat: what it says, how it is steered, and its pump."""
 
 import shutil
-import subprocess
 import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from in_process import build
 from programs import BIN, Program, wait_until
 from test_mavproxy import mavproxy
 from test_mavsdk import STATION, Station
@@ -24,7 +24,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The example, built."""
     folder = tmp_path_factory.mktemp("example") / "boat"
     shutil.copytree(EXAMPLE, folder, ignore=shutil.ignore_patterns("generated", "__pycache__"))
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True, timeout=120)
+    build(folder)
     return folder
 
 

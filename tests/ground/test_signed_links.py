@@ -2,13 +2,13 @@
 
 import hashlib
 import shutil
-import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from ground_link import GroundLink
+from in_process import build
 from programs import BIN, Program
 from pymavlink.dialects.v20 import common
 from test_mavproxy import mavproxy
@@ -29,7 +29,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("guarded")
     shutil.copytree(SPECS, folder / "specs")
     (folder / "specs" / "scenarios.yaml").write_text("scenarios:\n  nominal: {doc: Nothing happens., duration: 60 s}\n")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True, timeout=120)
+    build(folder)
     (folder / "flash").mkdir()
     (folder / "flash" / "signing.key").write_text(KEY.hex() + "\n")
     return folder

@@ -3,7 +3,6 @@
 import json
 import shutil
 import socket
-import subprocess
 import sys
 import time
 from collections.abc import Iterator
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from ground_link import GroundLink
+from in_process import build
 from programs import BIN, Program, wait_until
 from test_mavproxy import mavproxy
 from test_mavsdk import STATION, Station
@@ -34,7 +34,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built."""
     folder = tmp_path_factory.mktemp("networked")
     shutil.copytree(SPECS, folder / "specs")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True, timeout=120)
+    build(folder)
     return folder
 
 

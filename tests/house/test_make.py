@@ -21,6 +21,7 @@ case "$*" in
     *"-m venv --clear .venv") mkdir -p .venv/bin; exit "$NO_ENSUREPIP" ;;
     *"-m venv --clear --without-pip .venv") mkdir -p .venv/bin; exit "$NO_VENV" ;;
     *"-m virtualenv"*) mkdir -p .venv/bin; exit "$NO_VIRTUALENV" ;;
+    *"-m pip --python"*) exit "$NO_PIP" ;;
     *"-c"*) exit "$TOO_OLD" ;;
 esac
 """
@@ -64,7 +65,8 @@ def called(checkout: Path) -> list[str]:
 
 def run(checkout: Path, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
     clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
-    everything = {"FAILING": "nothing", "NO_ENSUREPIP": "0", "NO_VENV": "0", "NO_VIRTUALENV": "0", "TOO_OLD": "0"}
+    everything = {"FAILING": "nothing", "TOO_OLD": "0"}
+    everything |= dict.fromkeys(("NO_PIP", "NO_ENSUREPIP", "NO_VENV", "NO_VIRTUALENV"), "0")
     everything["BROWSERS"] = everything["VALGRIND"] = "sh"  # there is one
     return subprocess.run(
         command, cwd=checkout, env={**clean, **everything, **environment}, capture_output=True, text=True, check=False
@@ -247,29 +249,26 @@ def python(checkout: Path) -> Path:
     return program
 
 
+BARE = "-m venv --clear --without-pip .venv"
+FILLED = "-m pip --python .venv/bin/python install --quiet --no-compile pip"
+
+
 @pytest.mark.parametrize(
     ("missing", "expected"),
     [
-        ({}, ["-m venv --clear .venv"]),
-        (
-            {"NO_ENSUREPIP": "1"},
-            [
-                "-m venv --clear .venv",
-                "-m venv --clear --without-pip .venv",
-                "-m pip --python .venv/bin/python install --quiet pip",
-            ],
-        ),
-        (
-            {"NO_ENSUREPIP": "1", "NO_VENV": "1"},
-            ["-m venv --clear .venv", "-m venv --clear --without-pip .venv", "-m virtualenv --clear .venv"],
-        ),
+        ("", [BARE, FILLED]),
+        ("NO_PIP", [BARE, FILLED, "-m venv --clear .venv"]),
+        ("NO_ENSUREPIP", [BARE, FILLED]),
+        ("NO_PIP NO_ENSUREPIP", [BARE, FILLED, "-m venv --clear .venv", "-m virtualenv --clear .venv"]),
+        ("NO_VENV", [BARE, "-m venv --clear .venv"]),
+        ("NO_VENV NO_ENSUREPIP", [BARE, "-m venv --clear .venv", "-m virtualenv --clear .venv"]),
     ],
 )
 def test_environment_is_made_with_what_there_is(
-    checkout: Path, python: Path, missing: dict[str, str], expected: list[str]
+    checkout: Path, python: Path, missing: str, expected: list[str]
 ) -> None:
-    """A Debian with Python, pip and make lacks ensurepip: that has to be enough."""
-    run(checkout, "make", "build", f"PYTHON={python}", **missing)
+    """A Debian with Python, pip and make lacks ensurepip, and one with python3-venv lacks pip: each is enough."""
+    run(checkout, "make", "build", f"PYTHON={python}", **dict.fromkeys(missing.split(), "1"))
     calls = [call.removeprefix("python ") for call in called(checkout)]
     made = [call for call in calls if "venv" in call]
     assert made == expected

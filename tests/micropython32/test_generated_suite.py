@@ -6,12 +6,11 @@ machine code, so that the projects are built without. Beside the rover there are
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from generated_suite import run_suite, scripts_of
+from in_process import build
 from rover_alone import without_programs
 from test_interpreter import MICROPYTHON32
 
@@ -36,7 +35,7 @@ def _built(folder: Path) -> Path:
     """The suite of a project, built without machine code."""
     with (folder / "specs" / "codegen.yaml").open("a") as settings:
         settings.write("machine_code: false\n")
-    subprocess.run([sys.executable, "-m", "codegen", "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder / "generated" / "tests"
 
 

@@ -2,13 +2,12 @@
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from generated_suite import suite_is_green
+from in_process import build
 from test_smart_battery import run
 from whole_program import module_folders
 
@@ -33,9 +32,7 @@ def built(folder: Path, *changes: tuple[str, str, str]) -> Path:
         text = (folder / file).read_text()
         assert text.count(old) == 1
         (folder / file).write_text(text.replace(old, new))
-    command = [sys.executable, "-m", "codegen", "build"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    build(folder)
     return folder / "generated"
 
 

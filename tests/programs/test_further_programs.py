@@ -3,11 +3,10 @@
 import json
 import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from in_process import codegen as run
 
 from codegen.diagnostics import Report, Severity
 from codegen.emit import stamp
@@ -30,12 +29,6 @@ def project(tmp_path: Path) -> Path:
     for path in (tmp_path / "specs").rglob("*"):
         os.utime(path, (1, 1))
     return tmp_path
-
-
-def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """One command in the folder."""
-    command = [sys.executable, "-m", "codegen", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def read(folder: Path) -> tuple[System, System]:

@@ -1,11 +1,10 @@
 """What the programs of a project have alike lies once, in the common folder; what only some have does not."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from in_process import codegen as run
 from whole_program import module_folders, whole_program
 
 from codegen.commands.build import compile_firmware, render_systems, stale_firmware
@@ -21,12 +20,6 @@ from codegen.targets.shared_files import laid_out
 ROOT = Path(__file__).resolve().parents[2]
 FRAMES = "firmware/frames_viper.py"
 """What a program without machine code does not have."""
-
-
-def run(folder: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
-    """One command in the folder."""
-    command = [sys.executable, "-m", "codegen", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def test_what_all_programs_have_alike_is_common() -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from in_process import build, codegen
 from pymavlink.dialects.v20 import ardupilotmega
 
 HERE = Path(__file__).resolve().parent
@@ -97,7 +98,7 @@ def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
     subprocess.run(
         ["cp", "-r", str(HERE / "boat" / "specs"), str(HERE / "boat" / "voyage.py"), str(folder)], check=True
     )
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 
@@ -124,7 +125,7 @@ def test_what_was_set_arrives(boat: Path, interpreter: str) -> None:
 def test_its_documents_hold(boat: Path) -> None:
     """Tables and claims of its requirement document have no finding, and each criterion has rows and tests."""
     for command in (["check"], ["trace", "--fail-on", "uncovered,orphaned,suspect,unspecified,uncited"]):
-        done = subprocess.run([str(BIN / "codegen"), *command], cwd=boat, capture_output=True, text=True, check=False)
+        done = codegen(boat, *command)
         assert done.returncode == 0, done.stdout
         assert ": warning " not in done.stdout
     assert "14 criteria" in done.stdout
@@ -132,8 +133,7 @@ def test_its_documents_hold(boat: Path) -> None:
         ("ATTITUDE.pitch", " -3.4028234663852886e+38..3.4028234663852886e+38\n"),
         ("gps.lon", " -1800000000..1800000000 degE7"),
     ):
-        command = [str(BIN / "codegen"), "explain", topic]
-        assert words in subprocess.run(command, cwd=boat, capture_output=True, text=True, check=True).stdout
+        assert words in codegen(boat, "explain", topic).stdout
 
 
 def exact(interpreter: str, boat: Path, script: str) -> Any:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from in_process import build
 from pymavlink.dialects.v20 import ardupilotmega
 
 HERE = Path(__file__).resolve().parent
@@ -22,8 +23,7 @@ def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
     subprocess.run(["cp", "-r", str(HERE / "boat" / "specs"), str(folder)], check=True)
     for file in (HERE / "boat" / "afloat").iterdir():
         (folder / "specs" / file.name).write_bytes(file.read_bytes())
-    done = subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=False, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout
+    build(folder)
     return folder
 
 

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.generator.mavcrc import x25crc
 
@@ -377,7 +378,7 @@ def boat(tmp_path_factory):
     """The folder in which the boat is built."""
     folder = tmp_path_factory.mktemp("commanded")
     subprocess.run(["cp", "-r", *map(str, (HERE / "commanded").iterdir()), str(folder)], check=True)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     orders = [(name, [*steps, SECOND] if name in HEARTBEATS else steps) for name, (steps, *_) in CASES.items()]
     (folder / "orders.json").write_text("".join(f"{json.dumps(order)}\n" for order in orders))
     return folder

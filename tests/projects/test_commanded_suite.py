@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import suite_is_green
+from in_process import build, codegen
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -44,7 +45,7 @@ def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder in which the boat is built."""
     folder = tmp_path_factory.mktemp("commanded")
     shutil.copytree(HERE / "commanded" / "specs", folder / "specs")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 
@@ -83,8 +84,7 @@ def test_a_change_is_noticed(boat: Path, tmp_path: Path, file: str, old: str, ne
 
 def test_they_are_evidence_for_what_the_commands_cite(boat: Path) -> None:
     """Every criterion about commands and modes has tests, by the names that pytest gives them."""
-    command = [str(BIN / "codegen"), "trace", "--fail-on", "uncovered,orphaned,unspecified,uncited"]
-    done = subprocess.run(command, cwd=boat, capture_output=True, text=True, check=False)
+    done = codegen(boat, "trace", "--fail-on", "uncovered,orphaned,unspecified,uncited")
     assert done.returncode == 0, done.stdout
     listed = subprocess.run(
         [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider", "-n0", "generated/tests/test_program.py"],
@@ -102,7 +102,6 @@ def test_a_vehicle_whose_commands_are_all_short(tmp_path):
     commands = tmp_path / "specs" / "commands.yaml"
     assert "    long: true\n" in commands.read_text()
     commands.write_text(commands.read_text().replace("    long: true\n", ""))
-    built = subprocess.run([str(BIN / "codegen"), "build"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert built.returncode == 0, built.stdout + built.stderr
+    build(tmp_path)
     assert not (tmp_path / "generated" / "firmware" / "long_commands.py").exists()
     suite_is_green(tmp_path, "generated/tests", only="test_program and micropython-command")

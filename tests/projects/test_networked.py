@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import in_process
 import pytest
 
 HERE = Path(__file__).resolve().parent
@@ -17,7 +18,7 @@ TCP = {"tcp_client.py", "tcp_peer.py", "tcp_port.py", "tcp_server.py", "tcp_stat
 
 def build(folder: Path) -> set[str]:
     """Build the project, and return the names of its firmware's files."""
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True, timeout=120)
+    in_process.build(folder)
     return {path.name for path in (folder / "generated" / "firmware").iterdir()}
 
 

@@ -12,6 +12,7 @@ from math import floor
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -44,7 +45,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built."""
     folder = tmp_path_factory.mktemp("power") / "monitor"
     subprocess.run(["cp", "-r", str(HERE / "power_monitor"), str(folder)], check=True)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 
@@ -114,7 +115,7 @@ def test_what_is_counted_does_not_drift(project: Path, interpreter: str, days: i
     state = project / "specs" / "state.yaml"
     if "500 ms" in state.read_text():  # readings that may be a minute apart make a month short
         state.write_text(state.read_text().replace("stale_after: 500 ms", "stale_after: 60 s"))
-        subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True)
+        build(project)
     command = [str(BIN / interpreter), "days.py", str(days)]
     done = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

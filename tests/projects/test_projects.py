@@ -18,8 +18,10 @@ from pathlib import Path
 
 import pytest
 from generated_suite import suite_is_green
+from in_process import build
 
 PROJECTS = Path(__file__).resolve().parent
+BIN = Path(sys.executable).parent
 WHOLE = {"radio_rover", "guarded", "sensors"}
 """Whose checks of the whole program run; the checks of others, whose modules are the same, are about what they have."""
 DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
@@ -34,13 +36,11 @@ COMMON = (
 def test_project_builds_and_its_suite_is_green(project, tmp_path):
     """No error while building; no failed test in the output, and lint finds nothing in the firmware."""
     subprocess.run(["cp", "-r", str(PROJECTS / project / "specs"), str(tmp_path)], check=True)
-    codegen = Path(sys.executable).with_name("codegen")
-    built = subprocess.run([str(codegen), "build"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert built.returncode == 0, built.stdout
+    build(tmp_path)
     left_out = f"cpython or {DAYS}" if project in WHOLE else f"cpython or {COMMON}"
     suite_is_green(tmp_path, "generated/tests", only=f"not (test_program and ({left_out}))")
     lint = [
-        str(codegen.with_name("ruff")),
+        str(BIN / "ruff"),
         "check",
         "--select",
         "E,F,W,B,PLE",
@@ -57,10 +57,9 @@ def test_project_builds_and_its_suite_is_green(project, tmp_path):
 def test_the_radio_rover_runs(runtime, tmp_path):
     """Its firmware is simulated on both interpreters: it drives, reports the voltage, and fires its failsafe."""
     subprocess.run(["cp", "-r", str(PROJECTS / "radio_rover" / "specs"), str(tmp_path)], check=True)
-    codegen = str(Path(sys.executable).with_name("codegen"))
-    subprocess.run([codegen, "build"], cwd=tmp_path, capture_output=True, check=True)
+    build(tmp_path)
     out = ["--out", "udp:127.0.0.1:9"]
-    command = [codegen, "sim", "nominal", "--speed", "max", "--runtime", runtime, *out]
+    command = [str(BIN / "codegen"), "sim", "nominal", "--speed", "max", "--runtime", runtime, *out]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "The failsafe fired: low at 6.8 s." in done.stdout

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import run_suite, suite_is_green
+from in_process import build
 from pymavlink.dialects.v10 import common as v1
 from pymavlink.dialects.v20 import common
 
@@ -358,7 +359,7 @@ def built(tmp_path_factory):
     """The folder in which the project is built, with what arrives."""
     folder = tmp_path_factory.mktemp("received")
     shutil.copytree(SPECS, folder / "specs")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     (folder / "receive.py").write_text(SCRIPT)
     steps = {name: case[0] for name, case in CASES.items()}
     (folder / "frames.json").write_text(json.dumps([PATHS, steps]))

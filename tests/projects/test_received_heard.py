@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -16,8 +17,7 @@ def receiving(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("received")
     subprocess.run(["cp", "-r", str(HERE / "received" / "specs"), str(folder)], check=True)
     (folder / "specs" / "scenarios.yaml").write_bytes((HERE / "received" / "heard" / "scenarios.yaml").read_bytes())
-    done = subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=False, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout
+    build(folder)
     return folder
 
 

@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 from pymavlink.dialects.v20 import common
 
 from codegen.diagnostics import Report
@@ -79,7 +80,7 @@ def rows(tmp_path_factory):
     """The folder in which the project is built."""
     folder = tmp_path_factory.mktemp("rows")
     shutil.copytree(SPECS, folder / "specs")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     (folder / "send.py").write_text(SCRIPT)
     return folder
 
@@ -155,7 +156,7 @@ def test_initial_stands_in_for_each_value(tmp_path):
     state.write_text(state.read_text().replace("elements: 4, stale_after: 500 ms", "elements: 4, initial: 0.25"))
     table = tmp_path / "specs" / ATTITUDE
     table.write_text(table.read_text().replace("send: while_known\n", ""))
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=tmp_path, check=True, capture_output=True)
+    build(tmp_path)
     script = (
         SCRIPT.partition("nav.attitude = ")[0]
         + "attitude()\nnav.attitude[1] = 2\nattitude()\nprint(json.dumps(frames))"

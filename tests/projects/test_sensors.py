@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from in_process import build, codegen
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -139,7 +140,7 @@ def sensors(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("sensors")
     parts = [str(HERE / "sensors" / name) for name in ("specs", "hardware.py")]
     subprocess.run(["cp", "-r", *parts, str(folder)], check=True)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 
@@ -157,8 +158,7 @@ def test_what_sensors_say_is_kept(sensors: Path, interpreter: str) -> None:
 
 def test_it_has_no_findings(sensors: Path) -> None:
     """Nor has its trace: each criterion has rows and tests."""
-    done = subprocess.run([str(BIN / "codegen"), "check"], cwd=sensors, capture_output=True, text=True, check=False)
+    done = codegen(sensors, "check")
     assert (done.returncode, done.stdout) == (0, "")
-    command = [str(BIN / "codegen"), "trace", "--fail-on", "uncovered,orphaned,unspecified"]
-    done = subprocess.run(command, cwd=sensors, capture_output=True, text=True, check=False)
+    done = codegen(sensors, "trace", "--fail-on", "uncovered,orphaned,unspecified")
     assert done.returncode == 0, done.stdout

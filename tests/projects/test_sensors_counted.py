@@ -8,6 +8,7 @@ from math import ceil, floor
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -47,7 +48,7 @@ def sensors(tmp_path_factory: pytest.TempPathFactory) -> Path:
         line.replace("stale_after: 1 s", "stale_after: 60 s") if "source: power." in line else line for line in lines
     ]
     state.write_text("\n".join(lines) + "\n")
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 
@@ -61,7 +62,7 @@ def exchanged(tmp_path_factory: pytest.TempPathFactory) -> Path:
     board.write_text(board.read_text().replace("  power:\n", f"  divider: {DIVIDER}\n  power:\n", 1))
     text = state.read_text().replace("integral_of: current}", "integral_of: current, restarts_with: swaps}")
     state.write_text(text.replace("      consumed:", f"{SEEN}      consumed:"))
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     return folder
 
 

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -17,8 +18,7 @@ def sensors(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("sensors")
     subprocess.run(["cp", "-r", str(HERE / "sensors" / "specs"), str(folder)], check=True)
     (folder / "specs" / "scenarios.yaml").write_bytes((HERE / "sensors" / "moving" / "scenarios.yaml").read_bytes())
-    done = subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=False, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout
+    build(folder)
     return folder
 
 

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 from pymavlink.dialects.v20 import common
 
 HERE = Path(__file__).resolve().parent
@@ -78,7 +79,7 @@ def rover(tmp_path_factory):
     """The folder in which the radio rover is built."""
     folder = tmp_path_factory.mktemp("rover")
     subprocess.run(["cp", "-r", str(HERE / "radio_rover" / "specs"), str(folder)], check=True)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     (folder / "send.py").write_text(SCRIPT)
     (folder / "frames.json").write_text(json.dumps(list(CASES.values())))
     return folder

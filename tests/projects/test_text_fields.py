@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
@@ -64,7 +65,7 @@ def texts(tmp_path_factory):
     """The folder in which the project is built."""
     folder = tmp_path_factory.mktemp("texts")
     subprocess.run(["cp", "-r", str(HERE / "texts" / "specs"), str(folder)], check=True)
-    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    build(folder)
     (folder / "send.py").write_text(SCRIPT)
     (folder / "texts.json").write_text(json.dumps(SET, ensure_ascii=False), encoding="utf-8")
     return folder

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from in_process import build
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BIN = Path(sys.executable).parent
@@ -52,8 +54,7 @@ def shipped(folder: Path) -> Path:
 
 def built(folder: Path) -> Path:
     """The generated files of the project in a folder."""
-    done = subprocess.run([BIN / "codegen", "build"], cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    build(folder)
     return folder / "generated"
 
 

@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from in_process import build
 
 from codegen.answers.limits import Bounds, dialect_bounds
 from codegen.cli import main
@@ -91,9 +92,7 @@ def satellites(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built."""
     folder = tmp_path_factory.mktemp("satellites")
     shutil.copytree(PROJECT / "specs", folder / "specs")
-    command = [str(Path(sys.executable).with_name("codegen")), "build"]
-    built = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert built.returncode == 0, built.stdout
+    build(folder)
     return folder
 
 

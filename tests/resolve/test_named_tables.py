@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from edited_project import system_of
+from in_process import build
 
 from codegen.commands.trace import read_trace
 from codegen.diagnostics import Report
@@ -165,10 +166,7 @@ def test_a_program_lists_its_tables_by_name(folder: Path) -> None:
 def test_requests_reach_all_tables_of_a_message(tmp_path: Path) -> None:
     """Once each, in the interval that is asked for, all off; and the interval that is told is the shortest one."""
     shutil.copytree(PROJECT, tmp_path / "specs")
-    built = subprocess.run(
-        [Path(sys.executable).with_name("codegen"), "build"], cwd=tmp_path, capture_output=True, check=False
-    )
-    assert built.returncode == 0
+    build(tmp_path)
     script = """
 import mock_time
 mock_time.install()

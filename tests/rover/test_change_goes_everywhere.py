@@ -1,18 +1,16 @@
 """Changing one number in a YAML file changes firmware, tests, documents and explanation together, and nothing else."""
 
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from generated_suite import suite_is_green
+from in_process import codegen
 from rover_alone import without_programs
 
 from codegen.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
-BIN = Path(sys.executable).parent
 
 DOCUMENT = "docs/telemetry.md"
 PAYLOADS = ("firmware/telemetry_plain.py", "firmware/telemetry_viper.py")
@@ -128,8 +126,7 @@ def bodies(folder: Path) -> dict[str, str]:
 
 def run(folder: Path, *arguments: str) -> str:
     """Run codegen in a folder; its standard output."""
-    command = [str(BIN / "codegen"), *arguments]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    done = codegen(folder, *arguments)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

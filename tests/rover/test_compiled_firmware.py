@@ -7,6 +7,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+import in_process
 import pytest
 from whole_program import module_folders
 
@@ -41,9 +42,8 @@ def project(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def codegen(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [str(TOOLS / "codegen"), "build", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+def codegen(folder: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
+    return in_process.codegen(folder, "build", *arguments)
 
 
 def frames(folder: Path, modules: Sequence[Path], form: str) -> list[str]:
