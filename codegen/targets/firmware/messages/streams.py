@@ -71,6 +71,7 @@ class StreamsView:
     """
 
     imports: tuple[str, ...]
+    telemetry: str  # the module that it is, and what streams call it; without machine code nothing stands between
     system_id: int
     system_parameter: str
     component_id: int
@@ -116,6 +117,7 @@ def streams_view(system: System) -> StreamsView:
     parameters = [stream.parameter for stream in streams if stream.parameter]
     return StreamsView(
         imports=either_import("scan", ["LATE", "LOOK_MS", "take_due"], machine_code=project.machine_code),
+        telemetry="telemetry" if project.machine_code else "telemetry_plain as telemetry",
         system_id=system.system_id,
         system_parameter=system.system_parameter.name if system.system_parameter else "",
         component_id=system.component_id,
