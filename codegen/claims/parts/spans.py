@@ -57,6 +57,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     leading: list[Term] = []
     is_foreign = is_foreign_section = False
     others = _other_lists(reading, words)
+    sentences: dict[tuple[str, tuple[tuple[int, int], ...]], Sentence] = {}  # of texts that are repeated
     for part in reading.prose.parts:
         named = _named(reading, part)
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
@@ -81,7 +82,10 @@ def _spans(reading: Reading) -> Iterator[Span]:
             yield from code_spans(reading, part, topic, words)
             previous = None
         else:
-            sentence = read_sentence(part.text, 0, len(part.text), part.codes, words)
+            sentence = sentences.get((part.text, part.codes))
+            if sentence is None:
+                sentence = read_sentence(part.text, 0, len(part.text), part.codes, words)
+                sentences[part.text, part.codes] = sentence
             is_head = part.kind is PassageKind.ROW and previous is not PassageKind.ROW
             if is_head:
                 heads = tuple(cell.strip() for cell in part.text.strip().strip("|").split("|"))
