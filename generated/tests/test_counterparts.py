@@ -1,8 +1,11 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 998be2be2e78ee3c
+# Inputs: e089525babff9f70
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
+import re
+
 import pytest
+from interpreters import files, path_of
 
 PARTS = ("steps", "ages", "due", "watched", "frames")
 
@@ -15,3 +18,22 @@ def test_counterparts(part, printed):
     plain, machine = (each[part] for each in found)
     assert len(plain) == len(machine) > 0
     assert [step for step, each in enumerate(plain) if each != machine[step]] == []
+
+
+def test_places():
+    """A module that names a place of the state has the number that the state has for it.
+
+    It is that within the component, or where the words of all are at hand that within these.
+    """
+    place = re.compile(r"^(_[A-Z]\w*) = const\((\d+)\)", re.MULTILINE)
+    places = {name: int(number) for name, number in place.findall(path_of("firmware", "state.py").read_text("utf-8"))}
+    begins = {name + "_": places[name] for name in places if name + "_SIZE" in places}
+    wrong = []
+    for path in files("firmware/*.py"):
+        for name, number in place.findall(path.read_text("utf-8")):
+            allowed = [
+                begin + places[name] for prefix, begin in begins.items() if name in places and name.startswith(prefix)
+            ]
+            if allowed and int(number) not in (places[name], *allowed):
+                wrong.append((path.name, name, number))
+    assert wrong == []

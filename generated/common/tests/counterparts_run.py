@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: e35f71b3d8e40510
+# Inputs: 13c5189447e118b5
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -242,7 +242,9 @@ def due_by_lot():
         for _ in range(count):
             parts = lot.one((0, 1, 1, 3, 1000))
             ahead = lot.one((0, 1, -1, 99, 100, 101, 1000, 1001, -20, -2000, HALF_TURN_MS - 1, HALF_TURN_MS))
-            times.extend(array("i", [now_ms + ahead & 0x3FFFFFFF, lot.below(parts or 1), lot.one((1, 20, 100, 5000)), parts]))
+            times.extend(
+                array("i", [now_ms + ahead & 0x3FFFFFFF, lot.below(parts or 1), lot.one((1, 20, 100, 5000)), parts])
+            )
         step = []
         for _ in range(3):
             step += [take_due(times, now_ms, lot.below(2)), list(times)]

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 75867554a9c7378e
+# Inputs: f8700ef5e6869078
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -332,6 +332,9 @@ def _follows_requests(data_stream, streams):
             number, frames = stream["messages"][0][0], _frames(craft, stream["messages"][0][0])
             own = stream["default"] * stream["numerator"] / stream["denominator"]
             expected = min(rate, stream["fastest_hz"]) if start else 0
+            if frames:
+                own_us = SECOND_US // expected if expected else -1
+                assert _interval(craft, station, number) == own_us, (stream["name"], rate, start)
             assert _within(sent.count(number), frames * 5 * expected, frames), (stream["name"], rate, start)
             assert _within(seen.count(number), frames * 5 * own, frames), (stream["name"], rate, start)
     rates = []
