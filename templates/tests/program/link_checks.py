@@ -218,6 +218,37 @@ def datagrams_over_the_loopback():
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
 
 
+class Flaky:
+    """A socket that fails so often, and keeps what it has sent after that."""
+
+    def __init__(self, failures):
+        self.failures = failures
+        self.sent = []
+
+    def sendto(self, frame, _end):
+        """Send a datagram."""
+        if self.failures:
+            self.failures -= 1
+            raise OSError(5)
+        self.sent.append(frame)
+
+    def close(self):
+        """Send nothing more."""
+
+
+def a_datagram_is_tried_twice():
+    """A frame that is sent at the second attempt counts, and is sent once; the next failure is told: it is left out."""
+    for failures in range(4):
+        texts = []
+        port = UdpPort("flaky", "127.0.0.1", 1, 0, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))  # noqa: B023
+        port._socket, port.ends[0], port.is_up = Flaky(failures), ("127.0.0.1", 1), True
+        sent, is_sent = port._socket.sent, failures < 2
+        assert port.write(b"frame") == (5 if is_sent else 0), failures
+        assert sent == [b"frame"] * is_sent, failures
+        assert [port.sent, port.dropped, port.is_up] == [5 * is_sent, 1 - is_sent, is_sent], failures
+        assert len(texts) == 1 - is_sent, texts
+
+
 WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
   "bench": {"host": "127.0.0.2", "port": 2, "local_port": 0}, "spare": {"ssid": "other"}}"""
 
@@ -379,6 +410,7 @@ CHECKS = (
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
+    (a_datagram_is_tried_twice, "services.links"),
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),
