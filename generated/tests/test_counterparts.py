@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: e089525babff9f70
+# Inputs: 93e53821b9ae1c7b
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import re
@@ -7,7 +7,7 @@ import re
 import pytest
 from interpreters import files, path_of
 
-PARTS = ("steps", "ages", "due", "watched", "frames")
+PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
 
 
 @pytest.mark.parametrize("part", PARTS)

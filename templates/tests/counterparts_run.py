@@ -108,6 +108,8 @@ def set_by_lot(lot, state, kind):
     value = lot.one(values) if lot.below(4) else values[0]  # it is unknown
     if isinstance(values[-1], int) and not elements and lot.below(2):
         value = lot.within(values[-2], values[-1])
+    if not elements and lot.below(8) == 0 and isinstance(values[1], int):
+        value = 0
     if elements and lot.below(2):
         value = [lot.one(lot.one(values)) for _ in range(elements)]
     setattr(component, attribute, value)
@@ -118,7 +120,7 @@ def read(lot, state, board, times):
 
     Each is over within a millisecond: machine code looks at the clock before all parts, plain Python behind each one.
     """
-    for _, name, component, full_scale, instances in READINGS:
+    for _, name, _, full_scale, instances in READINGS:
         for instance in range(instances):
             about = (instance,) if instances > 1 else ()
             counts = (0, 1, 2, 5, full_scale // 2, full_scale * 3 // 4, full_scale, lot.within(0, full_scale))
@@ -198,7 +200,8 @@ def steps_of_state():
             for _ in range(3):
                 name, abouts = lot.one(TABLES)
                 step.append(sent(links, state, name, lot.one(abouts)))
-            found.append(step + [summed(state)])
+            step.append(summed(state))
+            found.append(step)
     mock_time.set_ticks_us(0)
     return found
 
@@ -216,7 +219,7 @@ def ages_of_state():
                 setattr(getattr(state, kind[0])[instance], kind[2], kind[4][1])
         now_us = mock_time.elapsed_us()
         words = array("i", state.words)
-        for name, abouts in TABLES + ((None, ((),)),):
+        for name, abouts in list(TABLES) + [(None, ((),))]:  # noqa: RUF005  MicroPython has no (*TABLES, 1) here
             for about in abouts:
                 told = []
                 for age_ms in AGES_MS:
@@ -227,6 +230,41 @@ def ages_of_state():
                         told.append(summed(state))
                 found.append(told)
     mock_time.set_ticks_us(0)
+    return found
+
+
+def zeros_of_state():
+    """All is 0 but one quantity, in turn: so many zeros are left out at the end of each message, and so many summed."""
+    links, found = links_of(), []
+    state = SystemState(log=Log())
+    zeros = [([0] * kind[3] if kind[3] else 0 if isinstance(kind[4][1], int) else kind[4][0]) for kind in QUANTITIES]
+    for kind, zero in zip(QUANTITIES, zeros):  # noqa: B905  MicroPython's takes nothing else
+        for instance in range(kind[1]):
+            setattr(getattr(state, kind[0])[instance], kind[2], zero)
+    for kind, zero in zip(QUANTITIES, zeros):  # noqa: B905
+        told, one = [], getattr(state, kind[0])[0]
+        for value in kind[4]:
+            setattr(one, kind[2], value)
+            told.append([sent(links, state, name, abouts[0]) for name, abouts in TABLES])
+        setattr(one, kind[2], zero)
+        found.append(told)
+    return found
+
+
+def short_links():
+    """Links with room for less than a message: who encodes is told, and nothing else is written."""
+    found, state = [], SystemState(log=Log())
+    for name, abouts in TABLES:
+        kind = getattr(telemetry, "build_" + name)(state, *abouts[0])
+        told, longest = [], kind.LENGTH if kind is not None else 20
+        for version, room in ((2, longest), (2, longest - 1), (2, max(1, longest - 40)), (2, 1), (1, longest)):
+            link = Link(Wire(), SYSTEM_ID, COMPONENT_ID, version, (), room)
+            try:
+                frame = getattr(telemetry, "encode_" + name)(link, state, *abouts[-1])
+                told.append(frame and crc32(bytes(frame)))
+            except ValueError as error:
+                told.append(str(error))
+        found.append(told)
     return found
 
 
@@ -336,6 +374,8 @@ FRAMES = 120
 PARTS = {
     "steps": steps_of_state,
     "ages": ages_of_state,
+    "zeros": zeros_of_state,
+    "short": short_links,
     "due": due_by_lot,
     "watched": watched_by_lot,
     "frames": frames_by_lot,

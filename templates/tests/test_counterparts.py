@@ -5,7 +5,7 @@ import re
 import pytest
 from interpreters import files, path_of
 
-PARTS = ("steps", "ages", "due", "watched", "frames")
+PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
 
 
 @pytest.mark.parametrize("part", PARTS)
