@@ -1,21 +1,47 @@
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
+import json
 import re
 
 import pytest
-from interpreters import files, path_of
+from interpreters import files, path_of, run_under
+
 
 PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
+LONG = ("more steps",)
 
 
-@pytest.mark.parametrize("part", PARTS)
-def test_counterparts(part, printed):
-    """All that is drawn by lot has the same end on both interpreters; steps are counted from 0."""
-    found = [printed(interpreter, "counterparts_run.py") for interpreter in ("cpython", "micropython")]
-    assert [each.get("") for each in found] == [None, None]
+@pytest.fixture(scope="session")
+def told(once):
+    """Return a call for what each interpreter tells of some parts, in one run of it."""
+
+    def by(parts):
+        def run():
+            return [json.loads(run_under(each, "counterparts_run.py", *parts)) for each in ("cpython", "micropython")]
+
+        return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
+
+    return by
+
+
+def same(found, part):
+    """Hold both interpreters to the same end of all that is drawn by lot; steps are counted from 0."""
+    assert "" not in found, found[""]
     plain, machine = (each[part] for each in found)
     assert len(plain) == len(machine) > 0
     assert [step for step, each in enumerate(plain) if each != machine[step]] == []
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_counterparts(part, told):
+    """What the state keeps, what is sent and what arrives is the same in machine code as in plain Python."""
+    same(told(PARTS), part)
+
+
+@pytest.mark.days
+def test_more_steps(told):
+    """It is, in so many more steps."""
+    same(told(LONG), *LONG)
 
 
 def test_places():
