@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 860faf4245b2ac25
+# Inputs: 0155f46ad05b1b42
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -36,13 +36,13 @@ def same(found, part):
 
 @pytest.mark.parametrize("part", PARTS)
 def test_counterparts(part, told):
-    """What the state keeps, what is sent and what arrives is the same in machine code as in plain Python."""
+    """The state, frames that are sent and those that arrive are the same in machine code as in plain Python."""
     same(told(PARTS), part)
 
 
 @pytest.mark.days
 def test_more_steps(told):
-    """It is, in so many more steps."""
+    """So they are in many more steps."""
     same(told(LONG), *LONG)
 
 

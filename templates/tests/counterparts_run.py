@@ -266,7 +266,7 @@ def short_links():
 
 
 def due_by_lot():
-    """Which messages are due, and when they are due again, at times that wrap."""
+    """The messages that are due, and the times at which they are due again, which wrap."""
     lot = Lot(3)
     for _ in range(SCANS):
         count = 1 + lot.below(4)
@@ -285,7 +285,7 @@ def due_by_lot():
 
 
 def watched_by_lot():
-    """Which conditions hold and are up, for values around their limits, at times that wrap."""
+    """The conditions that hold and are up, for values around their limits, at times that wrap."""
     lot = Lot(4)
     for _ in range(SCANS):
         count = lot.below(5)

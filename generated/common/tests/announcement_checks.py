@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 1fa0d55a5f3497d4
+# Inputs: c88be1b41bf8b6b9
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from time import ticks_ms
@@ -300,7 +300,7 @@ def told_of_the_generation_that_is_chosen():
 
 
 def told_in_place_of_the_stream():
-    """What is told before the stream has its turn, and is due, is sent once, and goes out again an interval later."""
+    """An announced message that is due before its stream has a turn is sent once, and again an interval later."""
     port = Port()
     craft = _craft(ports=[port])
     station = GroundStation(port)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 95589aeff2c244be
+# Inputs: ae26ec9f38adf9f9
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -268,7 +268,7 @@ def short_links():
 
 
 def due_by_lot():
-    """Which messages are due, and when they are due again, at times that wrap."""
+    """The messages that are due, and the times at which they are due again, which wrap."""
     lot = Lot(3)
     for _ in range(SCANS):
         count = 1 + lot.below(4)
@@ -287,7 +287,7 @@ def due_by_lot():
 
 
 def watched_by_lot():
-    """Which conditions hold and are up, for values around their limits, at times that wrap."""
+    """The conditions that hold and are up, for values around their limits, at times that wrap."""
     lot = Lot(4)
     for _ in range(SCANS):
         count = lot.below(5)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 8312b0907b46b692
+# Inputs: 1e0c260179e4d427
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
@@ -369,7 +369,7 @@ def too_much_is_left_out_from_the_end():
 
 
 def who_had_no_turn_is_late_for_want_of_room():
-    """Where one station took all that a pass may send, another one comes first next time, and what it misses counts."""
+    """Another station than the one that took all of a pass comes first next time, and what it misses counts."""
     scene = Scene()
     scene.seconds(1, 1, 2)
     connection = scene.craft.connections[0]

@@ -298,7 +298,7 @@ def told_of_the_generation_that_is_chosen():
 
 
 def told_in_place_of_the_stream():
-    """What is told before the stream has its turn, and is due, is sent once, and goes out again an interval later."""
+    """An announced message that is due before its stream has a turn is sent once, and again an interval later."""
     port = Port()
     craft = _craft(ports=[port])
     station = GroundStation(port)

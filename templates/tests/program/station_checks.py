@@ -367,7 +367,7 @@ def too_much_is_left_out_from_the_end():
 
 
 def who_had_no_turn_is_late_for_want_of_room():
-    """Where one station took all that a pass may send, another one comes first next time, and what it misses counts."""
+    """Another station than the one that took all of a pass comes first next time, and what it misses counts."""
     scene = Scene()
     scene.seconds(1, 1, 2)
     connection = scene.craft.connections[0]
