@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 9616ad1c811a4acd
+# Inputs: 32e59b62ea1e0f26
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -25,7 +25,7 @@ from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS, STR
 import board
 import network
 import network_port
-from serial_port import open_uart
+from serial_port import StreamPort, open_uart
 from udp_port import UdpPort
 
 
@@ -147,6 +147,48 @@ def faults_of_a_line_are_survived():
     run(craft, 5 * SECOND_US)
     assert port.is_up
     assert len(station.received(messages.Heartbeat)) >= _beats(5)
+
+
+class Raising:
+    """A stream that raises for so many calls, and then takes and gives all there is."""
+
+    def __init__(self, failures):
+        self.failures = failures
+        self.sent = b""
+
+    def _fail(self):
+        if self.failures:
+            self.failures -= 1
+            raise OSError(5)
+
+    def write(self, data):
+        """Take bytes."""
+        self._fail()
+        self.sent += bytes(data)
+        return len(data)
+
+    def readinto(self, buffer):
+        """Give bytes."""
+        self._fail()
+        return len(buffer)
+
+
+def a_stream_that_raises_takes_nothing():
+    """Nothing has gone out or come in then, and all bytes of a frame go out later, in their order."""
+    for failures in range(4):
+        stream = Raising(failures)
+        port = StreamPort("raising", stream, 100)
+        frame = bytes(range(80))
+        assert port.write(frame) == len(frame)
+        assert port.is_up == (not failures)
+        for _ in range(4):
+            port.poll(0)
+        assert stream.sent == frame, failures
+        assert port.sent == len(frame), failures
+        assert port.is_up
+        stream.failures, buffer = failures, bytearray(5)
+        assert [port.readinto(buffer) for _ in range(4)] == [0] * failures + [5] * (4 - failures)
+        assert port.received == 5 * (4 - failures)
 
 
 def absent_line_is_survived():
@@ -409,6 +451,7 @@ CHECKS = (
     (full_buffer_drops_whole_frames, "services.links"),
     (slow_line_takes_the_whole_list, "storage.read"),
     (faults_of_a_line_are_survived, "services.links"),
+    (a_stream_that_raises_takes_nothing, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
