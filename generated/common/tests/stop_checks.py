@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stop_checks.py: do not edit.
-# Inputs: f513a82625046b28
+# Inputs: a711d7e94323d3e7
 """The user's code: which class is started, and stop_motors(), called in each failure; a fault in it changes nothing."""
 
 import asyncio
@@ -129,7 +129,7 @@ def code_that_cannot_start_stops_them():
             if len(stopped) == 2:
                 raise OSError(5)
 
-    plain, found, told, heap = vehicle.Vehicle, program.vehicle_class, program.sys, program.gc
+    plain, found, told, heap = vehicle.Vehicle, program.vehicle_class, getattr(program, "sys", None), program.gc
     program.gc = Collecting
     program.sys = None  # a traceback would stand between what is printed
     program.vehicle_class = lambda: Faulty

@@ -127,7 +127,7 @@ def code_that_cannot_start_stops_them():
             if len(stopped) == 2:
                 raise OSError(5)
 
-    plain, found, told, heap = vehicle.Vehicle, program.vehicle_class, program.sys, program.gc
+    plain, found, told, heap = vehicle.Vehicle, program.vehicle_class, getattr(program, "sys", None), program.gc
     program.gc = Collecting
     program.sys = None  # a traceback would stand between what is printed
     program.vehicle_class = lambda: Faulty
