@@ -383,7 +383,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -479,7 +478,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -491,7 +489,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -531,7 +528,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -543,7 +539,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (

@@ -107,7 +107,7 @@ def set_by_lot(lot, state, kind):
     name, instances, attribute, elements, values = kind
     component = getattr(state, name)[lot.below(instances)]
     value = lot.one(values) if lot.below(4) else values[0]  # it is unknown
-    if isinstance(values[-1], int) and not elements and lot.below(2):
+    if isinstance(values[-2], int) and isinstance(values[-1], int) and not elements and lot.below(2):
         value = lot.within(values[-2], values[-1])
     if not elements and lot.below(8) == 0 and isinstance(values[1], int):
         value = 0

@@ -207,7 +207,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -261,7 +260,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -273,7 +271,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (
@@ -285,7 +282,6 @@ QUANTITIES = (
             None,
             5,
             7,
-            5,
         ),
     ),
     (

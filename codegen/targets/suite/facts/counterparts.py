@@ -93,7 +93,8 @@ def _readings(
 def _quantity(component: ComponentFacts, quantity: QuantityFacts) -> DrawnQuantity:
     unknown = f"[None] * {quantity.elements}" if quantity.elements else "None"
     tried = () if quantity.elements else quantity.tried[1:] if quantity.is_object else ()
-    values = (unknown, *quantity.samples, *tried, quantity.within, *quantity.beyond)
+    limits = (quantity.within, *quantity.beyond) if quantity.beyond else ()
+    values = (unknown, *quantity.samples, *tried, *limits)
     return DrawnQuantity(component.name, component.instances, quantity.attribute, quantity.elements or 0, values)
 
 
