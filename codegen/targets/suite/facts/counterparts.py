@@ -74,7 +74,9 @@ def counterparts_view(
         readings=tuple(_readings(system, components, readings)),
         on=tuple({name: steps for each in readings for name, steps in each.on.items()}.items()),
         parameters=parameter_views(system),
-        quantities=tuple(_quantity(each, one) for each in components for one in each.quantities if one.is_stored),
+        quantities=tuple(
+            _quantity(each, one, system) for each in components for one in each.quantities if one.is_stored
+        ),
         tables=tuple(DrawnTable(message.name.lower(), repr(_abouts(message))) for message in system.messages),
     )
 
@@ -90,12 +92,15 @@ def _readings(
         yield DrawnReading(each.own.name, each.own.component, each.own.input, each.full_scale, each.instances)
 
 
-def _quantity(component: ComponentFacts, quantity: QuantityFacts) -> DrawnQuantity:
+def _quantity(component: ComponentFacts, quantity: QuantityFacts, system: System) -> DrawnQuantity:
+    """Return a quantity of all instances, or of the first one where lists have another length in each."""
+    lengths = set(system.components[component.name].quantities[quantity.name].elements or ())
+    instances = component.instances if len(lengths) < 2 else 1
     unknown = f"[None] * {quantity.elements}" if quantity.elements else "None"
     tried = () if quantity.elements else quantity.tried[1:] if quantity.is_object else ()
     limits = (quantity.within, *quantity.beyond) if quantity.beyond else ()
     values = (unknown, *quantity.samples, *tried, *limits)
-    return DrawnQuantity(component.name, component.instances, quantity.attribute, quantity.elements or 0, values)
+    return DrawnQuantity(component.name, instances, quantity.attribute, quantity.elements or 0, values)
 
 
 def _abouts(message: PopulatedMessage) -> tuple[tuple[int, ...], ...]:
