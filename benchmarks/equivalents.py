@@ -1,12 +1,13 @@
 """The faults that benchmarks/equivalents.yaml lists, with reasons: nobody can notice them, and they do not count."""
 
 import ast
-from collections.abc import Mapping, Set
+import re
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cache
 from typing import NamedTuple
 
 import yaml
-from mutants import Mutant
+from mutants import Mutant, mutants_of
 from results import ROOT
 
 LIST = ROOT / "benchmarks" / "equivalents.yaml"
@@ -28,17 +29,45 @@ class Fault(NamedTuple):
 def listed(texts: Mapping[str, str], program: str | None = None) -> set[Fault]:
     """Return those in these modules; an entry about a line that is gone is a fault of the list.
 
-    One that names its programs holds in their firmware alone: what nothing calls there, or what there is one of.
+    One that names its programs holds in their firmware alone: what nothing calls there, or what there is one of. One
+    with ``like`` in place of ``line`` is about all lines of that form, and about no fault where there is none.
     """
     found = set()
     for entry in yaml.safe_load(LIST.read_text(encoding="utf-8")) or ():
-        module, line = entry["module"], entry["line"]
         if program not in entry.get("programs", [program]):
             continue
+        if "like" in entry:
+            found.update(_alike(entry, texts))
+            continue
+        module, line = entry["module"], entry["line"]
         if module in texts and line not in map(str.strip, texts[module].splitlines()):
             raise SystemExit(f"{LIST}: {module} has no line {line!r} any more")
         found.add(Fault(module, line, str(entry["old"]), str(entry["new"]), entry.get("within", "")))
     return found
+
+
+def _alike(entry: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Fault]:
+    """Yield the faults that an entry is about, by regular expressions for the module, its line, and what is changed.
+
+    ``body`` is the only line of what stands below such a line, where that matters; \\1 in it is a group of the line.
+    """
+    for module, text in texts.items():
+        if not re.fullmatch(entry["module"], module):
+            continue
+        lines = text.splitlines()
+        for mutant in mutants_of(module, text):
+            fault = fault_of(mutant, text)
+            like = re.fullmatch(entry["like"], fault.line)
+            if like is None or not re.fullmatch(entry["old"], fault.old) or not re.fullmatch(entry["new"], fault.new):
+                continue
+            if "body" not in entry or _body(lines, mutant.line) == like.expand(entry["body"]):
+                yield fault
+
+
+def _body(lines: Sequence[str], line: int) -> str | None:
+    """Return the only line of what stands below a line, counted from 1; None where there are more."""
+    depths = [len(each) - len(each.lstrip()) for each in lines[line - 1 : line + 2]]
+    return lines[line].strip() if len(depths) == 3 and depths[1] > depths[0] >= depths[2] else None
 
 
 def fault_of(mutant: Mutant, text: str) -> Fault:

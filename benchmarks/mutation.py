@@ -1,4 +1,4 @@
-# ruff: noqa: S603, T201  it runs the generated suite, and prints what that has not noticed
+# ruff: noqa: T201  it prints what that has not noticed
 """Puts faults into the generated firmware, one at a time, and counts those that the generated suite notices.
 
 `make mutation` draws a sample of the rover's; `--program boat` takes examples/boat. The same seed draws the same faults
@@ -10,7 +10,6 @@ import argparse
 import hashlib
 import random
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -24,6 +23,7 @@ from queue import Queue
 from equivalents import fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
+from process_group import outcome
 from quality_results import left_by, store
 from whole_program import module_folders, whole_program
 
@@ -152,12 +152,8 @@ def _passes_with(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]", l
 def _passes(copy: Path, longest_s: float | None) -> bool | None:
     """Return whether the suite of a copy passes; None where it takes longer than it may."""
     options = ["-c", "/dev/null", "--rootdir", str(copy), "-x", "-q", "-p", "no:cacheprovider", "-W", "ignore"]
-    command = [sys.executable, "-B", "-m", "pytest", *options, str(copy / "tests")]
-    try:
-        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=longest_s, check=False)
-    except subprocess.TimeoutExpired:
-        return None
-    return done.returncode == 0
+    done = outcome([sys.executable, "-B", "-m", "pytest", *options, str(copy / "tests")], copy.parent, longest_s)
+    return None if done is None else done.returncode == 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-# ruff: noqa: S603, S607, T201  it runs tests, and says how far it is
+# ruff: noqa: S607, T201  it runs tests, and says how far it is
 """Finds the lines of a stage that each file of tests reaches, by marks in its blocks, and keeps them in build/mutation.
 
 Each file of tests runs in a process of its own: what one file asks and keeps in memory hides no line from the next. It
@@ -10,7 +10,6 @@ import hashlib
 import json
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -19,6 +18,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from marks import MODULE, VARIABLE, Marker, module
+from process_group import outcome
 from results import ROOT
 
 KEPT = ROOT / "build" / "mutation" / "reached.json"
@@ -123,16 +123,4 @@ def tests_of(
 
     Whatever the tests have started ends with them.
     """
-    command = [sys.executable, "-m", "pytest", *OPTIONS, *tests]
-    with subprocess.Popen(
-        command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-        start_new_session=True,
-    ) as running:  # fmt: skip
-        try:
-            output, _ = running.communicate(timeout=longest)
-        except subprocess.TimeoutExpired:
-            return None
-        finally:
-            if running.poll() is None:
-                os.killpg(running.pid, signal.SIGKILL)
-    return subprocess.CompletedProcess(command, running.returncode, output)
+    return outcome([sys.executable, "-m", "pytest", *OPTIONS, *tests], copy, longest, environment)

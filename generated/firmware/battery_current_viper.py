@@ -107,13 +107,13 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                         battery[_BATTERY_ENERGY_LOW] = 0
                         battery[_BATTERY_ENERGY_MIDDLE] = 0
                         battery[_BATTERY_ENERGY_HIGH] = 50000
-                    part = took % 1000 * battery[_BATTERY_VOLTAGE_MV] + battery[_BATTERY_ENERGY_LOW]
+                    part = took % 1000 * ((battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign) + battery[_BATTERY_ENERGY_LOW]
                     battery[_BATTERY_ENERGY_LOW] = part % 1000
                     part = part // 1000 + battery[_BATTERY_ENERGY_MIDDLE]
-                    part += took // 1000 % 1000 * battery[_BATTERY_VOLTAGE_MV]
+                    part += took // 1000 % 1000 * ((battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign)
                     battery[_BATTERY_ENERGY_MIDDLE] = part % 1000
                     part = part // 1000 + battery[_BATTERY_ENERGY_HIGH]
-                    part += took // 1000000 * battery[_BATTERY_VOLTAGE_MV]
+                    part += took // 1000000 * ((battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign)
                     battery[_BATTERY_ENERGY_HIGH] = part % 100000
                     part = (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign + part // 100000
                     if part > 1073741823:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 3db846e78e9d2535
+# Inputs: 8b9e2c8f14de4621
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -108,6 +108,12 @@ def raises_nothing(facts, fresh):
         update(state, board, facts)
         assert value_of(state, facts) == before
         assert len(log.lines) <= facts["instances"], log.lines
+        if isinstance(result, Exception):
+            assert log.lines, "an error is told"
+        for failures in range(2, (facts["invalid_after"] or 0) + 1):
+            assert value_of(state, facts) == before, failures
+            update(state, board, facts)
+        assert value_of(state, facts) == (None if facts["invalid_after"] else before)
         setattr(board, "read_" + facts["name"] + "_adc", good)
         set_count(board, facts, facts["counts"][1])
         update(state, board, facts)

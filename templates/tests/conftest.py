@@ -10,7 +10,7 @@ import re
 import time
 
 import pytest
-from interpreters import CASES, HERE, path_of, run_under
+from interpreters import CASES, HERE, files, path_of, run_under
 from selection import selected
 
 
@@ -40,13 +40,17 @@ def results(request):
 
 @pytest.fixture(scope="session")
 def modules():
-    """pymavlink's dialects, MAVLink 2 and 1, with what the firmware sends and receives."""
+    """pymavlink's dialects, MAVLink 2 and 1, with what the firmware sends and receives, and what it knows places of."""
     from oracle import dialects  # noqa: PLC0415  most tests need none of it, and it takes a while
 
     cases = json.loads(CASES.read_text(encoding="utf-8"))
     classes = path_of("firmware", "messages.py").read_text(encoding="utf-8")
     names = {case["message"] for case in cases["messages"]} | set(re.findall(r'^    NAME = "(\w+)"$', classes, re.M))
-    return dialects(cases["dialect"], names, HERE)
+    places = [
+        name for path in files("firmware/*.py") for name in re.findall(r"^_(\w+)_AT = ", path.read_text("utf-8"), re.M)
+    ]
+    ends = [(name, end.start()) for name in places for end in re.finditer("_", name)]
+    return dialects(cases["dialect"], names, HERE, [name[:end] for name, end in ends])
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,8 @@
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
 of the same values as live ones, of those fields that can be live, and what of these is received as live ones; then of
 the fields that can be unknown what they are at first, what they are once small values were set, and what they are once
-they are unknown again; and, of some messages, what is said of names that are not quite those of a field.
+they are unknown again; of some messages what is said of names that are not quite those of a field; and what is wrong
+where fields are attributes.
 """
 
 import json
@@ -57,25 +58,72 @@ def carried(cls):
         message = cls(unknown=False).update(**given)
         found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
     live = [name for name, field in fields.items() if field[0][-1] in LIVE]
+    frames = as_live(cls, fields, live, live, range(4))
+    sizes = [[name for name in live if SIZES[fields[name][0][-1]] == size] for size in (1, 2, 4)]
+    for part in sizes:
+        if part not in ([], live):  # else it was done, and two patterns change every byte
+            frames += as_live(cls, fields, live, part, (1, 3))
+    return [found, frames, unknown(cls, fields), misspelt(cls, fields) if cls in ALL[:3] else [], named(cls, fields)]
+
+
+def as_live(cls, fields, names, live, patterns):
+    """Return for some patterns values of `names`, the frame of them, and whether those that are `live` arrive.
+
+    Each is also set and read by name: before that it is something else, as are all the others.
+    """
     message, arrived = cls(live, unknown=False), cls(live, unknown=False)
     wire = Wire()
     link = mavlink.Link(wire, 1, 1, 2, (arrived,), cls.LENGTH)
     frames = []
-    for pattern in range(4):
+    for pattern in patterns:
         given = values(fields, pattern)
+        message.update(**{name: given[name] for name in names if name not in live})
         flat = []
         for name in live:
             flat += given[name] if fields[name][2] else [given[name]]
         for index, value in enumerate(flat):
             message.live[index] = value - (1 << 32) if value > 0x7FFFFFFF else value
+        same = [is_given(message, name, given) for name in live]
+        for name in live:
+            message.set(name, [0] * fields[name][2] or 0)
+            message.set(name, given[name])
+            same.append(is_given(message, name, given))
         link.send(message)
         for index in range(len(flat)):
             arrived.live[index] = -1 - message.live[index]  # nothing that is to be received
         for _ in link.feed(wire.frame):
             pass
-        same = [arrived.live[index] == message.live[index] for index in range(len(flat))]
-        frames.append([{name: given[name] for name in live}, wire.frame.hex(), same])
-    return [found, frames, unknown(cls, fields), misspelt(cls, fields) if cls in ALL[:3] else []]
+        same += [arrived.live[index] == message.live[index] for index in range(len(flat))]
+        frames.append([{name: given[name] for name in names}, wire.frame.hex(), same])
+    return frames
+
+
+def is_given(message, name, given):
+    """Return whether a field is what was given."""
+    told = message.raw(name)
+    return (list(told) if isinstance(told, tuple) else told) == given[name]
+
+
+def named(cls, fields):
+    """Return what is wrong where fields are attributes; one that has the name of something else has "_" behind it."""
+    message, given, wrong = cls(unknown=False), values(fields, 1), []
+    for name in fields:
+        is_taken = hasattr(cls, name) or name in ("wire", "live")
+        for attribute in (name + "_",) if is_taken else (name, name + "_"):
+            message.set(name, "" if fields[name][0][-1] == "s" else [0] * fields[name][2] or 0)
+            setattr(message, attribute, given[name])
+            if not is_given(message, name, given) or getattr(message, attribute) != message.get(name):
+                wrong.append(attribute)
+    for name in ("wire", "live", "get", "NAME", "no_such_field", "_"):
+        try:
+            setattr(message, name, 1)
+            wrong.append(name)
+        except AttributeError:
+            continue
+    for name in ("no_such_field", "no_such_field_", "_"):
+        if hasattr(message, name):
+            wrong.append(name)
+    return wrong
 
 
 def unknown(cls, fields):

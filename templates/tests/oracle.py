@@ -20,10 +20,11 @@ DIALECTS = Path(pymavlink.__file__).parent / "dialects" / "v20"
 WIRES = {"v20": "2.0", "v10": "1.0"}
 
 
-def dialects(about, messages, here):
+def dialects(about, messages, here, also=()):
     """Return pymavlink's modules for MAVLink 2 and 1.
 
-    `about` names the XML files, relative to `here`, and has the corrections of what is sent.
+    `about` names the XML files, relative to `here`, and has the corrections of what is sent. They have `messages`, and
+    of `also` those that there are.
     """
     if about["shipped"]:
         newest = _shipped("v20", about["shipped"])
@@ -31,7 +32,7 @@ def dialects(about, messages, here):
             return [newest, _shipped("v10", about["shipped"])]
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
-    return [_generated(files, about.get("corrections", ()), messages, wire) for wire in WIRES]
+    return [_generated(files, about.get("corrections", ()), {*messages, *also}, wire) for wire in WIRES]
 
 
 def message_class(dialect, name):

@@ -106,6 +106,12 @@ def raises_nothing(facts, fresh):
         update(state, board, facts)
         assert value_of(state, facts) == before
         assert len(log.lines) <= facts["instances"], log.lines
+        if isinstance(result, Exception):
+            assert log.lines, "an error is told"
+        for failures in range(2, (facts["invalid_after"] or 0) + 1):
+            assert value_of(state, facts) == before, failures
+            update(state, board, facts)
+        assert value_of(state, facts) == (None if facts["invalid_after"] else before)
         setattr(board, "read_" + facts["name"] + "_adc", good)
         set_count(board, facts, facts["counts"][1])
         update(state, board, facts)

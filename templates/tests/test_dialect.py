@@ -104,9 +104,9 @@ def packed(known, given):
 def test_fields(carried, modules):
     """Values of every field, from the smallest to the largest, stand in the payload where the dialect has them.
 
-    What a frame has of live fields is received by them.
+    What a frame has of live fields is received by them, and read and set by name: all at once, and those of each size.
     """
-    for name, (found, frames, _unknown, _misspelt) in carried.items():
+    for name, (found, frames, *_others) in carried.items():
         known = message_class(modules[0], name)
         for given, payload, read in found:
             assert bytes.fromhex(payload) == packed(known, given), (name, given)
@@ -122,7 +122,7 @@ def test_fields(carried, modules):
 
 def test_unknown_fields(carried):
     """A field that can be unknown is so at first and when it is set to None; a value set in between is told."""
-    for name, (_found, _frames, unknown, _misspelt) in carried.items():
+    for name, (_found, _frames, unknown, *_others) in carried.items():
         for field, first, given, told, last in unknown:
             assert is_without_number(first), (name, field, first)
             assert told == given, (name, field)
@@ -136,13 +136,18 @@ def is_without_number(value):
 
 def test_misspelt_fields(carried):
     """A wrong name of a field is told, with the right one where at most a quarter of its letters is wrong."""
-    assert any(misspelt for *_others, misspelt in carried.values())
-    for name, (found, _frames, _unknown, misspelt) in carried.items():
+    assert any(misspelt for *_others, misspelt, _named in carried.values())
+    for name, (found, _frames, _unknown, misspelt, _named) in carried.items():
         fields = found[0][0]
         for wrong, told in misspelt:
             letters, nearest = min((distance(wrong, field), field) for field in fields)
             hint = f"; did you mean {nearest}?" if letters <= max(1, len(wrong) // 4) else ""
             assert told == f"{name} has no field {wrong}{hint}", (name, wrong)
+
+
+def test_fields_as_attributes(carried):
+    """A field is an attribute, too, and nothing else can be set as one."""
+    assert {name: named for name, (*_others, named) in carried.items() if named} == {}
 
 
 @cache

@@ -14,6 +14,7 @@ from codegen.targets.origin import Origin, copied_files, headed, origin_of, orig
 from codegen.targets.suite.behaviour import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.suite.cases.file import cases_text
 from codegen.targets.suite.facts.components import ComponentFacts, component_facts
+from codegen.targets.suite.facts.counterparts import counterparts_view
 from codegen.targets.suite.facts.readings import ReadingFacts, reading_facts
 from codegen.targets.suite.program import render_program_suite
 from codegen.targets.suite.receptions import render_reception_suite
@@ -21,6 +22,7 @@ from codegen.targets.suite.sources import render_source_suite
 from codegen.targets.suite.withheld import KnownWord, WithheldMessage, known_words, withheld_messages
 
 _INTERPRETERS = "tests/interpreters.py"
+_COUNTERPARTS = "tests/counterparts_facts.py"
 RENDERED = ("behaviour.py", "test_frames.py")
 
 
@@ -102,6 +104,8 @@ def render_suite(system: System) -> dict[str, str]:
         del files["tests/single_readings.py"]
     for name in RENDERED:
         files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)
+    drawn = rendered(f"{_COUNTERPARTS}.j2", counterparts_view(system, components, readings))
+    files[_COUNTERPARTS] = headed(drawn, origin)
     files |= render_source_suite(system)
     files |= render_reception_suite(system)
     return files if system.program is None else files | render_program_suite(system, system.program)

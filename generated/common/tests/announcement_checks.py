@@ -1,6 +1,8 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 48ece1b0b8ad85f0
+# Inputs: c88be1b41bf8b6b9
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
+
+from time import ticks_ms
 
 from generation_checks import is_chosen, reporting
 from program_bench import (
@@ -297,6 +299,29 @@ def told_of_the_generation_that_is_chosen():
         assert _announced(port) == _expected(craft), choice
 
 
+def told_in_place_of_the_stream():
+    """An announced message that is due before its stream has a turn is sent once, and again an interval later."""
+    port = Port()
+    craft = _craft(ports=[port])
+    station = GroundStation(port)
+    for number in sorted(set(_expected(craft))):
+        station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 5 * SECOND_US)
+        run_passes(craft, 4)
+    run(craft, 7 * SECOND_US)
+    connection = craft.connections[0]
+    streams = connection.streams
+    for is_told, later_us in ((True, 6 * SECOND_US), (False, 4 * SECOND_US), (False, 2 * SECOND_US)):
+        mock_time.advance_us(later_us)
+        connection._budget[0] = 1000
+        port.frames = []
+        if is_told:
+            streams.connect()
+        for _ in range(40):
+            streams.announce()
+        streams.run(ticks_ms())
+        assert _announced(port) == ([] if later_us == 4 * SECOND_US else _expected(craft)), (later_us, _announced(port))
+
+
 def told_besides():
     """Announced messages go out at their stream's rate, too: so often in two minutes."""
     found = [number for number, facts in MESSAGES.items() if facts["on_connection"] and facts["rate"]]
@@ -324,6 +349,7 @@ CHECKS = (
     (told_of_a_change, "message.change"),
     (told_of_all_when_their_turn_comes, "message.change"),
     (told_besides, "message.besides"),
+    (told_in_place_of_the_stream, "message.besides"),
     (told_of_the_generation_that_is_chosen, "generations.choice"),
 )
 LONG = (
@@ -335,6 +361,7 @@ LONG = (
     told_of_a_change,
     told_of_all_when_their_turn_comes,
     told_besides,
+    told_in_place_of_the_stream,
     told_of_the_generation_that_is_chosen,
 )
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: 32b320d256c68ceb
+# Inputs: d7ed7013138f1d44
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
@@ -22,10 +22,11 @@ DIALECTS = Path(pymavlink.__file__).parent / "dialects" / "v20"
 WIRES = {"v20": "2.0", "v10": "1.0"}
 
 
-def dialects(about, messages, here):
+def dialects(about, messages, here, also=()):
     """Return pymavlink's modules for MAVLink 2 and 1.
 
-    `about` names the XML files, relative to `here`, and has the corrections of what is sent.
+    `about` names the XML files, relative to `here`, and has the corrections of what is sent. They have `messages`, and
+    of `also` those that there are.
     """
     if about["shipped"]:
         newest = _shipped("v20", about["shipped"])
@@ -33,7 +34,7 @@ def dialects(about, messages, here):
             return [newest, _shipped("v10", about["shipped"])]
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
-    return [_generated(files, about.get("corrections", ()), messages, wire) for wire in WIRES]
+    return [_generated(files, about.get("corrections", ()), {*messages, *also}, wire) for wire in WIRES]
 
 
 def message_class(dialect, name):

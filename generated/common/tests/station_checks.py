@@ -1,6 +1,8 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 994c654f31cd5382
+# Inputs: 1e0c260179e4d427
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
+
+from time import ticks_add, ticks_ms
 
 from program_bench import (
     SECOND_US,
@@ -366,6 +368,26 @@ def too_much_is_left_out_from_the_end():
         assert len(scene.station(number).received(messages.CommandAck)) == 1
 
 
+def who_had_no_turn_is_late_for_want_of_room():
+    """Another station than the one that took all of a pass comes first next time, and what it misses counts."""
+    scene = Scene()
+    scene.seconds(1, 1, 2)
+    connection = scene.craft.connections[0]
+    for place in (0, 1):
+        taking, other = connection.stations[place], connection.stations[1 - place]
+        connection.turn_to(taking)
+        now_ms = {}  # when the other one has nothing to do, unless it always has something, and when it has
+        for ahead_ms in range(2000):
+            at_ms = ticks_add(ticks_ms(), ahead_ms)
+            now_ms[0 if other.streams.wait_ms(at_ms) else 1] = at_ms
+        assert 1 in now_ms
+        for is_due in sorted(now_ms):
+            taking.streams.has_waited = other.streams.has_waited = False
+            assert connection._pass_on(now_ms[is_due])
+            assert connection.stations[0] is other
+            assert [taking.streams.has_waited, other.streams.has_waited] == [False, is_due == 1]
+
+
 CHECKS = (
     (all_of_four_are_served, "services.stations"),
     (rates_are_of_who_asked, "services.stations"),
@@ -382,6 +404,7 @@ CHECKS = (
     (a_station_that_starts_again_is_served_at_once, "services.stations"),
     (there_is_no_place_for_a_fifth, "services.stations"),
     (too_much_is_left_out_from_the_end, "services.stations"),
+    (who_had_no_turn_is_late_for_want_of_room, "services.stations"),
 )
 LONG = (
     all_of_four_are_served,

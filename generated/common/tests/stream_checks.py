@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 75867554a9c7378e
+# Inputs: f366ed4b7d5f1f60
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -235,7 +235,7 @@ def intervals_of_others():
 
 
 def intervals_have_a_longest():
-    """The last one is the largest float below 2 ** 30 microseconds; what is longer or none at all changes nothing."""
+    """From one microsecond, taken as the shortest, to the largest float below 2 ** 30; others change nothing."""
     craft, (station, _) = _two_links()
     number = SENT[0]
     for asked, is_taken in (
@@ -247,6 +247,7 @@ def intervals_have_a_longest():
         (float("nan"), False),
         (float("inf"), False),
         (-1, True),
+        (1, True),
         (1e9, True),
     ):
         before = _interval(craft, station, number)
@@ -254,7 +255,8 @@ def intervals_have_a_longest():
         run(craft, 4 * LINKS_US)
         result = dialect.MAV_RESULT_ACCEPTED if is_taken else dialect.MAV_RESULT_DENIED
         assert [ack.result for ack in station.received(messages.CommandAck)] == [result], asked
-        assert _interval(craft, station, number) == (asked if is_taken else before), asked
+        taken = max(asked, SHORTEST_US[SENT.index(number)]) if asked > 0 else asked
+        assert _interval(craft, station, number) == (taken if is_taken else before), asked
 
 
 def tables_are_asked_for_together():
@@ -332,6 +334,9 @@ def _follows_requests(data_stream, streams):
             number, frames = stream["messages"][0][0], _frames(craft, stream["messages"][0][0])
             own = stream["default"] * stream["numerator"] / stream["denominator"]
             expected = min(rate, stream["fastest_hz"]) if start else 0
+            if frames:
+                own_us = SECOND_US // expected if expected else -1
+                assert _interval(craft, station, number) == own_us, (stream["name"], rate, start)
             assert _within(sent.count(number), frames * 5 * expected, frames), (stream["name"], rate, start)
             assert _within(seen.count(number), frames * 5 * own, frames), (stream["name"], rate, start)
     rates = []

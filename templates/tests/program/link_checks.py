@@ -23,7 +23,7 @@ from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS, STR
 import board
 import network
 import network_port
-from serial_port import open_uart
+from serial_port import StreamPort, open_uart
 from udp_port import UdpPort
 
 
@@ -147,6 +147,48 @@ def faults_of_a_line_are_survived():
     assert len(station.received(messages.Heartbeat)) >= _beats(5)
 
 
+class Raising:
+    """A stream that raises for so many calls, and then takes and gives all there is."""
+
+    def __init__(self, failures):
+        self.failures = failures
+        self.sent = b""
+
+    def _fail(self):
+        if self.failures:
+            self.failures -= 1
+            raise OSError(5)
+
+    def write(self, data):
+        """Take bytes."""
+        self._fail()
+        self.sent += bytes(data)
+        return len(data)
+
+    def readinto(self, buffer):
+        """Give bytes."""
+        self._fail()
+        return len(buffer)
+
+
+def a_stream_that_raises_takes_nothing():
+    """Nothing has gone out or come in then, and all bytes of a frame go out later, in their order."""
+    for failures in range(4):
+        stream = Raising(failures)
+        port = StreamPort("raising", stream, 100)
+        frame = bytes(range(80))
+        assert port.write(frame) == len(frame)
+        assert port.is_up == (not failures)
+        for _ in range(4):
+            port.poll(0)
+        assert stream.sent == frame, failures
+        assert port.sent == len(frame), failures
+        assert port.is_up
+        stream.failures, buffer = failures, bytearray(5)
+        assert [port.readinto(buffer) for _ in range(4)] == [0] * failures + [5] * (4 - failures)
+        assert port.received == 5 * (4 - failures)
+
+
 def absent_line_is_survived():
     """A UART that cannot be opened: the vehicle runs without it, and other links work."""
     machine.reset_serial()
@@ -216,6 +258,37 @@ def datagrams_over_the_loopback():
         assert port._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST)
     port._socket.close()
     assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
+
+
+class Flaky:
+    """A socket that fails so often, and keeps what it has sent after that."""
+
+    def __init__(self, failures):
+        self.failures = failures
+        self.sent = []
+
+    def sendto(self, frame, _end):
+        """Send a datagram."""
+        if self.failures:
+            self.failures -= 1
+            raise OSError(5)
+        self.sent.append(frame)
+
+    def close(self):
+        """Send nothing more."""
+
+
+def a_datagram_is_tried_twice():
+    """A frame that is sent at the second attempt counts, and is sent once; the next failure is told: it is left out."""
+    for failures in range(4):
+        texts = []
+        port = UdpPort("flaky", "127.0.0.1", 1, 0, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))  # noqa: B023
+        port._socket, port.ends[0], port.is_up = Flaky(failures), ("127.0.0.1", 1), True
+        sent, is_sent = port._socket.sent, failures < 2
+        assert port.write(b"frame") == (5 if is_sent else 0), failures
+        assert sent == [b"frame"] * is_sent, failures
+        assert [port.sent, port.dropped, port.is_up] == [5 * is_sent, 1 - is_sent, is_sent], failures
+        assert len(texts) == 1 - is_sent, texts
 
 
 WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
@@ -376,9 +449,11 @@ CHECKS = (
     (full_buffer_drops_whole_frames, "services.links"),
     (slow_line_takes_the_whole_list, "storage.read"),
     (faults_of_a_line_are_survived, "services.links"),
+    (a_stream_that_raises_takes_nothing, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
+    (a_datagram_is_tried_twice, "services.links"),
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),

@@ -89,12 +89,30 @@ def a_restart_stops_them():
 
 
 def code_that_cannot_start_stops_them():
-    """A constructor that fails, after the motors are set up or before: a spare vehicle runs, and says what is wrong."""
+    """A constructor that fails, after the motors are set up or before: a spare vehicle runs, and says what is wrong.
+
+    What the first one leaves on the heap is collected before there is another one.
+    """
     needs_arming()
     import main as program  # noqa: PLC0415
     import vehicle  # noqa: PLC0415
 
-    stopped = []
+    stopped, made, collected = [], [], []
+
+    class Collecting:
+        """Stands in for the module gc."""
+
+        @staticmethod
+        def collect():
+            """Note it."""
+            collected.append(len(made))
+
+    class Spare(Craft):
+        """The vehicle in place of that."""
+
+        def __init__(self):
+            made.append(self)
+            Craft.__init__(self)
 
     class Faulty(Craft):
         """A vehicle whose constructor fails."""
@@ -109,18 +127,20 @@ def code_that_cannot_start_stops_them():
             if len(stopped) == 2:
                 raise OSError(5)
 
-    plain, found, told = vehicle.Vehicle, program.vehicle_class, getattr(program, "sys", None)
+    plain, found, told, heap = vehicle.Vehicle, program.vehicle_class, getattr(program, "sys", None), program.gc
+    program.gc = Collecting
     program.sys = None  # a traceback would stand between what is printed
     program.vehicle_class = lambda: Faulty
-    vehicle.Vehicle = Craft
+    vehicle.Vehicle = Spare
     try:
         for times in (1, 2):
             spare = program.new_vehicle()
             assert len(stopped) == times, stopped
             assert len(_told(spare)) == times - 1, spare.said()
             assert "no motors" in spare.check_arming(), spare.check_arming()
+            assert collected == list(range(times)), collected
     finally:
-        vehicle.Vehicle, program.vehicle_class, program.sys = plain, found, told
+        vehicle.Vehicle, program.vehicle_class, program.sys, program.gc = plain, found, told, heap
 
 
 def a_fault_in_it_changes_nothing():

@@ -233,7 +233,7 @@ def intervals_of_others():
 
 
 def intervals_have_a_longest():
-    """The last one is the largest float below 2 ** 30 microseconds; what is longer or none at all changes nothing."""
+    """From one microsecond, taken as the shortest, to the largest float below 2 ** 30; others change nothing."""
     craft, (station, _) = _two_links()
     number = SENT[0]
     for asked, is_taken in (
@@ -245,6 +245,7 @@ def intervals_have_a_longest():
         (float("nan"), False),
         (float("inf"), False),
         (-1, True),
+        (1, True),
         (1e9, True),
     ):
         before = _interval(craft, station, number)
@@ -252,7 +253,8 @@ def intervals_have_a_longest():
         run(craft, 4 * LINKS_US)
         result = dialect.MAV_RESULT_ACCEPTED if is_taken else dialect.MAV_RESULT_DENIED
         assert [ack.result for ack in station.received(messages.CommandAck)] == [result], asked
-        assert _interval(craft, station, number) == (asked if is_taken else before), asked
+        taken = max(asked, SHORTEST_US[SENT.index(number)]) if asked > 0 else asked
+        assert _interval(craft, station, number) == (taken if is_taken else before), asked
 
 
 def tables_are_asked_for_together():
@@ -330,6 +332,9 @@ def _follows_requests(data_stream, streams):
             number, frames = stream["messages"][0][0], _frames(craft, stream["messages"][0][0])
             own = stream["default"] * stream["numerator"] / stream["denominator"]
             expected = min(rate, stream["fastest_hz"]) if start else 0
+            if frames:
+                own_us = SECOND_US // expected if expected else -1
+                assert _interval(craft, station, number) == own_us, (stream["name"], rate, start)
             assert _within(sent.count(number), frames * 5 * expected, frames), (stream["name"], rate, start)
             assert _within(seen.count(number), frames * 5 * own, frames), (stream["name"], rate, start)
     rates = []

@@ -58,24 +58,25 @@ def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> l
         carried = [f"part = took + {rest}", f"{rest} = part % {found.parts}"]
         carried.append(f"part = {code.number_of(word)} + part // {found.parts}")
         return [head, *start, *carried, *_limited("part", quantity), f"{word} = part"]
-    times = code.word(owner, reading.component.quantities[found.times].attribute)
+    times = code.number_of(code.word(owner, reading.component.quantities[found.times].attribute))
+    factor = f"({times})" if " " in times else times  # code may set one that is below 0
     low, middle, high = (code.word(owner, name) for name in rest_words(quantity))
     last = found.parts // RADIX // RADIX
     lines = [
         *start,
-        f"part = took % {RADIX} * {times} + {low}",
+        f"part = took % {RADIX} * {factor} + {low}",
         f"{low} = part % {RADIX}",
         f"part = part // {RADIX} + {middle}",
-        f"part += took // {RADIX} % {RADIX} * {times}",
+        f"part += took // {RADIX} % {RADIX} * {factor}",
         f"{middle} = part % {RADIX}",
         f"part = part // {RADIX} + {high}",
-        f"part += took // {RADIX * RADIX} * {times}",
+        f"part += took // {RADIX * RADIX} * {factor}",
         f"{high} = part % {last}",
         f"part = {code.number_of(word)} + part // {last}",
         *_limited("part", quantity),
         f"{word} = part",
     ]
-    return [head, f"if {code.number_of(times)} != {UNKNOWN}:", *indented(lines)]
+    return [head, f"if {times} != {UNKNOWN}:", *indented(lines)]
 
 
 def _limited(name: str, quantity: Quantity) -> list[str]:

@@ -1,0 +1,63 @@
+"""Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
+
+import json
+import re
+
+import pytest
+from interpreters import files, path_of, run_under
+
+
+PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
+LONG = ("more steps",)
+
+
+@pytest.fixture(scope="session")
+def told(once):
+    """Return a call for what each interpreter tells of some parts, in one run of it."""
+
+    def by(parts):
+        def run():
+            return [json.loads(run_under(each, "counterparts_run.py", *parts)) for each in ("cpython", "micropython")]
+
+        return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
+
+    return by
+
+
+def same(found, part):
+    """Hold both interpreters to the same end of all that is drawn by lot; steps are counted from 0."""
+    assert "" not in found, found[""]
+    plain, machine = (each[part] for each in found)
+    assert len(plain) == len(machine) > 0
+    assert [step for step, each in enumerate(plain) if each != machine[step]] == []
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_counterparts(part, told):
+    """The state, frames that are sent and those that arrive are the same in machine code as in plain Python."""
+    same(told(PARTS), part)
+
+
+@pytest.mark.days
+def test_more_steps(told):
+    """So they are in many more steps."""
+    same(told(LONG), *LONG)
+
+
+def test_places():
+    """A module that names a place of the state has the number that the state has for it.
+
+    It is that within the component, or where the words of all are at hand that within these.
+    """
+    place = re.compile(r"^(_[A-Z]\w*) = const\((\d+)\)", re.MULTILINE)
+    places = {name: int(number) for name, number in place.findall(path_of("firmware", "state.py").read_text("utf-8"))}
+    begins = {name + "_": places[name] for name in places if name + "_SIZE" in places}
+    wrong = []
+    for path in files("firmware/*.py"):
+        for name, number in place.findall(path.read_text("utf-8")):
+            allowed = [
+                begin + places[name] for prefix, begin in begins.items() if name in places and name.startswith(prefix)
+            ]
+            if allowed and int(number) not in (places[name], *allowed):
+                wrong.append((path.name, name, number))
+    assert wrong == []
