@@ -1,6 +1,7 @@
 """The parts of a document in which statements stand, each with the messages that it may be about."""
 
 from collections.abc import Iterator
+from functools import cache
 from itertools import groupby
 
 from codegen.claims.enum_names import entry_values
@@ -57,7 +58,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     leading: list[Term] = []
     is_foreign = is_foreign_section = False
     others = _other_lists(reading, words)
-    sentences: dict[tuple[str, tuple[tuple[int, int], ...]], Sentence] = {}  # of texts that are repeated
+    read = cache(lambda text, codes: read_sentence(text, 0, len(text), codes, words))  # a text may be repeated
     for part in reading.prose.parts:
         named = _named(reading, part)
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
@@ -82,10 +83,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
             yield from code_spans(reading, part, topic, words)
             previous = None
         else:
-            sentence = sentences.get((part.text, part.codes))
-            if sentence is None:
-                sentence = read_sentence(part.text, 0, len(part.text), part.codes, words)
-                sentences[part.text, part.codes] = sentence
+            sentence = read(part.text, part.codes)
             is_head = part.kind is PassageKind.ROW and previous is not PassageKind.ROW
             if is_head:
                 heads = tuple(cell.strip() for cell in part.text.strip().strip("|").split("|"))
