@@ -139,7 +139,7 @@ def _run_of(item: pytest.Item) -> object:
     if item.get_closest_marker("days") is None:
         return item
     assert isinstance(item, pytest.Function)
-    return item.path, item.callspec.params["interpreter"]
+    return item.path, item.callspec.params["interpreter"] if hasattr(item, "callspec") else item
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -19,19 +19,19 @@ COMPONENT_ID = 1
 AGES_MS = (1000, 2000)
 
 # Each reading, what the mock calls its input, its component, the largest count, and how many instances are read.
-READINGS = (
+READINGS = [
     ("battery", "adc", "battery", 4095, 2),
     ("battery_current", "battery_current_adc", "battery", 4095, 2),
-)
+]
 
 # Parameters, and the steps with which readings are taken that are not with others.
-ON = (
+ON = [
     ("batt2_monitor", 0),
     ("batt_monitor", 4),
-)
+]
 
 # Attribute of each parameter, its only values, or the smallest and the largest.
-PARAMETERS = (
+PARAMETERS = [
     (
         "arming_check",
         (1,),
@@ -266,7 +266,7 @@ PARAMETERS = (
         1,
         255,
     ),
-)
+]
 
 
 def first(value, count):
@@ -275,318 +275,318 @@ def first(value, count):
 
 
 # Component, instances, attribute and elements of what is stored, and values: the last ones are beyond its limits.
-QUANTITIES = (
+QUANTITIES = [
     (
         "battery",
         2,
         "voltage_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             65535,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "current_ma",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -327681,
             327671,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "consumed_mah",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "energy_hj",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "remaining_pct",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             101,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "left_mah",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "time_left_s",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1000001,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "counted_from_full",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "cells_mv",
         3,
-        (
+        [
             [None] * 3,
             [5] * 3,
             [7] * 3,
             first(5, 3),
             first(-1, 3),
             first(65535, 3),
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "temperature_cdegc",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -32769,
             32767,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "trend_mv_s",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "health_number",
         0,
-        (
+        [
             None,
             0,
             2,
             2,
             -1,
             3,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "failsafe_number",
         0,
-        (
+        [
             None,
             0,
             2,
             2,
             -1,
             3,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "swaps_number",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1000001,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "monitored",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "protected",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "lowest_cell_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         2,
         "highest_cell_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "vehicle",
         1,
         "armed",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "vehicle",
         1,
         "ready",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "vehicle",
         1,
         "mode_number",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1000001,
-        ),
+        ],
     ),
     (
         "vehicle",
         1,
         "status",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             9,
-        ),
+        ],
     ),
     (
         "vehicle",
         1,
         "load_dpct",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1001,
-        ),
+        ],
     ),
-)
+]
 
 # Messages, and what tells their functions the instance and the page.
-TABLES = (
+TABLES = [
     ("heartbeat", ((),)),
     ("sys_status", ((),)),
     ("battery_status", ((0,), (1,))),
@@ -596,4 +596,4 @@ TABLES = (
     ("smart_battery_info", ((0,), (1,))),
     ("battery_info", ((0,), (1,))),
     ("battery_cell_voltages", ((0, 0), (1, 0))),
-)
+]

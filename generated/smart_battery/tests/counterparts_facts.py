@@ -21,15 +21,15 @@ COMPONENT_ID = 180
 AGES_MS = (1000, 2000)
 
 # Each reading, what the mock calls its input, its component, the largest count, and how many instances are read.
-READINGS = (
+READINGS = [
     ("battery", "adc", "battery", 4095, 1),
-)
+]
 
 # Parameters, and the steps with which readings are taken that are not with others.
-ON = ()
+ON = []
 
 # Attribute of each parameter, its only values, or the smallest and the largest.
-PARAMETERS = (
+PARAMETERS = [
     (
         "batt_capacity",
         (),
@@ -90,7 +90,7 @@ PARAMETERS = (
         1,
         255,
     ),
-)
+]
 
 
 def first(value, count):
@@ -99,223 +99,223 @@ def first(value, count):
 
 
 # Component, instances, attribute and elements of what is stored, and values: the last ones are beyond its limits.
-QUANTITIES = (
+QUANTITIES = [
     (
         "battery",
         1,
         "voltage_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             655341,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "current_ma",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -327681,
             327671,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "consumed_mah",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "energy_hj",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -2147483649,
             2147483648,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "remaining_pct",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             101,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "left_mah",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "time_left_s",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1000001,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "counted_from_full",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "cells_mv",
         3,
-        (
+        [
             [None] * 3,
             [5] * 3,
             [7] * 3,
             first(5, 3),
             first(-1, 3),
             first(65535, 3),
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "temperature_cdegc",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -32769,
             32767,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "swaps_number",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1,
             1000001,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "monitored",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "used_up",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "protected",
         0,
-        (
+        [
             None,
             5,
             7,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "lowest_cell_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
     (
         "battery",
         1,
         "highest_cell_mv",
         0,
-        (
+        [
             None,
             5,
             7,
             5,
             -1073741824,
             1073741824,
-        ),
+        ],
     ),
-)
+]
 
 # Messages, and what tells their functions the instance and the page.
-TABLES = (
+TABLES = [
     ("heartbeat", ((),)),
     ("battery_status", ((0,),)),
     ("autopilot_version", ((),)),
@@ -324,4 +324,4 @@ TABLES = (
     ("smart_battery_info", ((0,),)),
     ("battery_info", ((0,),)),
     ("battery_cell_voltages", ((0, 0),)),
-)
+]
