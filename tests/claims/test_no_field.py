@@ -1,7 +1,12 @@
 """A unit that no field of a message has is found without a name of a field; what only looks like that is not."""
 
+from collections.abc import Callable
+
 import pytest
-from conftest import Check
+
+from codegen.diagnostics import Diagnostic
+
+Check = Callable[[str], list[Diagnostic]]
 
 WRONG = {
     "what is only described": (
