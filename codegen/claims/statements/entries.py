@@ -164,7 +164,7 @@ _Pair = tuple[int, str, int]
 
 def _pairs(span: Span, low: int, high: int) -> list[_Pair]:
     found: list[_Pair] = []
-    for form in _PAIRS:
+    for form in _PAIRS if span.text.find("N", low, high) >= 0 else ():
         position = low
         while (each := form.search(span.text, position, high)) is not None:
             value = number(span.sentence.term(each.start("value")))
