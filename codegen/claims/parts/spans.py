@@ -72,7 +72,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
                 _is_foreign(reading, part) or (is_foreign and not headings) or is_foreign_section
             )
         is_row = isinstance(part, Passage) and part.kind is PassageKind.ROW
-        row = named or (row if is_row and isinstance(part, Passage) and _GOES_ON.match(part.text) else ())
+        row = named or (row if is_row and _GOES_ON.match(part.text) else ())
         inside = tuple(message for _, group in reversed(headings) for message in group)
         topic = (
             Topic((), (), (), ())

@@ -26,7 +26,8 @@ _ORDER += ["thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen"
 NUMBER_WORDS: Mapping[str, int] = {"zero": 0, **{word: index for index, word in enumerate(_ORDER, 1)}}
 _PREFIX = r"(?:(?i:pico|nano|micro|milli|centi|deci|hecto|kilo|mega|giga)[- ]?)?"
 _LONG_UNIT = (
-    r"(?i:degrees?\scelsius|degrees?\sfahrenheit|fahrenheit|miles|nautical\smiles|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
+    r"(?i:degrees?\scelsius|degrees?\sfahrenheit|fahrenheit|miles|nautical\smiles"
+    r"|volts?|amps?|amperes?|met(?:re|er)s?|deg(?:ree)?s?|radians?|hertz|seconds?|minutes?|hours?"
     r"|grams?|kelvin|celsius|feet|inches|per\smille|revolutions\sper\sminute|milli[- ]g|pascals?|teslas?|percent"
     r"|watts?|joules?|gauss|knots?|newtons?|lit(?:re|er)s?)"
 )

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word
 from codegen.model.units.unit import Unit, unit_named
+from codegen.model.units.unit_table import PREFIX_WORDS, PREFIXES
 
 
 @lru_cache(maxsize=4096)
@@ -32,17 +33,17 @@ _OTHER_UNITS: Mapping[str, Unit] = {
     **dict.fromkeys(("mph", "miles per hour"), _times("mph", _FOOT * 5280 / 3600, "m/s")),
     **dict.fromkeys(("ft/s", "fps", "feet per second"), _times("ft/s", _FOOT, "m/s")),
     **dict.fromkeys(("ft/min", "fpm", "feet per minute"), _times("ft/min", _FOOT / 60, "m/s")),
-    **dict.fromkeys(("revolutions per minute",), _times("rpm", 1, "rpm")),
-    **dict.fromkeys(("per mille", "permille"), _times("d%", 1, "d%")),
-    **dict.fromkeys(("milli-g", "milli g", "millig"), _times("mG", 1, "mG")),
-    **dict.fromkeys(("millibar", "millibars", "mbar"), _times("mbar", 1, "mbar")),
+    **dict.fromkeys(("revolutions per minute",), unit_named("rpm")),
+    **dict.fromkeys(("per mille", "permille"), unit_named("d%")),
+    **dict.fromkeys(("milli-g", "milli g", "millig"), unit_named("mG")),
+    **dict.fromkeys(("millibar", "millibars", "mbar"), unit_named("mbar")),
     **dict.fromkeys(("psi",), _times("psi", Fraction("6894.757293168"), "Pa")),
     **dict.fromkeys(("decibel", "decibels"), unit_named("dB")),
     **dict.fromkeys(("arcminute", "arcminutes", "arcmin"), _times("arcmin", Fraction(1, 60), "deg")),
     **dict.fromkeys(("arcsecond", "arcseconds", "arcsec"), _times("arcsec", Fraction(1, 3600), "deg")),
     **dict.fromkeys(("day", "days"), _times("days", 86400, "s")),
     **dict.fromkeys(("week", "weeks"), _times("weeks", 604800, "s")),
-    **dict.fromkeys(("bps", "bit/s"), _times("bits/s", 1, "bits/s")),
+    **dict.fromkeys(("bps", "bit/s"), unit_named("bits/s")),
     **dict.fromkeys(("kbps", "kbit/s"), _times("kbit/s", 1000, "bits/s")),
     **dict.fromkeys(("mbps", "mbit/s"), _times("Mbit/s", 1000000, "bits/s")),
     **dict.fromkeys(("kb/s",), _times("kB/s", 1000, "bytes/s")),
@@ -57,24 +58,16 @@ _SYMBOLS: Mapping[str, Unit] = {
 }
 """Symbols in which a capital is another letter."""
 _PREFIXES: Mapping[str, Fraction | int] = {
+    **{word: Fraction(PREFIXES[symbol]) for word, symbol in PREFIX_WORDS.items()},
+    **dict.fromkeys(("deca", "deka"), Fraction(PREFIXES["da"])),
     "pico": Fraction(1, 10**12),
-    "nano": Fraction(1, 10**9),
-    "micro": Fraction(1, 10**6),
-    "milli": Fraction(1, 1000),
-    "centi": Fraction(1, 100),
-    "deci": Fraction(1, 10),
-    "deca": 10,
-    "deka": 10,
-    "hecto": 100,
-    "kilo": 1000,
-    "mega": 10**6,
-    "giga": 10**9,
     "tera": 10**12,
     "kibi": 1 << 10,
     "mebi": 1 << 20,
     "gibi": 1 << 30,
     "tebi": 1 << 40,
 }
+"""The factors of prefixes as words: those of the dialects, and others."""
 
 
 def _prefixed(written: str) -> Unit | None:
