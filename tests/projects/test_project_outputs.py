@@ -1,0 +1,23 @@
+"""What is made of each project is what was made of it before, but for changes that somebody has looked at.
+
+generated/ shows what a change of the generator does to the rover and the smart battery. The other projects have what
+these do not: without this, a fault that only they show would be seen by nobody who does not run their suites.
+"""
+
+import pytest
+from project_outputs import PLACES, STORED, digests, rendered, stored
+
+
+@pytest.mark.parametrize("project", sorted(PLACES))
+def test_what_is_made_is_what_was_made_before(project: str) -> None:
+    """Byte for byte: a change that is meant is stored by `python tests/projects/project_outputs.py`."""
+    made, before = digests(rendered(project)), stored()[project]
+    other = sorted(path for path in made.keys() | before.keys() if made.get(path) != before.get(path))
+    assert not other, f"{project} is made otherwise; compare both, then run tests/projects/project_outputs.py"
+
+
+def test_nothing_is_stored_of_what_there_is_not() -> None:
+    """A project that is gone leaves no digests, and no project is without."""
+    assert stored().keys() == PLACES.keys()
+    assert all(stored().values())
+    assert STORED.read_text(encoding="utf-8").endswith("}\n")
