@@ -1,8 +1,8 @@
 # ruff: noqa: T201  it says what it has stored
-"""What is made of each project here and of the example: a digest of each file is stored in project_outputs.json.
+"""What is made of each project of the tests and of the example: project_outputs.json has a digest of each file.
 
 Run as a program it stores them anew. With a folder it writes the files themselves there as well, so that those before
-and after a change can be compared: `python tests/projects/project_outputs.py build/after`.
+and after a change can be compared: `python tests/emit/project_outputs.py build/after`.
 """
 
 import hashlib
@@ -15,9 +15,9 @@ from codegen.diagnostics import Report
 from codegen.project.systems import read_systems
 from codegen.targets.origin import united
 
-PROJECTS = Path(__file__).resolve().parent
-ROOT = PROJECTS.parents[1]
-STORED = PROJECTS / "project_outputs.json"
+ROOT = Path(__file__).resolve().parents[2]
+PROJECTS = ROOT / "tests" / "projects"
+STORED = Path(__file__).with_suffix(".json")
 PLACES = {path.parent.name: path for path in PROJECTS.glob("*/specs")} | {
     "examples/boat": ROOT / "examples" / "boat" / "specs"
 }
