@@ -81,7 +81,7 @@ def findings_of(path: Path) -> tuple[Diagnostic, ...]:
 
 
 def told(folder: str) -> str:
-    """Return all findings of the documents of a folder as text, a line for each: its place, its rule and what it says."""
+    """Return all findings of the documents of a folder, a line for each: its place, its rule and what it says."""
     lines = []
     for path, _ in documents(folder):
         for each in findings_of(path):
