@@ -1,5 +1,6 @@
 """What names, numbers, units and sizes are taken for, on both sides of where that changes."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
@@ -8,7 +9,7 @@ from typing import Any
 import pytest
 from conftest import reference
 
-from codegen.claims import truncation
+from codegen.claims import LIKELY, truncation
 from codegen.claims.arithmetic import _is_right
 from codegen.claims.known_names import Names, near_fields, near_message, same_field
 from codegen.claims.limit import _in_own_unit, _is_limit
@@ -44,6 +45,8 @@ def field(name: str) -> WireField:
         ("ABCDX", "ABCDE", "ABCDE"),
         ("ABCXX", "ABCDE", None),
         ("ONETWO", "ONE_TWO", "ONE_TWO"),
+        ("ONETWO", "SIX_SIX ONE_TWO", "ONE_TWO"),
+        ("ONETWO", "ONETWO_X ONETWA", "ONETWA"),
         ("ON_ETWO", "ONE_TWO", "ONE_TWO"),
         ("TWO_ONE", "ONE_TWO", "ONE_TWO"),
         ("TWO_ONE", "ONE_TWO ONE_TWO_X TWO_X_ONE", "ONE_TWO"),
@@ -239,3 +242,45 @@ def test_a_result_is_right_as_exactly_as_it_is_written(
     """To its last digit, which may be cut, in hundreds if it ends so; within a twentieth if it is about; or wrapped."""
     result: Any = {"number": written, "sign": sign, "about": about}
     assert _is_right(value, result) is is_right
+
+
+ROWS = "| Field | Type |\n| --- | --- |\n| `time_boot_ms` | uint32_t |\n| `roll` | float |\n| `{}` | float |\n| `yaw` | float |\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("## ATTITUDE\n\n" + ROWS.format("pich"), "ATTITUDE has no field pich"),
+        ("## ATTITUDE\n\n" + ROWS.format("pitch"), None),
+        ("ATTITUDE_V2 is to follow.\n\n## ATTITUDE\n\n" + ROWS.format("pich"), None),
+        ("GPS_RAW_INT_V2 is to follow.\n\n## ATTITUDE\n\n" + ROWS.format("pich"), "ATTITUDE has no field pich"),
+        ("`load` of SYS_STATUS is at most 32767.", "SYS_STATUS.load is uint16_t: its maximum is 65535 d%, not 32767"),
+        ("`load` of SYS_STATUS is at most 126.", "SYS_STATUS.load is uint16_t: its maximum is 65535 d%, not 126"),
+        ("`load` of SYS_STATUS is at most 100.", None),
+        ("`load` of SYS_STATUS is at most 65534.", None),
+        ("`message_type` of V2_EXTENSION is at most 32767.", None),  # its description has the number
+        (
+            "`message_type` of V2_EXTENSION is at most 255.",
+            "V2_EXTENSION.message_type is uint16_t: its maximum is 65535, not 255",
+        ),
+        ("10 bytes of HEARTBEAT are sent.", "HEARTBEAT has a payload of 9 bytes, not 10"),
+        ("9 bytes of HEARTBEAT are sent.", None),
+        ("A frame of 40 bytes of HEARTBEAT.", "HEARTBEAT has a payload of 9 bytes, not 40"),
+        ("5 bytes for the HEARTBEAT.", "HEARTBEAT has a payload of 9 bytes, not 5"),
+        ("`lat`, `alt` of GPS_RAW_INT are in degE7 and cm.", "GPS_RAW_INT.alt is in mm, not cm"),
+        ("`lat`, `alt` of GPS_RAW_INT are in degE7 and mm.", None),
+        ("SCALED_IMU.xmag is in G.", "SCALED_IMU.xmag is in mgauss, not G"),
+        ("SCALED_IMU.xmag is in mG.", None),
+        ("-1 means unknown for `eph` of GPS_RAW_INT.", "GPS_RAW_INT.eph is unknown when it is UINT16_MAX, not -1"),
+        ("65535 means unknown for `eph` of GPS_RAW_INT.", None),
+        (
+            "HIGH_LATENCY2.airspeed is m/s multiplied by 10.",
+            "HIGH_LATENCY2.airspeed is in m/s*5, which multiplied by 10 does not agree with",
+        ),
+        ("HIGH_LATENCY2.airspeed is m/s multiplied by 5.", None),
+    ],
+)  # fmt: skip
+def test_a_statement_and_its_neighbour(text: str, said: str | None, check: Callable[[str], list[Diagnostic]]) -> None:
+    """What is right, or may be, is not found; what is beside it is, once."""
+    found = [each.message.removesuffix(f" ({LIKELY})") for each in check(f"MAVLink.\n\n{text}\n")]
+    assert found == ([] if said is None else [said])
