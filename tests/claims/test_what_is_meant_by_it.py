@@ -13,6 +13,7 @@ from codegen.claims import LIKELY, truncation
 from codegen.claims.arithmetic import _is_right
 from codegen.claims.known_names import Names, near_fields, near_message, same_field
 from codegen.claims.limit import _in_own_unit, _is_limit
+from codegen.claims.parts.code_spans import _places
 from codegen.claims.reading import merged
 from codegen.claims.rules import UNIT
 from codegen.claims.size import SizeClaim, is_possible
@@ -284,3 +285,13 @@ def test_a_statement_and_its_neighbour(text: str, said: str | None, check: Calla
     """What is right, or may be, is not found; what is beside it is, once."""
     found = [each.message.removesuffix(f" ({LIKELY})") for each in check(f"MAVLink.\n\n{text}\n")]
     assert found == ([] if said is None else [said])
+
+
+def test_a_place_in_lines_of_code_is_in_the_line_that_has_it() -> None:
+    """Lines are joined by one character, which belongs to the line that it ends."""
+    lines: Any = [
+        SimpleNamespace(text=text, place=Place("a.md", 5 + at, 3)) for at, text in enumerate(("ab", "", "cd"))
+    ]
+    place_at = _places(lines)
+    found = [(place.line, place.column) for place in map(place_at, range(6))]
+    assert found == [(5, 3), (5, 4), (5, 5), (6, 3), (7, 3), (7, 4)]

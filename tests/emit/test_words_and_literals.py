@@ -6,9 +6,13 @@ from typing import Any
 
 import pytest
 
+from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.failsafe import Sense
 from codegen.targets.firmware.failsafes.table import problem
 from codegen.targets.firmware.program.main_loop import _has_load
+from codegen.targets.firmware.readings.sources import _plausible
+from codegen.targets.imports import order
+from codegen.targets.naming import class_names, parameter_attribute
 from codegen.targets.suite.cases.case import literal_of
 from codegen.targets.suite.facts.commands import _is_within
 
@@ -67,3 +71,43 @@ def test_the_load_is_told_to_a_vehicle_that_asks_for_it(load: str | None, many: 
         quantity={"vehicle.load": found}.get, components={"vehicle": SimpleNamespace(instances=many)}
     )
     assert _has_load(system) is is_told
+
+
+def test_each_message_has_a_class_of_its_own() -> None:
+    """Its name is one of Python, no word of the language, not that of the base class and nobody else's."""
+    names = class_names(["HEARTBEAT", "GPS_RAW_INT", "MESSAGE", "NONE", "_3D", "A__B", "A_B", "A_B_"])
+    assert [*names.values()] == ["Heartbeat", "GpsRawInt", "Message_", "None_", "_3d", "AB", "AB_", "AB__"]
+
+
+@pytest.mark.parametrize(
+    ("name", "attribute"),
+    [
+        ("BATT_LOW_VOLT", "batt_low_volt"),
+        ("CLASS", "class_"),
+        ("GET", "get_"),
+        ("VALUE", "value_"),
+        ("VALUES", "values"),
+    ],
+)
+def test_a_parameter_has_an_attribute_that_is_nothing_else(name: str, attribute: str) -> None:
+    assert parameter_attribute(name) == attribute
+
+
+def test_imports_are_in_the_order_of_the_linter() -> None:
+    """Constants, then classes, then functions."""
+    names = ["zone", "_private", "Zone", "A", "AT", "Link", "accept", "ZONE_1"]
+    assert sorted(names, key=order) == ["A", "AT", "ZONE_1", "Link", "Zone", "_private", "accept", "zone"]
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "taken"),
+    [(-5, 5, (-5, 5)), (-SMALL_INT_MAX, SMALL_INT_MAX, (-SMALL_INT_MAX, SMALL_INT_MAX)), (0, SMALL_INT_MAX, (0, 9))],
+)
+def test_what_a_sensor_may_give(low: int, high: int, taken: tuple[int, ...]) -> None:
+    """All within its limits; where every number is within them only the one that means unknown is none."""
+    unknown = -SMALL_INT_MAX - 1
+    output: Any = SimpleNamespace(low=low, high=high)
+    text = _plausible(output)
+    assert all(eval(text, {"value": value, "_UNKNOWN": unknown}) for value in taken)  # noqa: S307
+    assert not eval(text, {"value": unknown, "_UNKNOWN": unknown})  # noqa: S307
+    assert ("_UNKNOWN" in text) is (low == -SMALL_INT_MAX)
