@@ -1,11 +1,12 @@
 # ruff: noqa: T201  what is printed is the answer
 """Scores the checker of documents: precision and recall on the documents of tests/claims/corpus.
 
-    python benchmarks/claims_score.py [--wrong] [--kinds] [--evidence] FOLDER...
+    python benchmarks/claims_score.py [--wrong] [--kinds] [--evidence] [--store] FOLDER...
 
 A folder is one of tests/claims/corpus. The README of the corpus says how it is counted.
 --wrong lists what was missed and what was found wrongly.
 --evidence tells by what findings stand on how many are right.
+--store keeps all findings in the folder, as tests compare them: a change of the checker shows there what it does.
 """
 
 import argparse
@@ -71,11 +72,29 @@ class Score:
         )
 
 
+@cache
 def findings_of(path: Path) -> tuple[Diagnostic, ...]:
     """Return what `codegen check` finds in a document, compared with the dialect."""
     report = Report()
     check_documents([str(path)], reference(), report)
     return tuple(report)
+
+
+def told(folder: str) -> str:
+    """Return all findings of the documents of a folder, a line for each: its place, its rule and what it says."""
+    lines = []
+    for path, _ in documents(folder):
+        for each in findings_of(path):
+            hint = f" ({each.hint})" if each.hint else ""
+            related = "".join(f" [{place.line}:{place.column} {text}]" for place, text in each.related)
+            where = f"{path.name}:{each.place.line}:{each.place.column}"
+            lines.append(f"{where}: {each.rule.standing} {each.rule.id}: {each.message}{hint}{related}\n")
+    return "".join(lines)
+
+
+def stored(folder: str) -> Path:
+    """Return the file that keeps what was found in a folder."""
+    return CORPUS / folder / "findings.txt"
 
 
 @cache
@@ -199,8 +218,11 @@ def main() -> int:
     parser.add_argument(
         "--evidence", action="store_true", help="tell how many findings of each kind of evidence are right"
     )
+    parser.add_argument("--store", action="store_true", help="keep all findings in findings.txt of the folder")
     arguments = parser.parse_args()
     for folder in arguments.folders:
+        if arguments.store:
+            stored(folder).write_text(told(folder), encoding="utf-8", newline="")
         print(f"{folder}: {score([folder], lists=arguments.wrong)}")
         for kind, (found, faults) in kinds(folder).items() if arguments.kinds else ():
             print(f"  {kind:<16}{found:>3} of {faults}")

@@ -46,39 +46,24 @@ class Note:
     type: str | None = None
     length: int | None = None
 
-    @property
-    def text(self) -> str:
-        """Return the words of the note."""
-        return self.passage.text[self.start :]
-
 
 @dataclass(frozen=True, slots=True)
 class FieldNotes:
     """Notes about fields of one message, in their order.
 
     ``stated`` is the id that a comment in a struct gives its message, and the place of that line, ``end`` the bytes
-    that a comment behind its last line gives it; ``columns`` are the
-    headings of a table.
+    that a comment behind its last line gives it.
     """
 
     message: WireMessage
     notes: tuple[Note, ...]
     stated: tuple[int, Place] | None = None
     end: tuple[int, Place] | None = None
-    columns: tuple[str, ...] = ()
 
     @property
     def is_whole(self) -> bool:
         """Return whether a struct says that it is the message, by its id, and so has to have all of its base fields."""
         return self.stated is not None and self.stated[0] == self.message.id
-
-    def cell(self, note: Note, heading: "re.Pattern[str]") -> tuple[str, int] | None:
-        """The text of a note's row below the heading that matches, and its offset in the passage."""
-        own = cells(note.passage) if self.columns else []
-        for title, (text, offset) in zip(self.columns[1:], own[1:], strict=False):
-            if heading.fullmatch(title) and text.strip():
-                return text.strip(), offset
-        return None
 
     def pairs(self) -> Iterator[tuple[Note, WireField]]:
         """The notes about fields that the message has, each with its field."""
@@ -140,14 +125,13 @@ def _bytes_of(line: Line) -> tuple[int, Place] | None:
 
 def _table(reading: Reading, rows: list[Passage]) -> Iterator[FieldNotes]:
     """One table; two that follow each other directly are looked at as one, which only makes fewer notes."""
-    columns = tuple(cell.strip() for cell, _ in cells(rows[0]))
     notes = []
     for row in rows[1:]:
         own = cells(row)
         found = _CELL.fullmatch(own[0][0]) if own else None
         if found and len(own) > 1:
             notes.append(Note(found["name"], row, own[1][1], _elements(found)))
-    yield from _about(reading, notes, rows[0].place.line, columns)
+    yield from _about(reading, notes, rows[0].place.line)
 
 
 def _list(reading: Reading, items: list[Passage]) -> Iterator[FieldNotes]:
@@ -156,14 +140,14 @@ def _list(reading: Reading, items: list[Passage]) -> Iterator[FieldNotes]:
         found = _ITEM.match(item.text)
         if found:
             notes.append(Note(found["name"], item, found.end(), _elements(found)))
-    yield from _about(reading, notes, items[0].place.line, ())
+    yield from _about(reading, notes, items[0].place.line)
 
 
-def _about(reading: Reading, notes: list[Note], line: int, columns: tuple[str, ...]) -> Iterator[FieldNotes]:
+def _about(reading: Reading, notes: list[Note], line: int) -> Iterator[FieldNotes]:
     names = {note.name for note in notes}
     about = reading.message_with(names, line) if len(names) > 1 else None
     if about is not None:
-        yield FieldNotes(about, tuple(notes), columns=columns)
+        yield FieldNotes(about, tuple(notes))
 
 
 def _elements(found: "re.Match[str]") -> tuple[int, int] | None:

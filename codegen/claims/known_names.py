@@ -62,7 +62,7 @@ def near_message(name: str, names: Names) -> str | None:
     if "_" not in name:
         same = (known for known in names.messages if "_" in known and known.replace("_", "") == joined)
         alone = [known for known in names.messages if "_" not in known and len(known) > SHORT]
-        return next(same, None) or next(iter(get_close_matches(name, alone, n=1, cutoff=_SAME)), None)
+        return next(same, None) or next(iter(get_close_matches(name, alone, cutoff=_SAME)), None)
     *front, last = name.split("_")
     turned = [known for known in names.messages if sorted(known.split("_")) == sorted(name.split("_"))]
     if len(turned) == 1:
@@ -86,7 +86,7 @@ def near_message(name: str, names: Names) -> str | None:
     if begun:
         return begun[0]
     others = [known for known in kin if not name.startswith(f"{known}_")]  # or it is a successor
-    return next(iter(get_close_matches(name, others, n=1, cutoff=_SAME)), None)
+    return next(iter(get_close_matches(name, others, cutoff=_SAME)), None)
 
 
 def is_unknown(name: str, names: Names) -> bool:

@@ -175,7 +175,7 @@ def _messages(reading: Reading, passage: Passage, names: Names, listed: Collecti
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)
         is_sure = is_row or is_sent or _IS_SENT.match(passage.text, found.end()) is not None
         if near is None and is_sure and reading.sightings and not is_successor(name, names):
-            near = next(iter(get_close_matches(name, names.messages, n=1, cutoff=_SURE)), None)
+            near = next(iter(get_close_matches(name, names.messages, cutoff=_SURE)), None)
         if near is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, near)
 

@@ -82,9 +82,9 @@ def text_literals(words: Iterable[object], indent: int) -> tuple[str, ...]:
     return tuple(f'"{part}"' for part in parts)
 
 
-def order(name: str) -> tuple[int, str]:
-    """Constants, then classes, then functions, as ruff sorts them."""
-    return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)
+def order(name: str) -> tuple[bool, str]:
+    """Constants, then classes, which a capital letter sorts before functions: so does ruff."""
+    return (not name.isupper(), name)
 
 
 def tuple_text(items: Iterable[object]) -> str:

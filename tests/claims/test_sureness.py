@@ -102,3 +102,35 @@ def test_what_the_words_only_suggest_is_likely(text: str, check: Callable[[str],
 @pytest.mark.parametrize("text", SILENT)
 def test_what_is_cited_or_of_another_name_is_not_said(text: str, check: Callable[[str], list[Diagnostic]]) -> None:
     assert check(f"MAVLink.\n\n{text}\n") == []
+
+
+ALTITUDE = "`alt` of GPS_RAW_INT is in cm"
+
+
+@pytest.mark.parametrize(
+    ("text", "is_certain"),
+    [
+        (f"{ALTITUDE}.", True),
+        (f"Nobody says so, but {ALTITUDE}.", True),
+        (f"Our {ALTITUDE}.", False),
+        (f"There {ALTITUDE}.", False),
+        (f"Unlike others, {ALTITUDE}.", False),
+        (f"{ALTITUDE} in a future version.", False),
+        (f"Not {ALTITUDE}.", False),
+        (f"It is not so that {ALTITUDE}.", False),
+        (f"It is not so. {ALTITUDE}.", True),
+        (f"According to you, {ALTITUDE}.", False),
+        ("HEARTBEAT has the id 5.", True),
+        ("HEARTBEAT has the id 5 here.", True),  # a message has one id everywhere
+        ("HEARTBEAT should have the id 5.", False),
+        ("HEARTBEAT will have the id 5.", False),
+        ("`eph` of GPS_RAW_INT is 0 if unknown.", True),
+        ("`eph` of GPS_RAW_INT starts with 0, unknown.", False),
+        ("In MAV_STATE, MAV_STATE_ACTIVE is 5.", True),
+    ],
+)
+def test_words_that_leave_a_statement_open(
+    text: str, is_certain: bool, check: Callable[[str], list[Diagnostic]]
+) -> None:
+    """Somebody's own things, what is compared, denied, planned or doubted in the same sentence: it may be right."""
+    assert [each.is_error for each in check(f"MAVLink.\n\n{text}\n")] == [is_certain]

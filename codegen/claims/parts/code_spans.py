@@ -1,7 +1,7 @@
 """The lines of code in which statements stand, and the blocks of data."""
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
@@ -156,7 +156,7 @@ def _places(lines: Sequence[Line]) -> Callable[[int], Place]:
         length += len(line.text) + 1
 
     def place_at(offset: int) -> Place:
-        index = max((index for index, start in enumerate(starts) if start <= offset), default=0)
+        index = bisect_right(starts, offset) - 1
         place = lines[index].place
         return place._replace(column=place.column + offset - starts[index])
 

@@ -58,11 +58,6 @@ class Said:
     before: int
 
     @property
-    def tail(self) -> str:
-        """Return the words that follow the names."""
-        return self.span.text[self.end : self.until]
-
-    @property
     def is_listed(self) -> bool:
         """Return whether the part is an item, a row or a comment, in which a comma ends a statement."""
         return self.span.kind in (PassageKind.ITEM, PassageKind.ROW) or self.span.is_code

@@ -248,7 +248,7 @@ def _is_other(field: WireField, end: _End, *, is_top: bool) -> bool:
         return False
     ends = _TOPS if is_top else _BOTTOMS
     if any(abs(raw - each) <= off and each > _LEAST for each in ends if is_top):
-        return _is_far(field, raw) and not _is_told(field, end)
+        return not _is_told(field, end)
     if not is_top and any(abs(raw - each) <= 1 for each in ends):
         return raw < own
     return is_top and end.unit is None and _is_turn(field, raw)
@@ -256,11 +256,6 @@ def _is_other(field: WireField, end: _End, *, is_top: bool) -> bool:
 
 _LEAST = 100
 """A maximum of a type that is no number of anything else."""
-
-
-def _is_far(field: WireField, raw: Fraction) -> bool:
-    """A field may always have less than its type carries, where the number is below that of a byte."""
-    return raw > field.type.maximum or raw >= _LEAST
 
 
 def _is_told(field: WireField, end: _End) -> bool:
