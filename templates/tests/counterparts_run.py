@@ -330,14 +330,21 @@ def bytes_by_lot(lot, senders):
     return data
 
 
+def receiver_by_lot(lot):
+    """Return a link that receives some messages, or all: each into one object, or made anew for each frame."""
+    share, few = lot.below(5), lot.one((3, 99))
+    kinds = [kind for kind in messages.ALL if lot.below(few)]
+    return Link(Wire(), 1, 1, 2, [kind(unknown=False) if lot.below(4) < share else kind for kind in kinds])
+
+
 def frames_by_lot():
     """Messages arrive among other bytes, whole, cut and broken, in pieces of any size: what is received of them."""
     lot = Lot(5)
     senders = links_of()
-    kept = [kind(unknown=False) if lot.below(2) else kind for kind in messages.ALL if lot.below(3)]
-    link = Link(Wire(), 1, 1, 2, kept)
-    state = link._state
-    for _ in range(FRAMES):
+    for turn in range(FRAMES):
+        if turn % 5 == 0:
+            link = receiver_by_lot(lot)
+            state = link._state
         data = bytes_by_lot(lot, senders)
         step = [crc32(data)]
         state[16] = lot.one((0, 0, 20, 200))  # so many bytes are looked at until somebody else has a turn
