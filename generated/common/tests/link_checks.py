@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 32e59b62ea1e0f26
+# Inputs: 0fb93e34e95d4f33
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -405,6 +405,9 @@ def the_end_of_a_frame_is_waited_for():
         (whole[-1:], 2 * LINKS_US, 1),
         (longer[:12] + whole, 400_000, 1),
         (b"", 200_000, 2),
+        (longer[:12] + whole[:4], 300_000, 2),  # what comes behind its beginning makes it no younger
+        (whole[4:], 100_000, 2),
+        (b"", 200_000, 3),
     ):
         craft.port.arrives(part)
         run(craft, wait_us)
