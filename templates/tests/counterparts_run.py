@@ -265,6 +265,23 @@ def short_links():
         yield told
 
 
+def lengths_of_links():
+    """Any message over a link of either version that has room for it, or a byte less, and keeps views of few frames."""
+    lot = Lot(7)
+    for kind in messages.ALL:
+        message, told = kind(unknown=False), []
+        for version, room in ((2, kind.LENGTH), (1, kind.LENGTH), (2, max(1, kind.LENGTH - 1)), (1, 255)):
+            link = Link(Wire(), SYSTEM_ID, COMPONENT_ID, version, (), room, None, ((0, lot.below(room)), (room, room)))
+            for at in (0, len(message.wire) // 2, len(message.wire) - 1):
+                message.wire[:] = bytes(len(message.wire))
+                message.wire[at] = 1 + lot.below(255)
+                try:
+                    told.append(crc32(bytes(link.encode(message))))
+                except ValueError as error:
+                    told.append(str(error))
+        yield told
+
+
 def due_by_lot():
     """The messages that are due, and the times at which they are due again, which wrap."""
     lot = Lot(3)
@@ -383,6 +400,7 @@ PARTS = {
     "ages": ages_of_state,
     "zeros": zeros_of_state,
     "short": short_links,
+    "lengths": lengths_of_links,
     "due": due_by_lot,
     "watched": watched_by_lot,
     "frames": frames_by_lot,

@@ -7,7 +7,7 @@ import pytest
 from interpreters import files, path_of, run_under
 
 
-PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
+PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames")
 LONG = ("more steps",)
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: c88be1b41bf8b6b9
+# Inputs: b15a5400495a6e3a
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from time import ticks_ms
@@ -100,7 +100,10 @@ def told_to_who_appears():
 
 
 def many_are_told_once():
-    """More components than there are places for: the last ones wait for the stream, none is told twice."""
+    """More components than there are places for: the last ones wait for the stream, none is told twice.
+
+    Once all have gone their places are free again.
+    """
     port = Port()
     craft = _craft(ports=[port])
     _quiet(craft, [port])
@@ -113,6 +116,12 @@ def many_are_told_once():
             run(craft, SILENCE_MS * 1000 // 40, STEP_US)  # all of them in both turns: before the first is silent
             told += _announced(port) == _expected(craft)
         assert told == (0 if turn else 12), (turn, told)
+    run(craft, 2 * SILENCE_MS * 1000, STEP_US)
+    for member in crowd[-2:]:
+        port.frames = []
+        _beat(member, ONBOARD_CONTROLLER)
+        run(craft, LONG_US)
+        assert _announced(port) == _expected(craft), "who comes after all have gone"
 
 
 def told_again_after_a_silence():

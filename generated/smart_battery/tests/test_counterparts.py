@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 0155f46ad05b1b42
+# Inputs: 6d7834757463d088
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -9,7 +9,7 @@ import pytest
 from interpreters import files, path_of, run_under
 
 
-PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
+PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames")
 LONG = ("more steps",)
 
 

@@ -98,7 +98,10 @@ def told_to_who_appears():
 
 
 def many_are_told_once():
-    """More components than there are places for: the last ones wait for the stream, none is told twice."""
+    """More components than there are places for: the last ones wait for the stream, none is told twice.
+
+    Once all have gone their places are free again.
+    """
     port = Port()
     craft = _craft(ports=[port])
     _quiet(craft, [port])
@@ -111,6 +114,12 @@ def many_are_told_once():
             run(craft, SILENCE_MS * 1000 // 40, STEP_US)  # all of them in both turns: before the first is silent
             told += _announced(port) == _expected(craft)
         assert told == (0 if turn else 12), (turn, told)
+    run(craft, 2 * SILENCE_MS * 1000, STEP_US)
+    for member in crowd[-2:]:
+        port.frames = []
+        _beat(member, ONBOARD_CONTROLLER)
+        run(craft, LONG_US)
+        assert _announced(port) == _expected(craft), "who comes after all have gone"
 
 
 def told_again_after_a_silence():
