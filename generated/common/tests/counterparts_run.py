@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: ea822cf9225198ac
+# Inputs: 6214ae8ad8c275c7
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -89,13 +89,13 @@ class Wire:
 
 
 def new_state(lot, log):
-    """Return a state and what reads for it, or None, with parameters by lot; most are as they are at first.
+    """Return a state and what reads for it, or None, with parameters by lot: in one of three all, else a few.
 
     Two of three readings are taken that can be.
     """
-    parameters = Parameters()
+    parameters, few = Parameters(), lot.one((1, 3, 3))
     for attribute, choices, low, high in PARAMETERS:
-        if lot.below(3) == 0:
+        if lot.below(few) == 0:
             setattr(parameters, attribute, lot.one(choices) if choices else lot.within(low, high))
     for attribute, steps in ON:
         if lot.below(3):
@@ -122,7 +122,9 @@ def read(lot, state, board, times):
     """Let the inputs have counts by lot, or fail, and take so many readings of each component, 100 ms apart.
 
     Each is over within a millisecond: machine code looks at the clock before all parts, plain Python behind each one.
+    Return the sum of the state behind each reading.
     """
+    found = []
     for _, name, _, full_scale, instances in READINGS:
         for instance in range(instances):
             about = (instance,) if instances > 1 else ()
@@ -133,7 +135,9 @@ def read(lot, state, board, times):
     for _ in range(times):
         for component in COMPONENTS:
             getattr(state, "update_" + component)(board)
+        found.append(summed(state))
         mock_time.advance_us(100000 - mock_time.elapsed_us() % 1000)
+    return found
 
 
 def counted(board):
@@ -180,10 +184,11 @@ def links_of():
     return [Link(Wire(), SYSTEM_ID, COMPONENT_ID, version) for version in (2, 1)]
 
 
-def steps_of_state(seed=1, turns=12):
+def steps_of_state(seed=1, turns=20):
     """Code sets quantities, readings are taken, time passes, and something is sent: what that leaves, step by step."""
     lot, links = Lot(seed), links_of()
-    times_ms = [0, 1, 20, 100, 100, 100, 999, HALF_TURN_MS] + [age + late for age in AGES_MS for late in (0, 1)]
+    times_ms = [0, 1, 20, 100, 100, 100, 999, HALF_TURN_MS]
+    times_ms += [age + late for age in AGES_MS for late in (0, 1, -100, -99)]  # 100 ms are over behind a reading
     for turn in range(turns):
         mock_time.set_ticks_us(BEFORE_WRAP_US if turn % 2 else 0)
         log = Log()
@@ -194,7 +199,7 @@ def steps_of_state(seed=1, turns=12):
             mock_time.advance_us(1000 * lot.one(times_ms))
             step = []
             if board is not None and lot.below(4):
-                read(lot, state, board, lot.one((1, 2, 3, 8)))
+                step += read(lot, state, board, lot.one((1, 2, 3, 8)))
                 step.append(counted(board))
             step += [summed(state), log.count]
             if lot.below(4) == 0:
@@ -390,10 +395,10 @@ def frames_by_lot():
 
 def more_steps_of_state():
     """More of the same, for who has the time."""
-    return steps_of_state(6, 100)
+    return steps_of_state(6, 160)
 
 
-STEPS = 20
+STEPS = 12
 SCANS = 300
 FRAMES = 100
 PARTS = {
