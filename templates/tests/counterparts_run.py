@@ -36,6 +36,11 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from scan_plain import holding, take_due, watch
 
+try:
+    from streams import VERSION, open_link
+except ImportError:  # there is no program
+    VERSION = 0
+
 if READINGS:
     from mock_board import MockBoard
 
@@ -182,6 +187,15 @@ def links_of():
     return [Link(Wire(), SYSTEM_ID, COMPONENT_ID, version) for version in (2, 1)]
 
 
+def views_stay(link, state):
+    """Send all messages over a link of the program: it has the views of their frames, and makes no more."""
+    are_missing = [view is None for view in link.room[1]]
+    for name, abouts in TABLES:
+        for about in abouts:
+            getattr(telemetry, "encode_" + name)(link, state, *about)
+    assert [view is None for view in link.room[1]] == are_missing, "a view is made of a frame that goes out"
+
+
 def steps_of_state(seed=1, turns=20):
     """Code sets quantities, readings are taken, time passes, and something is sent: what that leaves, step by step."""
     lot, links = Lot(seed), links_of()
@@ -208,6 +222,8 @@ def steps_of_state(seed=1, turns=20):
                 step.append(sent(links, state, name, lot.one(abouts)))
             step.append(summed(state))
             yield step
+        if VERSION == 2:
+            views_stay(open_link(Wire()), state)
     mock_time.set_ticks_us(0)
 
 
