@@ -2,7 +2,7 @@
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
 leave the same in the state, in frames and in counters, step by step. Each step is told as a few numbers: sums of what
-it left, by part.
+it left, by part. The arguments are numbers that the code compares with, then "of", and the parts.
 """
 
 import json
@@ -66,10 +66,10 @@ class Lot:
         return values[self.below(len(values))]
 
     def within(self, low, high):
-        """Return a number of a range, its ends more often than others."""
-        kind = self.below(4)
-        if kind < 2 or high - low < 2:
-            return (low, high)[kind % 2]
+        """Return a number of a range, its ends and those beside them more often than others."""
+        kind = self.below(8)
+        if kind < 6 or high - low < 2:
+            return (low, high, low, high, min(low + 1, high), max(high - 1, low), low, high)[kind]
         return low + (self.below(1 << 24) << 24 | self.below(1 << 24)) % (high - low + 1)
 
 
@@ -211,7 +211,7 @@ def steps_of_state(seed=1, turns=20):
             mock_time.advance_us(1000 * lot.one(times_ms))
             step = []
             if board is not None and lot.below(4):
-                step += read(lot, state, board, lot.one((1, 2, 3, 8)))
+                step += read(lot, state, board, lot.one((1, 2, 3, 8, 1, 2, 3, 60)))
                 step.append(counted(board))
             step += [summed(state), log.count]
             if lot.below(4) == 0:
@@ -267,6 +267,28 @@ def zeros_of_state():
             setattr(one, kind[2], value)
             told.append([sent(links, state, name, abouts[0]) for name, abouts in TABLES])
         setattr(one, kind[2], zero)
+        yield told
+
+
+def limits_of_state():
+    """One quantity at a time has each number that the code compares with, or one beside it: what that leaves."""
+    links = links_of()
+    state, board = new_state(Lot(0), Log())
+    for name, instances, attribute, _, values in QUANTITIES:
+        for instance in range(instances):
+            setattr(getattr(state, name)[instance], attribute, values[1])
+    words = array("i", state.words)
+    for name, _, attribute, elements, values in QUANTITIES:
+        low, high = [each[0] if elements else each for each in values[-2:]]
+        told = []
+        for number in NUMBERS:
+            if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
+                state.words[:] = words
+                setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
+                told.append([sent(links, state, table, abouts[0]) for table, abouts in TABLES])
+                for component in COMPONENTS:
+                    getattr(state, "update_" + component)(board)
+                told.append(summed(state))
         yield told
 
 
@@ -420,6 +442,7 @@ PARTS = {
     "more steps": more_steps_of_state,
     "ages": ages_of_state,
     "zeros": zeros_of_state,
+    "limits": limits_of_state,
     "short": short_links,
     "lengths": lengths_of_links,
     "due": due_by_lot,
@@ -428,7 +451,9 @@ PARTS = {
 }
 
 if __name__ == "__main__":
+    of = sys.argv.index("of")
+    NUMBERS = [int(number) for number in sys.argv[1:of]]
     told = {}
-    for name in sys.argv[1:]:
+    for name in sys.argv[of + 1 :]:
         told[name] = [crc32(json.dumps(step).encode()) for step in PARTS[name]()]
     print(json.dumps(told))
