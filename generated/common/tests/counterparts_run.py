@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 0fa635ec32372648
+# Inputs: 06655d6793bc1d5e
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -232,6 +232,7 @@ def steps_of_state(seed=1, turns=20):
 def ages_of_state():
     """Each message finds what is too old, and what just is not, by itself: what it sends and leaves then, by age."""
     lot, links = Lot(2), links_of()
+    late = (-100, -99, 0, 1, HALF_TURN_MS - 101, HALF_TURN_MS - 100, HALF_TURN_MS - 1, HALF_TURN_MS)  # as in steps
     for begun_us in (0, BEFORE_WRAP_US):
         mock_time.set_ticks_us(begun_us)
         state, board = new_state(Lot(0), Log())
@@ -246,7 +247,7 @@ def ages_of_state():
             for about in abouts:
                 told = []
                 for age_ms in AGES_MS:
-                    for late_ms in (0, 1, HALF_TURN_MS - 1, HALF_TURN_MS):
+                    for late_ms in late:
                         state.words[:] = words
                         mock_time.set_ticks_us(now_us + 1000 * (age_ms + late_ms))
                         told.append(forget(state) if name is None else sent(links, state, name, about))
