@@ -272,25 +272,35 @@ def zeros_of_state():
 
 
 def limits_of_state():
-    """One quantity at a time has each number that the code compares with, or one beside it: what that leaves."""
+    """One quantity at a time has each number that the code compares with, or one beside it: what that leaves.
+
+    All others are unknown, or small numbers.
+    """
     links = links_of()
     state, board = new_state(Lot(0), Log())
-    for name, instances, attribute, _, values in QUANTITIES:
-        for instance in range(instances):
-            setattr(getattr(state, name)[instance], attribute, values[1])
-    words = array("i", state.words)
-    for name, _, attribute, elements, values in QUANTITIES:
-        low, high = [each[0] if elements else each for each in values[-2:]]
-        told = []
-        for number in NUMBERS:
-            if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
-                state.words[:] = words
-                setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
-                told.append([sent(links, state, table, abouts[0]) for table, abouts in TABLES])
-                for component in COMPONENTS:
-                    getattr(state, "update_" + component)(board)
-                told.append(summed(state))
-        yield told
+    for base in (0, 1):
+        for name, instances, attribute, _, values in QUANTITIES:
+            for instance in range(instances):
+                setattr(getattr(state, name)[instance], attribute, values[base])
+        words = array("i", state.words)
+        for kind in QUANTITIES:
+            yield limits_of(kind, links, state, board, words)
+
+
+def limits_of(kind, links, state, board, words):
+    """Return what each of the numbers leaves, as the value of a quantity of the first instance."""
+    name, _, attribute, elements, values = kind
+    low, high = [each[0] if elements else each for each in values[-2:]]
+    told = []
+    for number in NUMBERS:
+        if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
+            state.words[:] = words
+            setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
+            told.append([sent(links, state, table, abouts[0]) for table, abouts in TABLES])
+            for component in COMPONENTS:
+                getattr(state, "update_" + component)(board)
+            told.append(summed(state))
+    return told
 
 
 def short_links():
