@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: a50e9686f0b14fea
+# Inputs: 7095acaaa5330df7
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -121,7 +121,7 @@ def missed_slots():
 
 
 def late_by_whole_periods():
-    """What comes late by whole periods, or by nearly so many, has one turn then, and the next one on its grid."""
+    """A call that comes late by whole periods, or by nearly so many, has one turn, and the next one on its grid."""
     period_us = 2 * CONTROL_US
     for late_us in (0, 1, CONTROL_US, period_us - 1, period_us, period_us + 1, 3 * period_us - 1, 3 * period_us):
         turns = []

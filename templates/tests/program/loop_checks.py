@@ -119,7 +119,7 @@ def missed_slots():
 
 
 def late_by_whole_periods():
-    """What comes late by whole periods, or by nearly so many, has one turn then, and the next one on its grid."""
+    """A call that comes late by whole periods, or by nearly so many, has one turn, and the next one on its grid."""
     period_us = 2 * CONTROL_US
     for late_us in (0, 1, CONTROL_US, period_us - 1, period_us, period_us + 1, 3 * period_us - 1, 3 * period_us):
         turns = []
