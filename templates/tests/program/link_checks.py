@@ -220,6 +220,26 @@ def one_broken_port_leaves_the_others_alone():
     assert len(station.received(messages.CommandAck)) == 1
 
 
+def a_fault_of_any_part_is_counted():
+    """Each part of a pass that raises is counted, and told now and then; the others go on."""
+    for part in ("streams", "announcements", "services", "texts"):
+        craft = new_craft()
+        connection = craft.connections[0]
+        run_passes(craft, 2)
+        owner = {"services": connection.services, "texts": connection._texts}.get(part, connection.station.streams)
+        setattr(owner, "announce" if part == "announcements" else "run", _broken)
+        craft.port.frames = []
+        run(craft, 2 * SECOND_US, LINKS_US)
+        told = [text for text in craft.said() if "fault ValueError" in text[1]]
+        assert 0 < len(told) < connection.faults, (part, craft.said())
+        heard = GroundStation(craft.port).received(messages.Heartbeat)
+        assert part == "streams" or len(heard) >= _beats(2), (part, len(heard))
+
+
+def _broken(*_arguments):
+    raise ValueError("it is broken")
+
+
 def datagrams_over_the_loopback():
     """UDP: telemetry to where the port points, answers to who asked, a closed socket is opened again."""
     there = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -455,6 +475,7 @@ CHECKS = (
     (a_stream_that_raises_takes_nothing, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
+    (a_fault_of_any_part_is_counted, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
     (the_network_is_joined_again, "services.links"),
