@@ -6,6 +6,7 @@ import sys
 
 from program_bench import (
     SECOND_US,
+    Craft,
     GroundStation,
     Port,
     live,
@@ -234,6 +235,29 @@ def a_fault_of_any_part_is_counted():
         assert 0 < len(told) < connection.faults, (part, craft.said())
         heard = GroundStation(craft.port).received(messages.Heartbeat)
         assert part == "streams" or len(heard) >= _beats(2), (part, len(heard))
+
+
+def one_message_in_a_pass():
+    """Where a pass takes in or sends a single message, streams, answers, lists and texts have their turns, too."""
+    most = Craft.MESSAGES
+    Craft.MESSAGES = 1
+    try:
+        craft = new_craft()
+    finally:
+        Craft.MESSAGES = most
+    station = GroundStation(craft.port)
+    run_passes(craft, 20)
+    craft.port.frames = []
+    craft.texts("warning: this is one of many")
+    station.send(messages.Ping, target_system=0, target_component=0, seq=7)
+    expected = [messages.Statustext, messages.Ping]
+    if PARAMETERS:
+        station.send(messages.ParamRequestList)
+        expected.append(messages.ParamValue)
+    run(craft, 2 * SECOND_US, LINKS_US)
+    kinds = [type(message) for message in station.received(messages.Heartbeat, *expected)]
+    assert kinds.count(messages.Heartbeat) >= _beats(2), kinds
+    assert [kind for kind in expected if kind not in kinds] == [], kinds
 
 
 def _broken(*_arguments):
@@ -476,6 +500,7 @@ CHECKS = (
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (a_fault_of_any_part_is_counted, "services.links"),
+    (one_message_in_a_pass, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
     (the_network_is_joined_again, "services.links"),
