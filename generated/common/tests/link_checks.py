@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 2476f165fd70b73b
+# Inputs: 6efd76195754b480
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -240,7 +240,7 @@ def a_fault_of_any_part_is_counted():
 
 
 def one_message_in_a_pass():
-    """Where a pass takes in or sends a single message, streams, answers, lists and texts have their turns, too."""
+    """Let a pass take in or send a single message: streams, answers, lists and texts have their turns, too."""
     most = Craft.MESSAGES
     Craft.MESSAGES = 1
     try:

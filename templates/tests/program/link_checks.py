@@ -238,7 +238,7 @@ def a_fault_of_any_part_is_counted():
 
 
 def one_message_in_a_pass():
-    """Where a pass takes in or sends a single message, streams, answers, lists and texts have their turns, too."""
+    """Let a pass take in or send a single message: streams, answers, lists and texts have their turns, too."""
     most = Craft.MESSAGES
     Craft.MESSAGES = 1
     try:
