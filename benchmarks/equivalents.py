@@ -60,6 +60,8 @@ def _alike(entry: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Fault
             like = re.fullmatch(entry["like"], fault.line)
             if like is None or not re.fullmatch(entry["old"], fault.old) or not re.fullmatch(entry["new"], fault.new):
                 continue
+            if not re.fullmatch(entry.get("within", ".*"), fault.within):
+                continue
             if "body" not in entry or _body(lines, mutant.line) == like.expand(entry["body"]):
                 yield fault
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 0155f46ad05b1b42
+# Inputs: 395c8a3dee98468d
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -9,8 +9,9 @@ import pytest
 from interpreters import files, path_of, run_under
 
 
-PARTS = ("steps", "ages", "zeros", "short", "due", "watched", "frames")
-LONG = ("more steps",)
+PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames")
+LONG = ("more steps", "limits")
+COMPARED = re.compile(r"[<>=]=? (-?\d+)\b")  # with what a number is compared
 
 
 @pytest.fixture(scope="session")
@@ -19,11 +20,22 @@ def told(once):
 
     def by(parts):
         def run():
-            return [json.loads(run_under(each, "counterparts_run.py", *parts)) for each in ("cpython", "micropython")]
+            given = (*map(str, numbers()), "of", *parts)
+            return [json.loads(run_under(each, "counterparts_run.py", *given)) for each in ("cpython", "micropython")]
 
         return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
 
     return by
+
+
+def numbers():
+    """Return the numbers that the code compares with what it has at hand, and those beside them.
+
+    In other units than those that are kept a step is ten of these, or a hundred.
+    """
+    texts = [path.read_text("utf-8") for path in files("firmware/*_plain.py")]
+    found = {int(number) for text in texts for number in COMPARED.findall(text)} | {-100, -10, 10, 100}
+    return sorted({number + beside for number in found for beside in (-1, 0, 1)})
 
 
 def same(found, part):
@@ -41,9 +53,10 @@ def test_counterparts(part, told):
 
 
 @pytest.mark.days
-def test_more_steps(told):
-    """So they are in many more steps."""
-    same(told(LONG), *LONG)
+@pytest.mark.parametrize("part", LONG)
+def test_more_steps(part, told):
+    """So they are in many more steps, and for each number that anything is compared with."""
+    same(told(LONG), part)
 
 
 def test_places():

@@ -127,7 +127,10 @@ def named(cls, fields):
 
 
 def unknown(cls, fields):
-    """Return name, values at first, small values that are set, what is read of them, and the values at the end."""
+    """Return name, values at first, small values that are set, what is read of them, and the values at the end.
+
+    Between these stand values of which every second element is unknown, where each can be, and what is read of them.
+    """
     found = []
     given = values(fields, 1)
     for name, field in layout_of(cls).items():
@@ -136,6 +139,11 @@ def unknown(cls, fields):
             steps = [name, message.get(name), given[name]]
             message.set(name, given[name])
             steps.append(message.get(name))
+            mixed = given[name]
+            if isinstance(steps[1], tuple) and set(steps[1]) == {None}:
+                mixed = [None if at % 2 else value for at, value in enumerate(mixed)]
+            message.set(name, mixed)
+            steps += [mixed, message.get(name)]
             message.set(name, None)
             steps.append(message.get(name))
             found.append(steps)

@@ -49,6 +49,15 @@ def test_a_form_is_about_the_only_line_below(tmp_path: Path, monkeypatch: pytest
     assert listed({"b.py": limit + other}) == set()
 
 
+def test_a_form_is_about_the_functions_that_it_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "equivalents.yaml"
+    entry = {"module": "a.py", "like": ".*", "within": "f|A.g", "old": r"\d", "new": r"\d", "reason": "So."}
+    path.write_text(yaml.safe_dump([entry]))
+    monkeypatch.setattr(equivalents, "LIST", path)
+    text = "x = 1\ndef f():\n    y = 2\ndef g():\n    y = 3\n"
+    assert listed({"a.py": text}) == {Fault("a.py", "y = 2", "2", "3", "f")}
+
+
 def test_every_entry_of_the_generator_is_a_fault_there() -> None:
     names = sorted({entry["module"] for entry in ENTRIES if "codegen/" in entry["module"]})
     known = faults({name: (ROOT / name).read_text(encoding="utf-8") for name in names})

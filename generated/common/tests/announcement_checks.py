@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: c88be1b41bf8b6b9
+# Inputs: c86ff5fe2c84afed
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from time import ticks_ms
@@ -113,6 +113,20 @@ def many_are_told_once():
             run(craft, SILENCE_MS * 1000 // 40, STEP_US)  # all of them in both turns: before the first is silent
             told += _announced(port) == _expected(craft)
         assert told == (0 if turn else 12), (turn, told)
+
+
+def places_of_who_is_gone_are_free():
+    """Once more components than there are places for were silent, who comes is new."""
+    port = Port()
+    craft = _craft(ports=[port])
+    for number in range(14):
+        _beat(GroundStation(port, system_id=100 + number), ONBOARD_CONTROLLER)
+        run_passes(craft, 2)
+    run(craft, SILENCE_MS * 1200, STEP_US * 12)
+    _quiet(craft, [port])
+    _beat(GroundStation(port), ONBOARD_CONTROLLER)
+    run(craft, LONG_US)
+    assert _announced(port) == _expected(craft)
 
 
 def told_again_after_a_silence():
@@ -340,6 +354,7 @@ CHECKS = (
     (told_at_the_start, "message.connection"),
     (told_to_who_appears, "message.connection"),
     (many_are_told_once, "message.connection"),
+    (places_of_who_is_gone_are_free, "message.connection"),
     (told_again_after_a_silence, "message.connection"),
     (told_again_while_another_stays, "message.connection"),
     (told_after_days_of_silence, "message.connection"),

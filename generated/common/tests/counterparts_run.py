@@ -1,10 +1,10 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: eb8a42383cce1691
+# Inputs: 5813c384af9501fe
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
 leave the same in the state, in frames and in counters, step by step. Each step is told as a few numbers: sums of what
-it left, by part.
+it left, by part. The arguments are numbers that the code compares with, then "of", and the parts.
 """
 
 import json
@@ -38,6 +38,11 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from scan_plain import holding, take_due, watch
 
+try:
+    from streams import VERSION, open_link
+except ImportError:  # there is no program
+    VERSION = 0
+
 if READINGS:
     from mock_board import MockBoard
 
@@ -63,10 +68,10 @@ class Lot:
         return values[self.below(len(values))]
 
     def within(self, low, high):
-        """Return a number of a range, its ends more often than others."""
-        kind = self.below(4)
-        if kind < 2 or high - low < 2:
-            return (low, high)[kind % 2]
+        """Return a number of a range, its ends and those beside them more often than others."""
+        kind = self.below(8)
+        if kind < 6 or high - low < 2:
+            return (low, high, low, high, min(low + 1, high), max(high - 1, low), low, high)[kind]
         return low + (self.below(1 << 24) << 24 | self.below(1 << 24)) % (high - low + 1)
 
 
@@ -89,13 +94,13 @@ class Wire:
 
 
 def new_state(lot, log):
-    """Return a state and what reads for it, or None, with parameters by lot; most are as they are at first.
+    """Return a state and what reads for it, or None, with parameters by lot: in one of three all, else a few.
 
     Two of three readings are taken that can be.
     """
-    parameters = Parameters()
+    parameters, few = Parameters(), lot.one((1, 3, 3))
     for attribute, choices, low, high in PARAMETERS:
-        if lot.below(3) == 0:
+        if lot.below(few) == 0:
             setattr(parameters, attribute, lot.one(choices) if choices else lot.within(low, high))
     for attribute, steps in ON:
         if lot.below(3):
@@ -122,7 +127,9 @@ def read(lot, state, board, times):
     """Let the inputs have counts by lot, or fail, and take so many readings of each component, 100 ms apart.
 
     Each is over within a millisecond: machine code looks at the clock before all parts, plain Python behind each one.
+    Return the sum of the state behind each reading.
     """
+    found = []
     for _, name, _, full_scale, instances in READINGS:
         for instance in range(instances):
             about = (instance,) if instances > 1 else ()
@@ -133,7 +140,9 @@ def read(lot, state, board, times):
     for _ in range(times):
         for component in COMPONENTS:
             getattr(state, "update_" + component)(board)
+        found.append(summed(state))
         mock_time.advance_us(100000 - mock_time.elapsed_us() % 1000)
+    return found
 
 
 def counted(board):
@@ -180,10 +189,20 @@ def links_of():
     return [Link(Wire(), SYSTEM_ID, COMPONENT_ID, version) for version in (2, 1)]
 
 
-def steps_of_state(seed=1, turns=12):
+def views_stay(link, state):
+    """Send all messages over a link of the program: it has the views of their frames, and makes no more."""
+    are_missing = [view is None for view in link.room[1]]
+    for name, abouts in TABLES:
+        for about in abouts:
+            getattr(telemetry, "encode_" + name)(link, state, *about)
+    assert [view is None for view in link.room[1]] == are_missing, "a view is made of a frame that goes out"
+
+
+def steps_of_state(seed=1, turns=20):
     """Code sets quantities, readings are taken, time passes, and something is sent: what that leaves, step by step."""
     lot, links = Lot(seed), links_of()
-    times_ms = [0, 1, 20, 100, 100, 100, 999, HALF_TURN_MS] + [age + late for age in AGES_MS for late in (0, 1)]
+    times_ms = [0, 1, 20, 100, 100, 100, 999, HALF_TURN_MS]
+    times_ms += [age + late for age in AGES_MS for late in (0, 1, -100, -99)]  # 100 ms are over behind a reading
     for turn in range(turns):
         mock_time.set_ticks_us(BEFORE_WRAP_US if turn % 2 else 0)
         log = Log()
@@ -194,7 +213,7 @@ def steps_of_state(seed=1, turns=12):
             mock_time.advance_us(1000 * lot.one(times_ms))
             step = []
             if board is not None and lot.below(4):
-                read(lot, state, board, lot.one((1, 2, 3, 8)))
+                step += read(lot, state, board, lot.one((1, 2, 3, 8, 1, 2, 3, 60)))
                 step.append(counted(board))
             step += [summed(state), log.count]
             if lot.below(4) == 0:
@@ -205,12 +224,15 @@ def steps_of_state(seed=1, turns=12):
                 step.append(sent(links, state, name, lot.one(abouts)))
             step.append(summed(state))
             yield step
+        if VERSION == 2:
+            views_stay(open_link(Wire()), state)
     mock_time.set_ticks_us(0)
 
 
 def ages_of_state():
     """Each message finds what is too old, and what just is not, by itself: what it sends and leaves then, by age."""
     lot, links = Lot(2), links_of()
+    late = (-100, -99, 0, 1, HALF_TURN_MS - 101, HALF_TURN_MS - 100, HALF_TURN_MS - 1, HALF_TURN_MS)  # as in steps
     for begun_us in (0, BEFORE_WRAP_US):
         mock_time.set_ticks_us(begun_us)
         state, board = new_state(Lot(0), Log())
@@ -225,7 +247,7 @@ def ages_of_state():
             for about in abouts:
                 told = []
                 for age_ms in AGES_MS:
-                    for late_ms in (0, 1, HALF_TURN_MS - 1, HALF_TURN_MS):
+                    for late_ms in late:
                         state.words[:] = words
                         mock_time.set_ticks_us(now_us + 1000 * (age_ms + late_ms))
                         told.append(forget(state) if name is None else sent(links, state, name, about))
@@ -251,6 +273,38 @@ def zeros_of_state():
         yield told
 
 
+def limits_of_state():
+    """One quantity at a time has each number that the code compares with, or one beside it: what that leaves.
+
+    All others are unknown, or small numbers.
+    """
+    links = links_of()
+    state, board = new_state(Lot(0), Log())
+    for base in (0, 1):
+        for name, instances, attribute, _, values in QUANTITIES:
+            for instance in range(instances):
+                setattr(getattr(state, name)[instance], attribute, values[base])
+        words = array("i", state.words)
+        for kind in QUANTITIES:
+            yield limits_of(kind, links, state, board, words)
+
+
+def limits_of(kind, links, state, board, words):
+    """Return what each of the numbers leaves, as the value of a quantity of the first instance."""
+    name, _, attribute, elements, values = kind
+    low, high = [each[0] if elements else each for each in values[-2:]]
+    told = []
+    for number in NUMBERS:
+        if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
+            state.words[:] = words
+            setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
+            told.append([sent(links, state, table, abouts[0]) for table, abouts in TABLES])
+            for component in COMPONENTS:
+                getattr(state, "update_" + component)(board)
+            told.append(summed(state))
+    return told
+
+
 def short_links():
     """Links with room for less than a message: who encodes is told, and nothing else is written."""
     state = SystemState(log=Log())
@@ -264,6 +318,23 @@ def short_links():
                 told.append(frame and crc32(bytes(frame)))
             except ValueError as error:
                 told.append(str(error))
+        yield told
+
+
+def lengths_of_links():
+    """Any message over a link of either version that has room for it, or a byte less, and keeps views of few frames."""
+    lot = Lot(7)
+    for kind in messages.ALL:
+        message, told = kind(unknown=False), []
+        for version, room in ((2, kind.LENGTH), (1, kind.LENGTH), (2, max(1, kind.LENGTH - 1)), (1, 255)):
+            link = Link(Wire(), SYSTEM_ID, COMPONENT_ID, version, (), room, None, ((0, lot.below(room)), (room, room)))
+            for at in (0, len(message.wire) // 2, len(message.wire) - 1):
+                message.wire[:] = bytes(len(message.wire))
+                message.wire[at] = 1 + lot.below(255)
+                try:
+                    told.append(crc32(bytes(link.encode(message))))
+                except ValueError as error:
+                    told.append(str(error))
         yield told
 
 
@@ -332,14 +403,21 @@ def bytes_by_lot(lot, senders):
     return data
 
 
+def receiver_by_lot(lot):
+    """Return a link that receives some messages, or all: each into one object, or made anew for each frame."""
+    share, few = lot.below(5), lot.one((3, 99))
+    kinds = [kind for kind in messages.ALL if lot.below(few)]
+    return Link(Wire(), 1, 1, 2, [kind(unknown=False) if lot.below(4) < share else kind for kind in kinds])
+
+
 def frames_by_lot():
     """Messages arrive among other bytes, whole, cut and broken, in pieces of any size: what is received of them."""
     lot = Lot(5)
     senders = links_of()
-    kept = [kind(unknown=False) if lot.below(2) else kind for kind in messages.ALL if lot.below(3)]
-    link = Link(Wire(), 1, 1, 2, kept)
-    state = link._state
-    for _ in range(FRAMES):
+    for turn in range(FRAMES):
+        if turn % 5 == 0:
+            link = receiver_by_lot(lot)
+            state = link._state
         data = bytes_by_lot(lot, senders)
         step = [crc32(data)]
         state[16] = lot.one((0, 0, 20, 200))  # so many bytes are looked at until somebody else has a turn
@@ -366,10 +444,10 @@ def frames_by_lot():
 
 def more_steps_of_state():
     """More of the same, for who has the time."""
-    return steps_of_state(6, 100)
+    return steps_of_state(6, 160)
 
 
-STEPS = 20
+STEPS = 12
 SCANS = 300
 FRAMES = 100
 PARTS = {
@@ -377,14 +455,18 @@ PARTS = {
     "more steps": more_steps_of_state,
     "ages": ages_of_state,
     "zeros": zeros_of_state,
+    "limits": limits_of_state,
     "short": short_links,
+    "lengths": lengths_of_links,
     "due": due_by_lot,
     "watched": watched_by_lot,
     "frames": frames_by_lot,
 }
 
 if __name__ == "__main__":
+    of = sys.argv.index("of")
+    NUMBERS = [int(number) for number in sys.argv[1:of]]
     told = {}
-    for name in sys.argv[1:]:
+    for name in sys.argv[of + 1 :]:
         told[name] = [crc32(json.dumps(step).encode()) for step in PARTS[name]()]
     print(json.dumps(told))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 32e59b62ea1e0f26
+# Inputs: 6efd76195754b480
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -8,6 +8,7 @@ import sys
 
 from program_bench import (
     SECOND_US,
+    Craft,
     GroundStation,
     Port,
     live,
@@ -222,6 +223,49 @@ def one_broken_port_leaves_the_others_alone():
     assert len(station.received(messages.CommandAck)) == 1
 
 
+def a_fault_of_any_part_is_counted():
+    """Each part of a pass that raises is counted, and told now and then; the others go on."""
+    for part in ("streams", "announcements", "services", "texts"):
+        craft = new_craft()
+        connection = craft.connections[0]
+        run_passes(craft, 2)
+        owner = {"services": connection.services, "texts": connection._texts}.get(part, connection.station.streams)
+        setattr(owner, "announce" if part == "announcements" else "run", _broken)
+        craft.port.frames = []
+        run(craft, 2 * SECOND_US, LINKS_US)
+        told = [text for text in craft.said() if "fault ValueError" in text[1]]
+        assert 0 < len(told) < connection.faults, (part, craft.said())
+        heard = GroundStation(craft.port).received(messages.Heartbeat)
+        assert part == "streams" or len(heard) >= _beats(2), (part, len(heard))
+
+
+def one_message_in_a_pass():
+    """Let a pass take in or send a single message: streams, answers, lists and texts have their turns, too."""
+    most = Craft.MESSAGES
+    Craft.MESSAGES = 1
+    try:
+        craft = new_craft()
+    finally:
+        Craft.MESSAGES = most
+    station = GroundStation(craft.port)
+    run_passes(craft, 20)
+    craft.port.frames = []
+    craft.texts("warning: this is one of many")
+    station.send(messages.Ping, target_system=0, target_component=0, seq=7)
+    expected = [messages.Statustext, messages.Ping]
+    if PARAMETERS:
+        station.send(messages.ParamRequestList)
+        expected.append(messages.ParamValue)
+    run(craft, 2 * SECOND_US, LINKS_US)
+    kinds = [type(message) for message in station.received(messages.Heartbeat, *expected)]
+    assert kinds.count(messages.Heartbeat) >= _beats(2), kinds
+    assert [kind for kind in expected if kind not in kinds] == [], kinds
+
+
+def _broken(*_arguments):
+    raise ValueError("it is broken")
+
+
 def datagrams_over_the_loopback():
     """UDP: telemetry to where the port points, answers to who asked, a closed socket is opened again."""
     there = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -405,6 +449,9 @@ def the_end_of_a_frame_is_waited_for():
         (whole[-1:], 2 * LINKS_US, 1),
         (longer[:12] + whole, 400_000, 1),
         (b"", 200_000, 2),
+        (longer[:12] + whole[:4], 300_000, 2),  # what comes behind its beginning makes it no younger
+        (whole[4:], 100_000, 2),
+        (b"", 200_000, 3),
     ):
         craft.port.arrives(part)
         run(craft, wait_us)
@@ -454,6 +501,8 @@ CHECKS = (
     (a_stream_that_raises_takes_nothing, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
+    (a_fault_of_any_part_is_counted, "services.links"),
+    (one_message_in_a_pass, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
     (the_network_is_joined_again, "services.links"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: f366ed4b7d5f1f60
+# Inputs: f8b567d640638afc
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -133,7 +133,7 @@ def nothing_waits_once_it_is_due():
 
 
 def default_rates():
-    """Without any setting each stream has its default rate."""
+    """Without any setting each stream has its default rate, and nobody says that something was left out."""
     port = Counter()
     craft = new_craft(ports=[port])
     found = _counted(craft, port, 30)
@@ -142,6 +142,9 @@ def default_rates():
             expected = round(30 * stream["default"] * stream["numerator"] / stream["denominator"])
             frames = _frames(craft, number)
             assert _within(found.get(number, 0), expected * frames, frames), (stream["name"], found)
+    for connection in craft.connections:
+        connection.report()
+    assert [text for text in craft.said() if "left out" in text[1]] == []
 
 
 def nothing_is_reported_without_the_monitor():

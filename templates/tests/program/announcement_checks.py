@@ -113,6 +113,20 @@ def many_are_told_once():
         assert told == (0 if turn else 12), (turn, told)
 
 
+def places_of_who_is_gone_are_free():
+    """Once more components than there are places for were silent, who comes is new."""
+    port = Port()
+    craft = _craft(ports=[port])
+    for number in range(14):
+        _beat(GroundStation(port, system_id=100 + number), ONBOARD_CONTROLLER)
+        run_passes(craft, 2)
+    run(craft, SILENCE_MS * 1200, STEP_US * 12)
+    _quiet(craft, [port])
+    _beat(GroundStation(port), ONBOARD_CONTROLLER)
+    run(craft, LONG_US)
+    assert _announced(port) == _expected(craft)
+
+
 def told_again_after_a_silence():
     """A HEARTBEAT just before the silence is long enough tells nothing, one after it tells everything again."""
     for missing_ms, is_told in ((200, False), (-200, True)):
@@ -338,6 +352,7 @@ CHECKS = (
     (told_at_the_start, "message.connection"),
     (told_to_who_appears, "message.connection"),
     (many_are_told_once, "message.connection"),
+    (places_of_who_is_gone_are_free, "message.connection"),
     (told_again_after_a_silence, "message.connection"),
     (told_again_while_another_stays, "message.connection"),
     (told_after_days_of_silence, "message.connection"),

@@ -13,6 +13,8 @@ from program_bench import (
 )
 from program_facts import CONTROL_US, FAILSAFES, FORCE_ARM, FORGETS, LINKS_US, MEASURED, REPORT_MS
 
+from scheduler import Scheduler
+
 
 def _timed(craft):
     """Let control() note when it runs."""
@@ -116,6 +118,28 @@ def missed_slots():
         assert craft.scheduler.overruns == missed, (duration, craft.scheduler.overruns)
 
 
+def late_by_whole_periods():
+    """A call that comes late by whole periods, or by nearly so many, has one turn, and the next one on its grid."""
+    period_us = 2 * CONTROL_US
+    for late_us in (0, 1, CONTROL_US, period_us - 1, period_us, period_us + 1, 3 * period_us - 1, 3 * period_us):
+        turns = []
+        loop = Scheduler(CONTROL_US, lambda: turns.append("control"))  # noqa: B023  it is asked in this turn alone
+        loop.every(period_us, lambda: turns.append("job"))  # noqa: B023
+        loop.run_pass()
+        mock_time.advance_us(period_us + late_us)
+        del turns[:]
+        wait_us = loop.run_pass()
+        assert turns == ["control", "job"], (late_us, turns)
+        assert loop.overruns == late_us // CONTROL_US + 1, (late_us, loop.overruns)
+        assert wait_us == CONTROL_US - late_us % CONTROL_US, (late_us, wait_us)
+        mock_time.advance_us(wait_us - 1)
+        assert loop.run_pass() == 1, late_us
+        mock_time.advance_us(1)
+        loop.run_pass()
+        is_due = wait_us == period_us - late_us % period_us
+        assert turns == ["control", "job", "control", "job"][: 4 if is_due else 3], (late_us, turns)
+
+
 def missed_slots_are_reported():
     """Always late: one report in each interval, with the number; in time: none."""
     craft = new_craft()
@@ -199,6 +223,7 @@ CHECKS = (
     (jitter_is_no_drift, "control.grid"),
     (order_within_a_pass, "control.order", "component.order"),
     (missed_slots, "control.missed"),
+    (late_by_whole_periods, "control.missed"),
     (missed_slots_are_reported, "control.missed"),
     (load_is_the_share_of_time, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),

@@ -131,7 +131,7 @@ def nothing_waits_once_it_is_due():
 
 
 def default_rates():
-    """Without any setting each stream has its default rate."""
+    """Without any setting each stream has its default rate, and nobody says that something was left out."""
     port = Counter()
     craft = new_craft(ports=[port])
     found = _counted(craft, port, 30)
@@ -140,6 +140,9 @@ def default_rates():
             expected = round(30 * stream["default"] * stream["numerator"] / stream["denominator"])
             frames = _frames(craft, number)
             assert _within(found.get(number, 0), expected * frames, frames), (stream["name"], found)
+    for connection in craft.connections:
+        connection.report()
+    assert [text for text in craft.said() if "left out" in text[1]] == []
 
 
 def nothing_is_reported_without_the_monitor():
