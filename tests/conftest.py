@@ -2,6 +2,7 @@
 
 import gc
 import os
+import pickle
 import re
 import shutil
 import signal
@@ -10,6 +11,7 @@ import sys
 import tempfile
 import uuid
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -83,6 +85,32 @@ def read_once() -> Iterator[None]:
             patch.setattr(f"codegen.decode.decoded.{name}", known.get)
         for name in ("keep", "keep_object"):
             patch.setattr(f"codegen.decode.decoded.{name}", known.__setitem__)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiled_once() -> Iterator[None]:
+    """The firmware of a project is compiled once for an architecture, in whichever process of this run.
+
+    The tests of the cache take this away again.
+    """
+
+    folder = CACHE / "compiled"
+
+    def kept_object(name: str) -> Any:
+        with suppress(FileNotFoundError):
+            return pickle.loads((folder / name).read_bytes())  # noqa: S301  this run wrote it
+        return None
+
+    def keep_object(name: str, value: object) -> None:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        unfinished = folder / f"{name}.{os.getpid()}"
+        unfinished.write_bytes(pickle.dumps(value))
+        unfinished.rename(folder / name)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("codegen.emit.mpy.kept_object", kept_object)
+        patch.setattr("codegen.emit.mpy.keep_object", keep_object)
         yield
 
 

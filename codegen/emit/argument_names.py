@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import count
 from symtable import Function, SymbolTable, symtable
 
-from codegen.emit.private_names import Module, docstrings, read_module, words
+from codegen.emit.private_names import Module, docstrings, read_module, walked, words
 from codegen.emit.renaming import renamed
 from codegen.frozen import dataclass
 
@@ -104,7 +104,7 @@ def _within(table: SymbolTable) -> Iterator[SymbolTable]:
 
 def _arguments(function: ast.AST) -> set[str]:
     """Return the names of arguments that can be given by their places, but for self."""
-    found = (node.args for node in ast.walk(function) if isinstance(node, (*_FUNCTIONS, ast.Lambda)))
+    found = (node.args for node in walked(function) if isinstance(node, (*_FUNCTIONS, ast.Lambda)))
     return {each.arg for args in found for each in (*args.posonlyargs, *args.args)} - {"self"}
 
 
@@ -115,8 +115,8 @@ def _fixed(function: ast.FunctionDef | ast.AsyncFunctionDef, table: Function) ->
         is_class = inner.get_type() == "class"
         found.update(each.get_name() for each in inner.get_symbols() if is_class or each.is_global())
     outside = (*function.decorator_list, *function.args.defaults, *filter(None, function.args.kw_defaults))
-    found.update(node.id for each in outside for node in ast.walk(each) if isinstance(node, ast.Name))
-    for text in (node for node in ast.walk(function) if isinstance(node, ast.JoinedStr)):
-        parts = (node.value for node in ast.walk(text) if isinstance(node, ast.Constant))
+    found.update(node.id for each in outside for node in walked(each) if isinstance(node, ast.Name))
+    for text in (node for node in walked(function) if isinstance(node, ast.JoinedStr)):
+        parts = (node.value for node in walked(text) if isinstance(node, ast.Constant))
         found.update(word for part in parts if isinstance(part, str) for word in words(part))
     return found

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Iterator, Mapping
 from io import StringIO
 
-from codegen.emit.private_names import read_module
+from codegen.emit.private_names import read_module, walked
 
 
 def direct(texts: Mapping[str, str]) -> dict[str, str]:
@@ -35,7 +35,7 @@ def _written(text: str, tree: ast.Module, passed: Mapping[str, str]) -> str:
 
 def _changes(tree: ast.Module, passed: Mapping[str, str]) -> Iterator[tuple[int, str, str]]:
     """Yield numbers of lines with what is there instead of what."""
-    for node in ast.walk(tree):
+    for node in walked(tree):
         if isinstance(node, ast.ImportFrom) and node.module is not None and node.module in passed:
             yield node.lineno, f"from {node.module} ", f"from {_made(node.module, passed)} "
         elif isinstance(node, ast.Import):

@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from codegen.emit.private_names import Module, bound_by
+from codegen.emit.private_names import Module, bound_by, children, walked
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 _INNER = (*FUNCTIONS, ast.ClassDef, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
@@ -87,7 +87,7 @@ class GlobalNames(ast.NodeTransformer):
             self._visit(node, "decorator_list", "returns")
         arguments = node.args
         self._visit(arguments, "defaults", "kw_defaults")
-        every = [each for each in ast.walk(arguments) if isinstance(each, ast.arg)]
+        every = [each for each in walked(arguments) if isinstance(each, ast.arg)]
         for each in every:
             self._visit(each, "annotation")
         body = node.body if isinstance(node.body, list) else [node.body]
@@ -160,13 +160,13 @@ def outside_functions(nodes: Sequence[ast.AST]) -> Iterator[ast.AST]:
         node = left.pop()
         yield node
         if not isinstance(node, _INNER):
-            left.extend(reversed([*ast.iter_child_nodes(node)]))
+            left.extend(reversed(children(node)))
 
 
 @lru_cache(maxsize=256)
 def bound_at_top(tree: ast.Module) -> frozenset[str]:
     """Return the names that a module gives to something at its top level, or declares to in its functions."""
-    declared = (name for node in ast.walk(tree) if isinstance(node, ast.Global) for name in node.names)
+    declared = (name for node in walked(tree) if isinstance(node, ast.Global) for name in node.names)
     return frozenset((*_bound_in(tree.body), *declared))
 
 
@@ -187,4 +187,4 @@ def seen_in(tree: ast.Module) -> Seen:
 
 def tree_of(module: Module) -> ast.Module:
     """Return a tree of a module that may be changed. ValueError: this Python cannot write what is in an f-string."""
-    return ast.parse(ast.unparse(module.tree))
+    return ast.parse(module.written)

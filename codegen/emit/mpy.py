@@ -6,6 +6,7 @@ import subprocess
 from collections.abc import Container, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
+from typing import cast
 
 from codegen.diagnostics import Report, Rule
 from codegen.emit.argument_names import with_short_arguments
@@ -16,6 +17,8 @@ from codegen.emit.direct_imports import direct
 from codegen.emit.name_order import with_frequent_names_first
 from codegen.emit.short_names import TABLE, shortened, table_of
 from codegen.source import Place
+from codegen.tool.cache import entry, keep_object, kept_object, pickled
+from codegen.tool.digest import tool_digest
 
 BYTECODE = "bytecode"
 """The architecture of files that run on every board."""
@@ -52,6 +55,27 @@ def compiled(
     if program is None:
         report.add(MPY_CROSS_MISSING, Place(os.path.abspath("mpy-cross")), "mpy-cross is not installed")
         return {}
+    own = [path for path in files if path in unnumbered]
+    of = os.stat(program)
+    tool = f"{program} {of.st_size} {of.st_mtime_ns}"
+    name = entry("compiled", tool_digest(), tool, architecture, pickled((dict(files), own, tuple(beside))))
+    known = cast("dict[str, str | bytes] | None", kept_object(name))
+    if known is None:
+        known = _made(program, files, architecture, report, own, beside)
+        if known:
+            keep_object(name, known)
+    return known
+
+
+def _made(
+    program: str,
+    files: Mapping[str, str | bytes],
+    architecture: str,
+    report: Report,
+    unnumbered: Container[str],
+    beside: Iterable[str],
+) -> dict[str, str | bytes]:
+    """The same, which takes some seconds; ``program`` is mpy-cross."""
     modules = {
         path: text
         for path, text in files.items()

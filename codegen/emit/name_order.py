@@ -18,6 +18,8 @@ _SHORT = 127
 def with_frequent_names_first(text: str) -> str:
     """Return the text of a module; one with few names stays as it is."""
     module = read_module(text)
+    if len(module.names) <= _SHORT:
+        return text
     seen = seen_in(module.tree)
     looked_up = seen.used - {constant_of(node) for node in module.nodes} - seen.own
     counted = Counter(name for node in module.nodes for name in _used(node, looked_up))

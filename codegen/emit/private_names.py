@@ -21,7 +21,12 @@ class Module:
     def __init__(self, tree: ast.Module) -> None:
         """Take over a tree."""
         self.tree = tree
-        self.nodes = tuple(ast.walk(tree))
+        self.nodes = tuple(walked(tree))
+
+    @cached_property
+    def written(self) -> str:
+        """Its text, anew of its tree. ValueError: this Python cannot write what is in an f-string."""
+        return ast.unparse(self.tree)
 
     @cached_property
     def classes(self) -> tuple[ast.ClassDef, ...]:
@@ -47,6 +52,41 @@ class Module:
     def imports(self) -> Mapping[str, tuple[str, str]]:
         """The module that an imported name comes from and what it is called there, "" for the module itself."""
         return dict(pair for node in self.nodes for pair in _imports(node))
+
+
+_PARTLESS = frozenset(("ctx", "op", "ops"))
+"""Fields whose nodes only say which of a few kinds theirs is: they are half of all."""
+
+
+_PARTS: dict[str, tuple[str, ...]] = {}
+"""The fields of nodes with others below them, by the names of their kinds, as far as they have been met."""
+
+
+def _parts(node: ast.AST) -> tuple[str, ...]:
+    kind = type(node).__name__
+    if kind not in _PARTS:
+        _PARTS[kind] = tuple(field for field in node._fields if field not in _PARTLESS)
+    return _PARTS[kind]
+
+
+def children(node: ast.AST) -> list[ast.AST]:
+    """Return the nodes right below one, as they are written, but for kinds of contexts and operators."""
+    found: list[ast.AST] = []
+    for part in _parts(node):
+        value = getattr(node, part, None)
+        if isinstance(value, ast.AST):
+            found.append(value)
+        elif isinstance(value, list):
+            found += [each for each in value if isinstance(each, ast.AST)]
+    return found
+
+
+def walked(tree: ast.AST) -> Iterator[ast.AST]:
+    """Yield a node and all below it, level by level."""
+    level = [tree]
+    while level:
+        yield from level
+        level = [below for node in level for below in children(node)]
 
 
 @lru_cache(maxsize=256)
@@ -110,7 +150,7 @@ def bound_by(node: ast.AST) -> Iterator[str]:
 
 
 def _set_elsewhere(nodes: Iterable[ast.AST], classes: Iterable[ast.ClassDef]) -> Iterator[str]:
-    own = {id(node) for each in classes for node in ast.walk(each)}
+    own = {id(node) for each in classes for node in walked(each)}
     for node in nodes:
         if isinstance(node, ast.Attribute) and not isinstance(node.ctx, ast.Load):
             is_own = id(node) in own and isinstance(node.value, ast.Name) and node.value.id == "self"
@@ -174,7 +214,7 @@ def _scopes(modules: Mapping[str, Module]) -> dict[str, str]:
 def _origins(base: ast.expr, module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
     """Yield the modules that a base of a class may come from."""
     own = {each.name for each in module.classes}
-    for node in ast.walk(base):
+    for node in walked(base):
         if isinstance(node, ast.Name) and node.id not in own and not hasattr(builtins, node.id):
             if node.id not in module.imports:  # a variable
                 yield from (source for source, _ in module.imports.values() if source in modules)

@@ -3,7 +3,7 @@
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 
-from codegen.emit.global_names import bound_at_top, outside_functions, seen_in, tree_of
+from codegen.emit.global_names import bound_at_top, outside_functions, seen_in
 from codegen.emit.private_names import Module, read_module, sources_of, words
 from codegen.frozen import dataclass
 
@@ -130,7 +130,7 @@ def _is_alone(module: Module) -> bool:
     if any(name[0] != "_" for name in declared) or any(name[:2] == "__" for name in bound_at_top(module.tree)):
         return True
     try:
-        tree_of(module)
+        module.written  # noqa: B018  which may not be possible
     except ValueError:  # an f-string that this Python cannot write
         return True
     return False
