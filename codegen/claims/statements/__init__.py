@@ -34,6 +34,7 @@ from codegen.claims.statements import (
 )
 from codegen.claims.statements.no_field import units as units_of_none
 from codegen.claims.statements.scaling import by_frame, read_out, steps
+from codegen.claims.statements.senses import stated
 from codegen.claims.statements.unnamed import described, elements
 from codegen.claims.statements.values import effects, short_names, unfilled
 from codegen.diagnostics import Diagnostic
@@ -55,6 +56,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (amounts.check, "Q", "N"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
+    (stated.check, "FPM", ""),
     (order.check, "FP", ""),
     (masks.check, "V", "N"),
     (messages.check, "N", ""),
