@@ -7,7 +7,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SUPPOSED, words
 from codegen.claims.rules import SENSE, as_sure
 from codegen.claims.statements.fields import Said, each_about, number, said_of_fields
-from codegen.claims.statements.senses.words import Sense, levels, signs, told
+from codegen.claims.statements.senses.words import Sense, has_other_way, levels, signs, told
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
@@ -94,7 +94,7 @@ def _senses(span: Span, low: int, high: int) -> Iterator[tuple[int, Sense]]:
     for axis in dict.fromkeys(sense.axis for sense in found):
         each = [sense for sense in found if sense.axis == axis]
         sense = min(each, key=lambda one: one.start)
-        if len({one.pole for one in each}) == 1:
+        if len({one.pole for one in each}) == 1 and not has_other_way(sense, text):
             yield low + _piece(pieces, sense.start), sense
 
 

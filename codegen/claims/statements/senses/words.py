@@ -23,6 +23,7 @@ _WAYS: Mapping[str, tuple[str, str]] = {
 }
 """By axis the words for its one way, and for the other."""
 _ONE_WAY = {axis: pattern(rf"(?:{first})") for axis, (first, _) in _WAYS.items()}
+_WORDS = {axis: pattern(rf"(?<![a-z-])(?:{second}|{first})(?![a-z])") for axis, (first, second) in _WAYS.items()}
 _ANY = "|".join(f"(?P<{axis}>{second}|{first})" for axis, (first, second) in _WAYS.items())
 _WAY = rf"(?<![a-z-])(?:{_ANY})(?![a-z])"
 _SIGN = r"(?P<sign>positive|negative|plus|minus|\+)"
@@ -78,7 +79,7 @@ _POLES: Mapping[str, Mapping[str, str]] = {
         "to": r"\b(?:blow\w*|go\w*|flow\w*|mov\w*) (?:to|towards?|into)\b|\bto(?:wards)? (?:which|where)\b",
     },
     "amount": {
-        "remaining": r"\bremaining\b|\bfree\b|\bleft over\b",
+        "remaining": r"\bremaining\b|\bfree (?:space|memory|room|slots?|capacity|buffers?)\b|\bleft over\b",
         "used": r"\bin use\b|\boccupied\b|\bconsumed\b|\bused(?! (?:for|by|to|as|in|with|when|if|only|here|on|at))\b",
     },
     "north": {"true": r"\btrue north\b", "magnetic": r"\bmagnetic north\b"},
@@ -119,6 +120,14 @@ def signs(text: str) -> Iterator[Sense]:
             is_first = _ONE_WAY[axis].fullmatch(found[axis]) is not None
             is_positive = sign in ("positive", "plus") or sign[0] in "+1"
             yield Sense(axis, "+" if is_first == is_positive else "-", found[0].strip(" :=,(|*`"), *found.span())
+
+
+def has_other_way(sense: Sense, text: str) -> bool:
+    """Return whether a text tells of the other way of an axis too: "north/east/down, shown with up positive"."""
+    if sense.axis not in _WAYS:
+        return False
+    found = [each[0] for each in _WORDS[sense.axis].finditer(text)]
+    return len({_ONE_WAY[sense.axis].fullmatch(word) is not None for word in found}) > 1
 
 
 def levels(text: str) -> Iterator[Sense]:
