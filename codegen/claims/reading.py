@@ -255,7 +255,7 @@ def _sightings(
         for mention in _mentions(line.text, names):
             yield line.place.line, mention.name
         for found in _TYPE_NAME.finditer(line.text):
-            spelled = found["camel"] or found["function"] or found["c"] or found["python"] or found["data"] or found["constant"]
+            spelled = next(group for group in found.groups() if group)
             name = snake(spelled).upper()
             if name in names:
                 yield line.place.line, name

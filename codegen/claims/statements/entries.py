@@ -30,7 +30,8 @@ _PAIRS = (
     pattern(
         rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is"
         rf"|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|tells(?: that)?|being|signals"
-        rf"|denotes|indicates|value N[,:]?)\b ?|,? (?:which|that) (?=is|means|marks|stands|says))*(?P<words>{_WORD}){_ENDS}"
+        rf"|denotes|indicates|value N[,:]?)\b ?|,? (?:which|that) (?=is|means|marks|stands|says))*"
+        rf"(?P<words>{_WORD}){_ENDS}"
     ),
     pattern(
         r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is"

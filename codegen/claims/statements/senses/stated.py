@@ -77,9 +77,9 @@ def _unnamed(reading: Reading, span: Span, done: set[int]) -> Iterator[Diagnosti
             for field in (messages[0].fields if messages and is_sure else ())
             if (each := _told(messages[0], field).get(sense.axis)) is not None
         ]
-        if known and all(_is_other(each, sense) for _, each in known):
-            if not _RULED_OUT.search(span.text, low, high):
-                yield _finding(reading, span, at, f"{messages[0].name}.{known[0][0].name}", sense, known[0][1])
+        is_wrong = bool(known) and all(_is_other(each, sense) for _, each in known)
+        if is_wrong and not _RULED_OUT.search(span.text, low, high):
+            yield _finding(reading, span, at, f"{messages[0].name}.{known[0][0].name}", sense, known[0][1])
 
 
 _ALONE = ("vertical", "rotation", "wind", "flow", "line", "quaternion")
@@ -88,7 +88,9 @@ _ALONE = ("vertical", "rotation", "wind", "flow", "line", "quaternion")
 
 def _senses(span: Span, low: int, high: int) -> Iterator[tuple[int, Sense]]:
     """What a piece of a part says, with the offset of the words; nothing of an axis of which it says both."""
-    pieces = [span.sentence.terms[at].written if at in span.sentence.terms else span.text[at] for at in range(low, high)]
+    pieces = [
+        span.sentence.terms[at].written if at in span.sentence.terms else span.text[at] for at in range(low, high)
+    ]
     text = "".join(pieces).lower()
     found = [*signs(text), *levels(text)]
     for axis in dict.fromkeys(sense.axis for sense in found):
@@ -101,10 +103,10 @@ def _senses(span: Span, low: int, high: int) -> Iterator[tuple[int, Sense]]:
 def _piece(pieces: list[str], offset: int) -> int:
     """The number of the piece in which a character stands."""
     end = 0
-    for number, piece in enumerate(pieces):
+    for place, piece in enumerate(pieces):
         end += len(piece)
         if offset < end:
-            return number
+            return place
     return max(len(pieces) - 1, 0)
 
 

@@ -45,6 +45,22 @@ _FORMS = (
     ),
 )
 
+_TELLING = (
+    "positive",
+    "negative",
+    "plus",
+    "minus",
+    "+",
+    "wise",
+    "cw",
+    "count",
+    "grow",
+    "increas",
+    "increment",
+    "measur",
+)
+"""Words one of which is in every text that tells of a way."""
+
 
 @dataclass(frozen=True, slots=True)
 class Sense:
@@ -98,7 +114,21 @@ _SAID = {
     for axis, poles in _POLES.items()
 }
 _NEEDED: Mapping[str, tuple[str, ...]] = {
-    "level": ("msl", "sea", "geoid", "egm", "wgs", "ellips", "hae", "home", "off", "launch", "ground", "terrain", "agl"),
+    "level": (
+        "msl",
+        "sea",
+        "geoid",
+        "egm",
+        "wgs",
+        "ellips",
+        "hae",
+        "home",
+        "off",
+        "launch",
+        "ground",
+        "terrain",
+        "agl",
+    ),
     "first": ("first", "based", "start", "begin", "count"),
     "quaternion": ("w", "scalar", "real"),
     "wind": ("from", "to"),
@@ -112,7 +142,7 @@ _NEEDED: Mapping[str, tuple[str, ...]] = {
 
 def signs(text: str) -> Iterator[Sense]:
     """Which way numbers count, as a text in small letters says it: the pole is "+" where the first way is positive."""
-    for form in _FORMS:
+    for form in _FORMS if any(word in text for word in _TELLING) else ():
         for found in form.finditer(text):
             axis = next(axis for axis in _WAYS if found[axis])
             given = found.groupdict()

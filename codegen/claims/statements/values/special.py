@@ -20,11 +20,12 @@ from codegen.pattern import pattern
 
 _MEANS = r"(?:indicates?|means?|is|are|for|if|when|to|marks?|:|=|stands? for|signals?|disables?|denotes?)"
 _TOLD = pattern(
-    rf"(?<![\w.\[-])(?P<value>-?\d+|zero|U?INT\d+_MAX|NaN)(?: value)? ?,? ?{_MEANS} (?P<words>[A-Za-z][A-Za-z _'-]{{2,60}})"
+    rf"(?<![\w.\[-])(?P<value>-?\d+|zero|U?INT\d+_MAX|NaN)(?: value)? ?,? ?{_MEANS} "
+    r"(?P<words>[A-Za-z][A-Za-z _'-]{2,60})"
 )
 _SAID = pattern(
-    r"(?<![*/+\u00d7] )(?P<value>[NS])(?: value)? ?,? ?(?:(?:(?:which|that) )?(?:means?|meaning|is|are|for|if|when|to|marks?|:|="
-    r"|stands? for|signals?|indicates?|denotes?|tells(?: that)?) ?)+(?P<words>[a-zFPM][a-zFPM _'-]{2,60})"
+    r"(?<![*/+\u00d7] )(?P<value>[NS])(?: value)? ?,? ?(?:(?:(?:which|that) )?(?:means?|meaning|is|are|for|if|when|to"
+    r"|marks?|:|=|stands? for|signals?|indicates?|denotes?|tells(?: that)?) ?)+(?P<words>[a-zFPM][a-zFPM _'-]{2,60})"
 )
 _IDLE = frozenset((
     "the", "a", "an", "is", "are", "be", "to", "of", "for", "if", "no", "not", "this", "that", "it", "in", "on", "by",
@@ -42,6 +43,7 @@ class _Special:
 
     value: float
     written: str
+    told: str
     words: frozenset[str]
 
 
@@ -52,13 +54,15 @@ def _specials(description: str) -> tuple[_Special, ...]:
         value = 0 if each["value"] == "zero" else number_of(each["value"])
         meant = _content(each["words"])
         if value is not None and meant:
-            found.append(_Special(float(value), each["value"], meant))
+            found.append(_Special(float(value), each["value"], each["words"].strip(), meant))
     return tuple(found)
 
 
 def _content(text: str) -> frozenset[str]:
     """The words of a meaning, without those that are everywhere and without endings."""
-    return frozenset(word.removesuffix("s").removesuffix("d") for word in _WORD.findall(text.lower()) if word not in _IDLE)
+    return frozenset(
+        word.removesuffix("s").removesuffix("d") for word in _WORD.findall(text.lower()) if word not in _IDLE
+    )
 
 
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
@@ -82,7 +86,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if any(_is_like(meant, each.words) and each.value == float(value) for each in others):
             continue
         written = span.sentence.term(at).written
-        told = " ".join(sorted(same[0].words & meant))
+        told = same[0].told
         text = f'{one.name}: for "{told}" it is {same[0].written}, not {written}'
         yield reading.found(as_sure(SENTINEL, is_sure=False), span.place(at), f"{one.name} {told} {written}", text)
 

@@ -41,7 +41,7 @@ _FAR = 120
 
 
 def check(reading: Reading, span: Span, known: Collection[Place]) -> Iterator[Diagnostic]:
-    """Every amount of a row, a line or a sentence beside such a number, but for numbers that are ``known`` to be wrong."""
+    """Every amount of a row, a line or a sentence beside such a number, where none is ``known`` to be wrong."""
     if "N" not in span.text or (span.is_code and not span.is_comment and "=" not in span.text):
         return
     done = -1
@@ -77,7 +77,7 @@ def _amounts(span: Span) -> Iterator[tuple[int, Fraction, Unit | None]]:
             yield at, Fraction(value[0]), value[1]
     for found in _OF_PRECISION.finditer(span.text):
         value = number(span.sentence.term(found.start("value")))
-        if value and value < 100:  # noqa: PLR2004  a dilution as it is, no number on the wire
+        if value and value < 100:  # a dilution as it is, no number on the wire
             yield found.start("value"), Fraction(str(value)) if isinstance(value, float) else Fraction(value), None
 
 
@@ -137,10 +137,9 @@ def _is_tenfold(value: Fraction, own: Fraction) -> bool:
     if len(longer) < _FEWEST:
         return False
     is_same = shorter == longer or (len(shorter) >= _LONG and longer.startswith(shorter[:-1]))
-    return is_same and not Fraction(1, 2) < abs(value / own) < 2  # noqa: PLR2004
+    return is_same and not Fraction(1, 2) < abs(value / own) < 2
 
 
 def _digits(value: Fraction) -> str:
     """The digits of a number without the zeros around them."""
     return re.sub(r"[-.]", "", f"{float(abs(value)):.10f}").strip("0")
-

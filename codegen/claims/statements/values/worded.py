@@ -1,7 +1,7 @@
 """Values of enums in clauses that have a word of another entry: "when armed, `base_mode` has bit 64 set".
 
-``entries`` reads a value and the words beside it. Here a whole clause is what tells of the value, and one word that only
-one entry has in its name is enough, where the entry with that value has none of the clause's words.
+``entries`` reads a value and the words beside it. Here a whole clause is what tells of the value, and one word that
+only one entry has in its name is enough, where the entry with that value has none of the clause's words.
 """
 
 from collections.abc import Collection, Iterator
@@ -26,7 +26,6 @@ _IS_VALUE = pattern(
     r"(?:[FP] ?(?:[:=|]|(?:is|has|to|of|with|becomes?|shall|must|be|have|will|set|the|value|bit) ?)*"
     r"|\b(?:bit|value) )N(?![\w.]\d| ?(?:bytes?|bits|hz|%|[-+*/]|to N|or N|and N))"
 )
-_SEPARATES = pattern(r"[;|.]\s|\bN\b.{0,3}$")
 
 
 def check(reading: Reading, span: Span, known: Collection[Place]) -> Iterator[Diagnostic]:
@@ -50,12 +49,11 @@ _MOST = 2
 
 
 def _clause(span: Span, start: int, until: int) -> tuple[int, int]:
+    """The cell, or the sentence around a name, up to a colon behind it."""
     low, high = span.bounds(start)
-    for mark in (";", "|", ":"):
-        low = max(low, span.text.rfind(mark, low, start) + 1) if mark != ":" else low
-        end = span.text.find(mark, until, high)
-        high = end if end >= 0 else high
-    return low, high
+    low = max(low, span.text.rfind("|", low, start) + 1)
+    ends = (span.text.find(mark, until, high) for mark in "|:")
+    return low, min((end for end in ends if end >= 0), default=high)
 
 
 def _compared(reading: Reading, span: Span, one: About, at: int, bounds: tuple[int, int]) -> Iterator[Diagnostic]:
