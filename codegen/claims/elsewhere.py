@@ -38,6 +38,7 @@ def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
         or (finding.rule.id in _NUMBERS and _is_of_nearer(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_own_member(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_own_argument(reading, finding))
+        or (finding.rule.id in _OF_MEMBERS and _is_told_apart(reading, finding.place))
     )
 
 
@@ -92,6 +93,23 @@ def _is_taken_from(reading: Reading, place: Place) -> bool:
     return any(_TAKEN.match(code.lines[place.line - code.place.line].text) for code in codes)
 
 
+def _is_told_apart(reading: Reading, place: Place) -> bool:
+    """Return whether a comment tells what is on the wire behind a member's own unit, or before its own type."""
+    for code in parts_at(reading, place.line):
+        if isinstance(code, CodeBlock):
+            at = place.line - code.place.line
+            text = code.lines[at].text
+            found = _ON_THE_WIRE.search(text)
+            if found is not None and found.start() >= place.column - code.lines[at].place.column:
+                return True
+            above = code.lines[at - 1].text if at else ""
+            if found is None and not _COMMENT.match(text) and _COMMENT.match(above) and _ON_THE_WIRE.search(above):
+                return True
+    return False
+
+
+_ON_THE_WIRE = pattern(r"\b[Oo]n the wire (?:an?|it is|they are|in|as)\b", needs="n the wire")
+_COMMENT = pattern(r"\s*(?://|#|\*|/\*)")
 _SECTION = pattern(r"\d+(?:\.\d+)+\.?\s+(?:[A-Z][a-z]{2,}|An?) [a-z`]")
 _TAKEN = pattern(r"\s*[A-Za-z_]\w*\s*[:=]\s*(?!self\.|this\.)[A-Za-z_]\w*\.[A-Za-z_]\w*\s*,")
 

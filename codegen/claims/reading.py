@@ -39,6 +39,8 @@ _CONSTANT = pattern(
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
 _TYPE_NAME = pattern(
     r"\b(?:struct|class|interface|impl|type|mod) (?P<camel>[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)*)\b"
+    r"|\b(?:def|fn|func|function|void) (?:parse|decode|unpack|pack|encode|read|handle|on|send|make|build)_"
+    r"(?P<function>[a-z0-9_]{3,60}?)(?=\s*[(<])"
     r"|\bmavlink_(?:msg_)?(?P<c>[a-z0-9_]{3,60}?)_(?:t|send|pack|decode|encode)\b"
     r"|\.mav\.(?P<python>[a-z0-9_]{3,60}?)_(?:send|encode)\b"
     r"|\b(?P<data>[A-Z][A-Z0-9_]{2,60})_DATA\b|\bMSG_(?:ID_)?(?P<constant>[A-Z0-9_]{3,60}?)(?:_(?:ID|LEN|CRC"
@@ -253,7 +255,7 @@ def _sightings(
         for mention in _mentions(line.text, names):
             yield line.place.line, mention.name
         for found in _TYPE_NAME.finditer(line.text):
-            spelled = found["camel"] or found["c"] or found["python"] or found["data"] or found["constant"]
+            spelled = next(group for group in found.groups() if group)
             name = snake(spelled).upper()
             if name in names:
                 yield line.place.line, name

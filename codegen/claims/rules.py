@@ -76,6 +76,12 @@ ENUM_OF = Rule(
     "A document says that a field has another enum than the dialect gives it, in which its numbers mean something "
     "else. Correct it.",
 )
+SENSE = Rule(
+    "claim-sense",
+    "A document says that a field counts the other way than its description says, or from another level or first "
+    "number: up for down, above home for above sea level. Whoever follows it takes every value for another one. "
+    "Correct it.",
+)
 
 
 NO_FIELD = Rule(

@@ -11,7 +11,7 @@ from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
-from codegen.claims.rules import MESSAGE_ID
+from codegen.claims.rules import MESSAGE_ID, SCALING
 from codegen.claims.statements import (
     absent,
     amounts,
@@ -34,11 +34,13 @@ from codegen.claims.statements import (
 )
 from codegen.claims.statements.no_field import units as units_of_none
 from codegen.claims.statements.scaling import by_frame, read_out, steps
+from codegen.claims.statements.senses import stated
 from codegen.claims.statements.unnamed import described, elements
-from codegen.claims.statements.values import effects, short_names, unfilled
+from codegen.claims.statements.values import effects, short_names, special, tenfold, unfilled, worded
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.pattern import pattern
+from codegen.source import Place
 
 _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str], ...] = (
     (types.check, "FP", "T"),
@@ -55,6 +57,7 @@ _CHECKS: tuple[tuple[Callable[[Reading, Span], Iterator[Diagnostic]], str, str],
     (amounts.check, "Q", "N"),
     (limits.check, "FP", "NQ"),
     (facts.check, "FP", ""),
+    (stated.check, "FPM", ""),
     (order.check, "FP", ""),
     (masks.check, "V", "N"),
     (messages.check, "N", ""),
@@ -92,16 +95,28 @@ def _is_aside(span: Span, found: Diagnostic) -> bool:
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every statement of a document that the dialect contradicts."""
     parts = spans(reading)
+    scaled: set[Place] = set()
     for span in parts:
         letters = {term.letter for term in span.sentence.terms.values()}
         for find, names, facts_of in _CHECKS:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
-                yield from (found for found in find(reading, span) if not _is_aside(span, found))
+                for found in find(reading, span):
+                    if not _is_aside(span, found):
+                        scaled |= {found.place} if found.rule.id == SCALING.id else set()
+                        yield found
     yield from tables.check(reading, parts)
     yield from placed.check(reading, parts)
     yield from commands.check(reading, parts)
-    yield from entries.check(reading, parts)
+    values = [*entries.check(reading, parts)]
+    yield from values
+    told = {found.place for found in values}
     yield from entries.constants(reading, parts)
     yield from short_names.check(reading, parts)
     for span in parts:
-        yield from (found for found in units_of_none.check(reading, span) if not _is_aside(span, found))
+        further = (
+            *units_of_none.check(reading, span),
+            *tenfold.check(reading, span, scaled),
+            *worded.check(reading, span, told),
+            *special.check(reading, span),
+        )
+        yield from (found for found in further if not _is_aside(span, found))

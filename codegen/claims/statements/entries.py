@@ -29,8 +29,9 @@ _ENDS = r"(?=\s*(?:[,.;:)|\]}]|$|\*/|\band\b|\bor\b|N|\bbut\b|\bwhile\b|\bbit\b|
 _PAIRS = (
     pattern(
         rf"(?P<bit>\bbit )?(?<![-+*/.\w<>])(?P<value>N)\)? ?(?:=>?|:|->|\u2192|\||\(|\u2013|\u2014|-)? ?(?:(?:is"
-        rf"|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is"
-        rf"|value N[,:]?)\b ?)*(?P<words>{_WORD}){_ENDS}"
+        rf"|are|for|means|stands for|says|marks|was|treated as|an?|the|when|if|it is|tells(?: that)?|being|signals"
+        rf"|denotes|indicates|value N[,:]?)\b ?|,? (?:which|that) (?=is|means|marks|stands|says))*"
+        rf"(?P<words>{_WORD}){_ENDS}"
     ),
     pattern(
         r"(?P<words>(?:\dd )?[a-zPUCV][a-zPUCV-]{0,20}(?: [a-zPUCV-]{1,20}){0,3}) ?(?:[(=:|]|->|\u2192|is"
@@ -231,9 +232,16 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
         ):
             continue
         meant = known.meant_otherwise(value, words)
-        if meant is not None:
+        if meant is not None and not _is_sum(subject.enum, value, meant.value):
             told.add(offset)
             yield _finding(reading, span, subject, meant, value, offset, words)
+
+
+def _is_sum(enum: EnumDefinition, value: int, part: int) -> bool:
+    """Return whether a value has several flags set, and one of them is that of the entry that is meant."""
+    values = [entry.value for entry in enum.entries]
+    is_of_flags = max(values) > _FEWEST and all(not each & (each - 1) for each in values)
+    return is_of_flags and bool(value & (value - 1)) and bool(value & part)
 
 
 def _as_meant(subject: _Subject, span: Span, pairs: list[_Pair]) -> list[_Pair]:

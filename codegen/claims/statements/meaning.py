@@ -1,5 +1,6 @@
 """The entry of an enum that words mean: by its name without what all names begin with, or by its description."""
 
+from collections import Counter
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -80,6 +81,28 @@ class Meaning:
             return None
         return meant[0]
 
+    def marked_otherwise(self, value: int, words: str) -> EnumEntry | None:
+        """The one entry with a word in its name that no other has, where that word stands beside another value.
+
+        The entry that has the value may have no word in common with what stands there, neither in its name nor in its
+        description.
+        """
+        content = [word for word in _content(words) if len(word) > _SHORT]
+        own = next((entry for entry in self._enum.entries if entry.value == value), None)
+        if not content or (own is not None and self._told(own, content)):
+            return None
+        meant = [entry for entry in self._enum.entries if _shared_words(content, self._own_words[entry.name])]
+        return meant[0] if len(meant) == 1 and meant[0].value != value else None
+
+    @cached_property
+    def _own_words(self) -> dict[str, list[str]]:
+        """By entry the words of its name that are in no other name."""
+        in_names = Counter(word for words in self._names.values() for word in set(words))
+        return {
+            name: [word for word in words if in_names[word] == 1 and len(word) > _SHORT and word not in _EVERYWHERE]
+            for name, words in self._names.items()
+        }
+
     def _named(self, entry: EnumEntry, content: Sequence[str]) -> int:
         tokens = self._names[entry.name]
         if list(content) == tokens:
@@ -111,6 +134,14 @@ class Meaning:
         return sum(any(_is_like(word, token) for token in known) for word in content) / len(content)
 
 
+_SHORT = 3
+"""A word of so many letters stands for anything."""
+_EVERYWHERE = frozenset((
+    "enabled", "enable", "none", "other", "unknown", "generic", "last", "first", "custom", "reserved", "general",
+    "default", "test", "number", "mask", "flag", "flags", "status", "data", "system", "position", "control", "input",
+    "output", "available", "supported", "request", "time", "same", "second", "third", "left", "right",
+))  # fmt: skip
+"""Words of names that say much else in documents."""
 _LETTER, _EXACT, _COVERS, _HALF = 4, 3, 2, 0.5
 
 
