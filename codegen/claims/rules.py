@@ -80,7 +80,8 @@ SENSE = Rule(
     "claim-sense",
     "A document says that a field counts the other way than its description says, or from another level or first "
     "number: up for down, above home for above sea level. Whoever follows it takes every value for another one. "
-    "Correct it.",
+    "Correct it. It is likely, not certain: the words may be about what somebody makes of the field.",
+    Severity.WARNING,
 )
 
 

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from conftest import reference
 
 from codegen.claims import LIKELY, truncation
 from codegen.claims.arithmetic import _is_right
@@ -20,14 +20,23 @@ from codegen.claims.size import SizeClaim, is_possible
 from codegen.claims.statements.scaling.factors import _has_scale
 from codegen.claims.statements.scaling.field_units import has_unit, is_same_unit, of_field
 from codegen.claims.unknown_value import number_of
-from codegen.diagnostics import Diagnostic
-from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.commands.codec import read_codec_dialect
+from codegen.diagnostics import Diagnostic, Report
+from codegen.model.dialect.dialect import Dialect, WireField, WireMessage
 from codegen.model.units.unit import Unit, unit_named
 from codegen.source import Place
 
 
+@cache
+def dialect() -> Dialect:
+    """The common dialect."""
+    found = read_codec_dialect("common", Report())
+    assert found is not None
+    return found
+
+
 def message(name: str) -> WireMessage:
-    return reference().dialect.messages[name]
+    return dialect().messages[name]
 
 
 def field(name: str) -> WireField:

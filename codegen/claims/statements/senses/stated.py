@@ -1,11 +1,11 @@
-"""What a part says of the way in which a field counts, against the field's description."""
+"""Compares what a part says of the way in which a field counts with the field's description."""
 
 from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SUPPOSED, words
-from codegen.claims.rules import SENSE, as_sure
+from codegen.claims.rules import SENSE
 from codegen.claims.statements.fields import Said, each_about, number, said_of_fields
 from codegen.claims.statements.senses.words import Sense, has_other_way, levels, signs, told
 from codegen.claims.statements.subjects import subjects
@@ -87,7 +87,7 @@ _ALONE = ("vertical", "rotation", "wind", "flow", "line", "quaternion")
 
 
 def _senses(span: Span, low: int, high: int) -> Iterator[tuple[int, Sense]]:
-    """What a piece of a part says, with the offset of the words; nothing of an axis of which it says both."""
+    """Yield what a piece of a part says with the offset of the words; nothing of an axis of which it says both."""
     pieces = [
         span.sentence.terms[at].written if at in span.sentence.terms else span.text[at] for at in range(low, high)
     ]
@@ -111,7 +111,7 @@ def _piece(pieces: list[str], offset: int) -> int:
 
 
 def _told(message: WireMessage, field: WireField) -> dict[str, Sense]:
-    """What a field's description says by axis; in NED z points down unless it says something else."""
+    """Return what a field's description says by axis; in NED z points down unless it says something else."""
     found = dict(told(field.definition.description))
     if "vertical" not in found and "NED" in message.name.split("_") and _DOWN.fullmatch(field.name):
         found["vertical"] = Sense("vertical", "-", "positive down (NED)", 0, 0)
@@ -125,4 +125,4 @@ def _is_other(known: Sense | None, sense: Sense) -> bool:
 def _finding(reading: Reading, span: Span, at: int, name: str, sense: Sense, known: Sense | None) -> Diagnostic:
     is_that = f'"{known.words}"' if known is not None else "told otherwise"
     text = f'{name}: the dialect says {is_that}, not "{sense.words}"'
-    return reading.found(as_sure(SENSE, is_sure=False), span.place(at), f"{name} {sense.words}", text)
+    return reading.found(SENSE, span.place(at), f"{name} {sense.words}", text)

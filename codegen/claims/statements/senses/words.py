@@ -64,7 +64,7 @@ _TELLING = (
 
 @dataclass(frozen=True, slots=True)
 class Sense:
-    """What a text says of one axis: which pole, in which words, and where in the text."""
+    """A pole of one axis that a text names: in which words, and where in the text."""
 
     axis: str
     pole: str
@@ -141,7 +141,7 @@ _NEEDED: Mapping[str, tuple[str, ...]] = {
 
 
 def signs(text: str) -> Iterator[Sense]:
-    """Which way numbers count, as a text in small letters says it: the pole is "+" where the first way is positive."""
+    """Yield which way numbers count, as a text in small letters says it: the pole is "+" where the first way is positive."""
     for form in _FORMS if any(word in text for word in _TELLING) else ():
         for found in form.finditer(text):
             axis = next(axis for axis in _WAYS if found[axis])
@@ -161,7 +161,7 @@ def has_other_way(sense: Sense, text: str) -> bool:
 
 
 def levels(text: str) -> Iterator[Sense]:
-    """What a text in small letters says of levels, first numbers, orders and shares."""
+    """Yield what a text in small letters says of levels, first numbers, orders and shares."""
     for axis, poles in _POLES.items():
         if any(word in text for word in _NEEDED[axis]):
             for found in _SAID[axis].finditer(text):
@@ -171,7 +171,7 @@ def levels(text: str) -> Iterator[Sense]:
 
 @cache
 def told(description: str) -> Mapping[str, Sense]:
-    """What the description of a field says, by axis; nothing of an axis of which it says both."""
+    """Return what the description of a field says, by axis; nothing of an axis of which it says both."""
     text = description.lower()
     found: dict[str, list[Sense]] = {}
     for sense in (*signs(text), *levels(text)):
@@ -180,5 +180,5 @@ def told(description: str) -> Mapping[str, Sense]:
     return {axis: sense for axis, sense in known.items() if sense.pole not in _SAID_OF_MUCH}
 
 
-_SAID_OF_MUCH = ("whole",)
+_SAID_OF_MUCH = ("whole", "used")
 """Words that descriptions use for much else."""
