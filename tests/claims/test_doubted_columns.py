@@ -4,6 +4,8 @@ from typing import Any
 
 import pytest
 
+from codegen.claims.statements.columns import rows
+
 UNITS = (("vel", "m/s"), ("cog", "deg"), ("eph", "-"), ("alt", "m"))
 SCALED = "## GPS_RAW_INT\n\n| Field | Unit |\n| --- | --- |\n" + "".join(
     f"| {name} | {unit} |\n" for name, unit in UNITS
@@ -50,3 +52,22 @@ def test_a_unit_beside_a_factor_is_the_one_after_scaling(check: Any, head: str, 
     assert check(FACTORS.format(head=head, vel=vel, cog=cog)) == []
     (found,) = check(FACTORS.format(head=head, vel=vel.replace("0.01", "0.001").replace("100", "1000"), cog=cog))
     assert found.message.startswith("GPS_RAW_INT.vel is in cm/s, ")
+
+
+def test_the_field_of_a_row_is_looked_for_once(check: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A table of six thousand columns took ten seconds: each column looked at all cells of all rows."""
+    looked_at: list[tuple[int, ...]] = []
+
+    class Counted:
+        """The pattern of a cell that is a field's name, which notes what it is asked for."""
+
+        def fullmatch(self, text: str, *bounds: int) -> Any:
+            looked_at.append(bounds)
+            return field.fullmatch(text, *bounds)
+
+    field = rows._FIELD
+    monkeypatch.setattr(rows, "_FIELD", Counted())
+    columns, others = 300, 3
+    line = "|" + "1|" * columns + "\n"
+    check(f"MAVLink GPS_RAW_INT.\n\n{line}|{'-|' * columns}\n{line * others}")
+    assert len(looked_at) <= columns * (others + 1)

@@ -29,7 +29,7 @@ def is_of_fields(reading: Reading, rows: Sequence[Row], column: int, head: str) 
     has several numbers for one message.
     """
     named = [row for row in rows if (one := field_of(reading, row)) and row.message in (one.message, None)]
-    places = [place for row in named if (place := row.field_column()) is not None]
+    places = [place for row in named if (place := row.field_column) is not None]
     if _HALF * len(places) < len(rows) or not places:
         return False
     if _OF_MESSAGE.search(head):

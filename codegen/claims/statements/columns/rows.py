@@ -10,11 +10,15 @@ from codegen.pattern import pattern
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A row, its cells as bounds in the short text, and the message that it is about, if it names one."""
+    """A row, its cells as bounds in the short text, and the message that it is about, if it names one.
+
+    ``field_column`` is the first column whose cell is one name of a field.
+    """
 
     span: Span
     cells: tuple[tuple[int, int], ...]
     message: WireMessage | None
+    field_column: int | None
 
     def number(self, column: int) -> int | None:
         """The offset of the number that is all of a cell, or of ``N bytes``."""
@@ -23,11 +27,6 @@ class Row:
         low, high = self.cells[column]
         found = _NUMBER.fullmatch(self.span.text, low, high)
         return None if found is None else found.start("number")
-
-    def field_column(self) -> int | None:
-        """The first column whose cell is one name of a field."""
-        text = self.span.text
-        return next((at for at, cell in enumerate(self.cells) if _FIELD.fullmatch(text, *cell)), None)
 
 
 _FIELD = pattern(r"\s*(?P<name>[FP])\s*(?:\[[^\]|]*\])?\s*")
@@ -47,11 +46,12 @@ def row_of(reading: Reading, span: Span) -> Row:
     names = list(dict.fromkeys(str(span.sentence.term(each.start("message")).value) for each in found))
     first = _MESSAGE.fullmatch(text, *cells[0]) if cells else None
     message = reading.messages[names[0]] if len(names) == 1 or (first is not None and names) else None
-    return Row(span, tuple(cells), message)
+    column = next((at for at, cell in enumerate(cells) if _FIELD.fullmatch(text, *cell)), None)
+    return Row(span, tuple(cells), message, column)
 
 
 def field_of(reading: Reading, row: Row) -> About | None:
     """Return the field of a row: the first cell that is one name of a field."""
-    column = row.field_column()
+    column = row.field_column
     found = None if column is None else _FIELD.fullmatch(row.span.text, *row.cells[column])
     return None if found is None else about(reading, row.span, found.start("name"))

@@ -141,7 +141,7 @@ _NEEDED: Mapping[str, tuple[str, ...]] = {
 
 
 def signs(text: str) -> Iterator[Sense]:
-    """Yield which way numbers count, as a text in small letters says it: the pole is "+" where the first way is positive."""
+    """Yield which way numbers count, as a text in small letters says it; "+" is where the first way is positive."""
     for form in _FORMS if any(word in text for word in _TELLING) else ():
         for found in form.finditer(text):
             axis = next(axis for axis in _WAYS if found[axis])
