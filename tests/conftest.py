@@ -163,11 +163,11 @@ def long_first(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
 
 
 def _run_of(item: pytest.Item) -> object:
-    """Return the key of a shared run: one has all checks of a program that simulate days on an interpreter."""
+    """Return the key of a shared run: one has all checks of a file that take long, on an interpreter if that is told."""
     if item.get_closest_marker("days") is None:
         return item
     assert isinstance(item, pytest.Function)
-    return item.path, item.callspec.params["interpreter"] if hasattr(item, "callspec") else item
+    return item.path, item.callspec.params.get("interpreter") if hasattr(item, "callspec") else item
 
 
 @pytest.hookimpl(optionalhook=True)
