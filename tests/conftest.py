@@ -163,7 +163,7 @@ def long_first(items: list[pytest.Item], workers: int) -> list[pytest.Item]:
 
 
 def _run_of(item: pytest.Item) -> object:
-    """Return the key of a shared run: one has all checks of a file that take long, on an interpreter if that is told."""
+    """Return the key of a shared run: one has all long checks of a file, on an interpreter if that is told."""
     if item.get_closest_marker("days") is None:
         return item
     assert isinstance(item, pytest.Function)
