@@ -64,7 +64,7 @@ def compiled(
         known = _made(program, files, architecture, report, own, beside)
         if known:
             keep_object(name, known)
-    return known
+    return {} if report.has_errors else known
 
 
 def _made(

@@ -100,10 +100,9 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         letters = {term.letter for term in span.sentence.terms.values()}
         for find, names, facts_of in _CHECKS:
             if not letters.isdisjoint(names) and (not facts_of or not letters.isdisjoint(facts_of)):
-                for found in find(reading, span):
-                    if not _is_aside(span, found):
-                        scaled |= {found.place} if found.rule.id == SCALING.id else set()
-                        yield found
+                said = [found for found in find(reading, span) if not _is_aside(span, found)]
+                scaled.update(found.place for found in said if found.rule.id == SCALING.id)
+                yield from said
     yield from tables.check(reading, parts)
     yield from placed.check(reading, parts)
     yield from commands.check(reading, parts)

@@ -10,14 +10,14 @@ from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSE
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import measuring
-from codegen.claims.statements.scaling.field_units import of_field
+from codegen.claims.statements.scaling.field_units import on_the_wire
 from codegen.claims.statements.subjects import About, about, subjects
 from codegen.claims.unknown_value import unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import same_number
-from codegen.model.units.unit import Unit, conversion
+from codegen.model.units.unit import Unit
 from codegen.pattern import pattern
 
 _LINKS = frozenset((
@@ -209,10 +209,7 @@ def _in_own(field: WireField, amount: Fraction, unit: Unit) -> Fraction | None:
         return None
     if _INTERVAL in field.name and unit.dimension == (("s", -1),) and own.dimension == (("s", 1),) and amount:
         return 1 / (amount * unit.scale) / own.scale
-    turned = conversion(of_field(unit, field), own)
-    if turned is None or turned.pi:
-        return None
-    return (turned.factor * amount + turned.offset) / field.multiplier
+    return on_the_wire(field, amount, unit, own)
 
 
 def _is_taken(field: WireField, value: Fraction) -> bool:

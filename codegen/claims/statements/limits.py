@@ -11,13 +11,13 @@ from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, OWN, PAST, PROPOSED, REPLACED, SHOWN, words
 from codegen.claims.rules import RANGE, as_sure
 from codegen.claims.statements.fields import Said, number, said_of_fields
-from codegen.claims.statements.scaling.field_units import has_unit, of_field
+from codegen.claims.statements.scaling.field_units import has_unit, on_the_wire
 from codegen.claims.statements.subjects import About, about
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import LIMITS
-from codegen.model.units.unit import Unit, conversion, unit_named
+from codegen.model.units.unit import Unit, unit_named
 from codegen.pattern import pattern
 
 _TOP = pattern(
@@ -222,10 +222,7 @@ def _raw(field: WireField, end: _End) -> Fraction | None:
     own = Unit.parse(field.definition.units)
     if end.unit is None:
         return end.value
-    turned = conversion(of_field(end.unit, field), own) if own is not None else None
-    if turned is None or turned.pi:
-        return None
-    return (turned.factor * end.value + turned.offset) / field.multiplier
+    return None if own is None else on_the_wire(field, end.value, end.unit, own)
 
 
 def _is_wrong(one: About, end: _End, *, is_top: bool) -> bool:

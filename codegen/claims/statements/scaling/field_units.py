@@ -1,10 +1,11 @@
 """Units as they are meant of a field: whether a stated one is that of the dialect."""
 
 import re
+from fractions import Fraction
 from functools import cache
 
 from codegen.model.dialect.dialect import WireField
-from codegen.model.units.unit import Unit, unit_named
+from codegen.model.units.unit import Unit, conversion, unit_named
 from codegen.pattern import pattern
 
 
@@ -23,6 +24,12 @@ def of_field(unit: Unit, field: WireField) -> Unit:
     if own is not None and own.dimension == unit_named("gauss").dimension and unit.name in ("G", "mG"):
         return unit_named("gauss" if unit.name == "G" else "mgauss")
     return unit
+
+
+def on_the_wire(field: WireField, amount: Fraction, unit: Unit, own: Unit) -> Fraction | None:
+    """Return the number that a field in the unit ``own`` carries for an amount; None across dimensions, or by pi."""
+    turned = conversion(of_field(unit, field), own)
+    return None if turned is None or turned.pi else (turned.factor * amount + turned.offset) / field.multiplier
 
 
 def is_same_unit(one: Unit, other: Unit) -> bool:

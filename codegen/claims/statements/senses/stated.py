@@ -38,15 +38,20 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             low, _ = span.bounds(said.start)
             if _RULED_OUT.search(span.text, max(low, said.before), at + len(sense.words) + 1):
                 continue
-            if _VALUE.search(span.text, 0, at) or _is_left_side(span, said) or _is_turned(span, said.end, at):
+            if (
+                _VALUE.search(span.text, max(at - _FAR, 0), at)
+                or _is_left_side(span, said)
+                or _is_turned(span, said.end, at)
+            ):
                 continue
             found_at.add(at)
-            known = [_told(one.message, one.field).get(sense.axis) for one in fields]
-            wrong = next((pair for pair in zip(fields, known, strict=True) if _is_other(pair[1], sense)), None)
-            if wrong is not None and all(each is None or _is_other(each, sense) for each in known):
-                others = [_told(wrong[0].message, field).get(sense.axis) for field in wrong[0].others]
-                if all(_is_other(each, sense) for each in others):
-                    yield _finding(reading, span, at, wrong[0].name, sense, wrong[1])
+            told_of = [(one, _told(one.message, one.field).get(sense.axis)) for one in fields]
+            known = [(one, each) for one, each in told_of if each is not None]
+            if not known or not all(_is_other(each, sense) for _, each in known):
+                continue
+            one, first = known[0]
+            if all(_is_other(_told(one.message, field).get(sense.axis), sense) for field in one.others):
+                yield _finding(reading, span, at, one.name, sense, first)
     if span.kind is not PassageKind.ROW and (not span.is_code or _OF_MAVLINK.search(span.text)):
         yield from _unnamed(reading, span, found_at)
 
@@ -122,7 +127,6 @@ def _is_other(known: Sense | None, sense: Sense) -> bool:
     return known is not None and known.pole != sense.pole
 
 
-def _finding(reading: Reading, span: Span, at: int, name: str, sense: Sense, known: Sense | None) -> Diagnostic:
-    is_that = f'"{known.words}"' if known is not None else "told otherwise"
-    text = f'{name}: the dialect says {is_that}, not "{sense.words}"'
+def _finding(reading: Reading, span: Span, at: int, name: str, sense: Sense, known: Sense) -> Diagnostic:
+    text = f'{name}: the dialect says "{known.words}", not "{sense.words}"'
     return reading.found(SENSE, span.place(at), f"{name} {sense.words}", text)

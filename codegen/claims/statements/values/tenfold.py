@@ -14,12 +14,12 @@ from codegen.claims.ruled_out import ASKED, DENIED, MISTAKEN, OWN, PAST, PROPOSE
 from codegen.claims.rules import SCALING, as_sure
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.quantities import measuring
-from codegen.claims.statements.scaling.field_units import described_units, of_field
+from codegen.claims.statements.scaling.field_units import described_units, on_the_wire
 from codegen.claims.statements.subjects import about, subjects
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
-from codegen.model.units.unit import Unit, conversion
+from codegen.model.units.unit import Unit
 from codegen.pattern import pattern
 from codegen.source import Place
 
@@ -50,7 +50,7 @@ def check(reading: Reading, span: Span, known: Collection[Place]) -> Iterator[Di
         if at <= done or _RULED_OUT.search(span.text, low, high):
             continue
         numbers = [(offset, value) for offset, value in _numbers(span, low, high) if offset != at]
-        fields, is_sure = _fields(reading, span, low, high, unit)
+        fields = _fields(reading, span, low, high, unit)
         owns = [(message, field, own) for message, field in fields if (own := _own(field, amount, unit))]
         if not owns or any(_agrees(value, own) for _, value in numbers for *_, own in owns):
             continue
@@ -63,7 +63,7 @@ def check(reading: Reading, span: Span, known: Collection[Place]) -> Iterator[Di
                 unit_text = f" ({field.unit_text})" if field.unit_text else ""
                 text = f"{span.sentence.term(at).written} is {float(own):.10g} in {name}{unit_text}, not {written}"
                 yield reading.found(
-                    as_sure(SCALING, is_sure=is_sure), span.place(offset), f"{name} {written} tenfold", text
+                    as_sure(SCALING, is_sure=False), span.place(offset), f"{name} {written} tenfold", text
                 )
                 done = high
                 break
@@ -93,18 +93,18 @@ def _numbers(span: Span, low: int, high: int) -> Iterator[tuple[int, Fraction]]:
 
 def _fields(
     reading: Reading, span: Span, low: int, high: int, unit: Unit | None
-) -> tuple[list[tuple[WireMessage, WireField]], bool]:
+) -> list[tuple[WireMessage, WireField]]:
     """The fields that an amount may be of: the named ones, or those of the message at hand that measure the same."""
     named = [one for at, _ in span.sentence.within(low, high, "FP") if (one := about(reading, span, at)) is not None]
     if any(span.sentence.within(low, high, "F")) or (named and unit is None):
         found = [(one.message, field) for one in named for field in (one.field, *one.others)]
-        return [(message, field) for message, field in found if _measures(field, unit)], False
+        return [(message, field) for message, field in found if _measures(field, unit)]
     messages, is_sure = subjects(reading, span, low)
     if unit is None or not is_sure or any(span.sentence.within(low, high + _FAR, "FC")) or span.is_code:
-        return [], False
+        return []
     fields = {field.name: field for field in measuring(messages[:1], unit)}
     told = {each.name: each for message in messages[:1] for each in message.fields if _measures(each, unit)}
-    return [(messages[0], field) for field in {**fields, **told}.values() if field.type.is_integer], False
+    return [(messages[0], field) for field in {**fields, **told}.values() if field.type.is_integer]
 
 
 def _measures(field: WireField, unit: Unit | None) -> bool:
@@ -115,13 +115,8 @@ def _own(field: WireField, amount: Fraction, unit: Unit | None) -> Fraction | No
     """The number on the wire of an amount; None where the unit is not one of the field's."""
     if unit is None:
         return amount * 100 if _HUNDREDTHS.search(field.definition.description) else None
-    stated = of_field(unit, field)
     owns = [own for own in (Unit.parse(field.definition.units), *described_units(field)) if own is not None]
-    for own in owns[-1:]:
-        turned = conversion(stated, own)
-        if turned is not None and not turned.pi:
-            return (turned.factor * amount + turned.offset) / field.multiplier
-    return None
+    return on_the_wire(field, amount, unit, owns[-1]) if owns else None
 
 
 def _agrees(value: Fraction, own: Fraction) -> bool:
