@@ -1,12 +1,14 @@
 """Regular expressions that are compiled when a text is first searched in which they may be found.
 
 To compile one takes longer than to search a document with it. Codegen has hundreds of them, most for phrases that are
-rare: a run needs few.
+rare: a run needs few. What they are compiled to is kept for later runs.
 """
 
 import re
 from functools import partial
 from typing import Any, cast
+
+from codegen.tool.pattern_codes import compiled
 
 _SEARCHES = ("findall", "finditer", "fullmatch", "match", "search")
 _ATTRIBUTES = (*_SEARCHES, "flags", "groupindex", "groups", "pattern", "split", "sub", "subn")
@@ -48,7 +50,7 @@ class _Pattern:
 
     def _compiled(self) -> "re.Pattern[str]":
         """Return the compiled pattern, of which this one has the attributes from now on."""
-        compiled = re.compile(self._expression, self._flags)
+        found = compiled(self._expression, self._flags)
         for name in _ATTRIBUTES:
-            setattr(self, name, getattr(compiled, name))
-        return compiled
+            setattr(self, name, getattr(found, name))
+        return found

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 
 from codegen.tool.cache import entry, has_new, keep, kept, write_new
+from codegen.tool.pattern_codes import keep_new_codes
 from codegen.tool.template_files import templates_folder
 
 SETTLED_NS = 3_000_000_000
@@ -42,6 +43,7 @@ def tool_digest() -> str:
 
 def keep_what_is_new() -> None:
     """Let later runs have what this one found out, unless codegen was changed meanwhile: what made it is not known."""
+    keep_new_codes()
     if has_new() and _files_at_start() == _found_files():
         write_new()
 

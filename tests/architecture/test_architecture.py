@@ -20,7 +20,7 @@ READING = {"load", "decode", "resolve", "rules"}
 MAY_IMPORT: dict[str, set[str]] = {
     "frozen": set(),
     "once": set(),
-    "pattern": set(),
+    "pattern": {"tool"},
     "source": {"frozen"},
     "diagnostics": {"frozen", "source"},
     "model": {"frozen", "once", "source"},

@@ -3,7 +3,6 @@
 import re
 import re._constants as kinds
 import re._parser as parser
-from argparse import Namespace
 from collections.abc import Iterable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -175,7 +174,7 @@ def test_a_pattern_is_compiled_once_and_only_for_a_text_with_a_word_that_it_need
         compiled.append(expression)
         return re.compile(expression, flags)
 
-    monkeypatch.setattr(patterns, "re", Namespace(compile=noted, IGNORECASE=re.IGNORECASE))
+    monkeypatch.setattr(patterns, "compiled", noted)
     late = pattern(EXPRESSION, re.IGNORECASE, needs="crc|seed")
     assert late.search("a size") is None
     assert compiled == []
