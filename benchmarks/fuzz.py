@@ -40,7 +40,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=10_000, help="inputs")
-    parser.add_argument("--first", type=int, default=0, help="the number of the first")
+    parser.add_argument("--first", type=int, default=0, help="the number of the first: a stored run goes on")
     parser.add_argument("--minutes", type=float, default=90, help="after which no further input is drawn")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="inputs that are judged at a time")
     parser.add_argument("--seconds", type=float, default=10, help="of the processor, for one input")
@@ -95,9 +95,30 @@ def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
     print(f"seed {arguments.seed}: {codes.total()} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
     print(f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {failed.total()} have faults")
     if arguments.store:
-        found = {"inputs": codes.total(), "codes": dict(sorted(codes.items())), "faults": failed.total()}
-        quality_results.store("fuzz", str(arguments.seed), {**found, "kinds": dict(sorted(kinds.items()))})
+        numbers = {str(code): number for code, number in sorted(codes.items())}
+        found: quality_results.Found = {"inputs": codes.total(), "codes": numbers, "faults": failed.total()}
+        found["kinds"] = dict(sorted(kinds.items()))
+        before = quality_results.read().get("fuzz", {}).get(str(arguments.seed), {})
+        quality_results.store("fuzz", str(arguments.seed), run_on(before, arguments.first, found))
     return 1 if failed else 0
+
+
+def run_on(before: quality_results.Found, first: int, found: quality_results.Found) -> quality_results.Found:
+    """Return what two runs of a seed have found, where the second one began behind the last input of the first."""
+    if not first:
+        return found
+    if before.get("inputs") != first:
+        raise SystemExit(
+            f"the stored run of this seed has {before.get('inputs', 0)} inputs: --first begins behind them"
+        )
+    return {
+        **{name: before[name] + found[name] for name in ("inputs", "faults")},
+        **{name: _added(before[name], found[name]) for name in ("codes", "kinds")},
+    }
+
+
+def _added(before: dict[str, int], found: dict[str, int]) -> dict[str, int]:
+    return {name: before.get(name, 0) + found.get(name, 0) for name in sorted({*before, *found})}
 
 
 def _judged(arguments: argparse.Namespace, folder: Path) -> Iterator[tuple["Case", "Outcome"]]:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from fuzz import run_on
 from fuzzing.case import Case, drawn, store, stored
 from fuzzing.judge import HIDDEN, judged
 from fuzzing.samples import kinds, samples
@@ -136,3 +137,19 @@ def test_an_input_is_tried_again_by_one_command(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("codegen check: ")
     assert "specs/codegen.yaml:2:1: error yaml-syntax: " in done.stdout
+
+
+def test_a_run_goes_on_where_the_stored_one_ended() -> None:
+    """Protects the number of inputs on docs/quality.md: none is counted twice, and none is left out between two runs."""
+    before = {"inputs": 40, "faults": 1, "codes": {"0": 30, "2": 10}, "kinds": {"state": 40}}
+    further = {"inputs": 20, "faults": 2, "codes": {"0": 5, "1": 15}, "kinds": {"lock": 12, "state": 8}}
+    assert run_on(before, 0, further) == further
+    assert run_on(before, 40, further) == {
+        "inputs": 60,
+        "faults": 3,
+        "codes": {"0": 35, "1": 15, "2": 10},
+        "kinds": {"lock": 12, "state": 48},
+    }
+    for known in (before, {}):
+        with pytest.raises(SystemExit, match="--first begins behind them"):
+            run_on(known, 39, further)
