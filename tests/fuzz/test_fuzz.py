@@ -140,7 +140,7 @@ def test_an_input_is_tried_again_by_one_command(tmp_path: Path) -> None:
 
 
 def test_a_run_goes_on_where_the_stored_one_ended() -> None:
-    """Protects the number of inputs on docs/quality.md: none is counted twice, and none is left out between two runs."""
+    """Protects the number of inputs on docs/quality.md: none is counted twice, none is left out between two runs."""
     before = {"inputs": 40, "faults": 1, "codes": {"0": 30, "2": 10}, "kinds": {"state": 40}}
     further = {"inputs": 20, "faults": 2, "codes": {"0": 5, "1": 15}, "kinds": {"lock": 12, "state": 8}}
     assert run_on(before, 0, further) == further
