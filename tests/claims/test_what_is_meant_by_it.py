@@ -279,6 +279,7 @@ ROWS = "| Field | Type |\n| --- | --- |\n| `time_boot_ms` | uint32_t |\n| `roll`
         ("5 bytes for the HEARTBEAT.", "HEARTBEAT has a payload of 9 bytes, not 5"),
         ("`lat`, `alt` of GPS_RAW_INT are in degE7 and cm.", "GPS_RAW_INT.alt is in mm, not cm"),
         ("`lat`, `alt` of GPS_RAW_INT are in degE7 and mm.", None),
+        ("`vel`, `cog` of GPS_RAW_INT are uint16_t (cm/s and deg).", "GPS_RAW_INT.cog is in cdeg, not deg"),
         ("SCALED_IMU.xmag is in G.", "SCALED_IMU.xmag is in mgauss, not G"),
         ("SCALED_IMU.xmag is in mG.", None),
         ("-1 means unknown for `eph` of GPS_RAW_INT.", "GPS_RAW_INT.eph is unknown when it is UINT16_MAX, not -1"),

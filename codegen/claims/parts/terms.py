@@ -252,7 +252,10 @@ def _is_unit_word(word: str, before: str) -> bool:
     """Return whether a word is a unit by the words before it: in "the second one" and "a few seconds" it is none."""
     if word in ("second", "minute", "hour", "degree", "meter", "metre", "deg", "degs"):
         return (
-            re.search(r"\b(?:in|of|unit:?|get|gives?|yields?|obtain|N for|N to) ?$|[(\[,:|#*/=] ?$", before) is not None
+            re.search(
+                r"\b(?:in|of|unit:?|get|gives?|yields?|obtain|N for|N to) ?$|[(\[,:|#*/=] ?$|U (?:and|or) $", before
+            )
+            is not None
         )
     return word != "seconds" or not re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before)
 
