@@ -8,23 +8,19 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-_UNUSED = (
-    "debugging", "doctest", "faulthandler", "logging", "pastebin", "recwarn", "setuponly", "stepwise",
-    "threadexception", "unittest", "unraisableexception", "warnings",
-)  # fmt: skip
-"""Parts of pytest that watch each test for what no suite does, which is a fifth of what a thousand tests take.
-
-Nor are asserts rewritten: each of these suites is compiled once, run once, and thrown away.
-"""
+from suite import UNUSED
 
 ALONE = {
     **os.environ,
     "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
     "PYTEST_ADDOPTS": " ".join(
-        ("--capture=no", "--assert=plain", "-p no:cacheprovider", *(f"-p no:{name}" for name in _UNUSED))
+        ("--capture=no", "--assert=plain", "-p no:cacheprovider", *(f"-p no:{name}" for name in UNUSED))
     ),
 }
-"""The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
+"""The suite needs no plugin, and importing those of this environment takes longer than most parts of it.
+
+Nor are asserts rewritten: each of these suites is compiled once, run once, and thrown away.
+"""
 
 
 def run_suite(
