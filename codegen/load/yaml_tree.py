@@ -9,6 +9,7 @@ import os
 import re
 from collections.abc import Iterable
 from dataclasses import field
+from functools import lru_cache
 from typing import Any
 
 import yaml
@@ -72,25 +73,29 @@ def parse_yaml(text: str, path: str, report: Report) -> YamlNode | None:
     Of a key that is written twice the first value stays in the tree. Returns None, after a diagnostic, where the
     text is no YAML, is empty, or uses a construct that would change what the tree means.
     """
-    path = os.path.abspath(path)
+    root, findings = _parsed(text, os.path.abspath(path), getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    report.extend(findings)
+    return root
+
+
+@lru_cache(maxsize=1)  # a project file is asked for its output, for its folders, and then for all that it states
+def _parsed(text: str, path: str, loader: type[yaml.SafeLoader]) -> tuple[YamlNode | None, tuple[Diagnostic, ...]]:
+    """Return the tree, if there is one, and the findings."""
     text = text.removeprefix("\ufeff")
     unwanted = unwanted_character(text, path)
     if unwanted is not None:
-        report.extend([unwanted])
-        return None
+        return None, (unwanted,)
     composer = _Composer(path)
-    composer.read(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    composer.read(text, loader)
     is_syntax = composer.broken is not None and composer.broken.rule is not YAML_TOO_MANY_FINDINGS
     if is_syntax and len(text) < 1_000_000:
         # The parser in Python names the cause and the place better, but is too slow for the files that are right.
         second = _Composer(path)
         second.read(text, yaml.SafeLoader)
         composer = second if second.broken is not None or second.refused else composer
-    report.extend(composer.findings)
     if composer.broken is not None:
-        report.extend([composer.broken])
-        return None
-    return None if composer.refused else composer.root
+        return None, (*composer.findings, composer.broken)
+    return None if composer.refused else composer.root, tuple(composer.findings)
 
 
 _HALF_CHARACTER = re.compile("[\ud800-\udfff]")

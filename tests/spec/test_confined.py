@@ -8,9 +8,11 @@ import shutil
 from pathlib import Path
 
 import pytest
+import yaml
 from fuzzing.watch import watched
 
 from codegen.cli import main
+from codegen.load import yaml_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 HIDDEN = "do not: [quote this\n"
@@ -29,6 +31,23 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def edit(path: Path, text: str) -> None:
     """Add lines to a file."""
     path.write_text(path.read_text() + text)
+
+
+def test_a_project_file_is_not_parsed_for_each_question(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Protects a build of one with two million characters: its output, its folders and its programs are asked for, too.
+
+    The programs are asked for once all other files have been read.
+    """
+    parsed, read = [], yaml_tree._Composer.read
+
+    def noted(self: yaml_tree._Composer, text: str, loader: type[yaml.SafeLoader]) -> None:
+        parsed.append(text)
+        read(self, text, loader)
+
+    monkeypatch.setattr(yaml_tree._Composer, "read", noted)
+    edit(project / "specs" / "codegen.yaml", "no_such_key: 1\n")
+    assert main(["build"]) == 1
+    assert len([text for text in parsed if "no_such_key" in text]) == 2
 
 
 @pytest.mark.parametrize(
