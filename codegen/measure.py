@@ -21,9 +21,10 @@ UNIT_MISMATCH = Rule(
 )
 UNCARRIED_CONVERSION = Rule(
     "uncarried-conversion",
-    "Two units measure the same, but from one to the other leads an offset (degC and K) or pi (deg and rad). The "
-    "firmware multiplies and divides whole numbers and carries out neither: a value would be wrong. Keep the quantity "
-    "in the unit of the field, or in one that only a factor leads to. Nor is an amount in deg an exact number of rad.",
+    "Two units measure the same, but from one to the other leads an offset (degC and K), or pi (deg and rad) where a "
+    "quantity is kept in another unit than its own, or where the numbers get too small. The firmware multiplies and "
+    "divides whole numbers: a value would be wrong. Keep the quantity in the unit of the field, or in one that only a "
+    "factor leads to. Nor is an amount in deg an exact number of rad.",
 )
 BAD_AMOUNT = Rule("bad-amount", "An amount is a number followed by a unit, such as 3.3 V, 10 Hz or 2 ms.")
 BAD_TIME = Rule(

@@ -10,8 +10,10 @@ from codegen.model.answers.known import Known
 from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
 from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.spec.population import Rounding
-from codegen.model.units.unit import decimal
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import NUMBER, conversion, decimal, map_words
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 _ROUNDING = {
@@ -25,6 +27,10 @@ LONGEST = 24
 """So many characters a limit may take as a decimal number; the largest of 64 bits takes 20."""
 
 
+LONGEST_FRACTION = 12
+"""With more it is told to nine digits: such a limit was multiplied by a fraction in place of pi."""
+
+
 def unit_kept(source: Quantity | Parameter) -> str:
     """The name of the unit that a source is kept in; a parameter in its own, though in steps."""
     return source.stored.name if isinstance(source, Quantity) else source.unit.name
@@ -35,8 +41,17 @@ def conversion_words(covers: Elements, source: Quantity | Parameter, scaling: Sc
     kept = unit_kept(source)
     if scaling.factor == 1:
         return f"kept in {kept}" if kept else ""
-    unit = covers.field.unit_text
-    return f"{kept} * {decimal(scaling.factor)} = {unit}, {_ROUNDING[scaling.rounding]}"
+    factor = _factor_words(covers, source, scaling)
+    return f"{kept} {factor} = {covers.field.unit_text}, {_ROUNDING[scaling.rounding]}"
+
+
+def _factor_words(covers: Elements, source: Quantity | Parameter, scaling: Scaling) -> str:
+    """``* 0.1``, ``* 1/180 * pi``: the firmware has a fraction in place of pi, which rounds alike."""
+    kept, step = (source.unit, source.step) if isinstance(source, Parameter) else (source.stored, Fraction(1))
+    way = conversion(kept, wire_unit(covers.field) or NUMBER)
+    if way is None or not way.pi:
+        return f"* {decimal(scaling.factor)}"
+    return map_words(AffineMap(step * way.factor, way.pi))
 
 
 def limit_words(scaling: Scaling, arrow: str = "->") -> str:
@@ -50,6 +65,8 @@ def limit_words(scaling: Scaling, arrow: str = "->") -> str:
 def _shown(value: Fraction) -> str:
     """A limit as a decimal number; a float that takes very many digits as Python writes it, which is exact, too."""
     text = decimal(value)
+    if "/" in text and len(text) > LONGEST_FRACTION:
+        return f"{float(value):.9g}"
     return text if len(text) <= LONGEST or Fraction(float(value)) != value else repr(float(value))
 
 
@@ -84,7 +101,7 @@ def fitting(
 def conversion_trait(covers: Elements, source: Quantity | Parameter, scaling: Scaling) -> Trait:
     """Unit, factor and rounding."""
     unit = covers.field.unit_text
-    factor = "" if scaling.factor == 1 else f" * {decimal(scaling.factor)}"
+    factor = "" if scaling.factor == 1 else f" {_factor_words(covers, source, scaling)}"
     rounding = "" if scaling.rounding is Rounding.NEAREST else f", rounded {scaling.rounding.value.replace('_', ' ')}"
     text = f"{unit_kept(source) or 'value'}{factor}{f' = {unit}' if unit else ''}{rounding}"
     return Trait("conversion", text, Aspect.CONVERSION)

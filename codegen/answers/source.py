@@ -1,5 +1,6 @@
 """A quantity or a parameter that is read when a message is built: found, and held against its field."""
 
+import math
 from fractions import Fraction
 
 from codegen.answers.fitting import BAD_SOURCE, NOT_AN_ENUM_FIELD, field_unit
@@ -9,8 +10,10 @@ from codegen.diagnostics import Report
 from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
 from codegen.model.answers.answer import Elements
+from codegen.model.answers.scaling import DIVISOR_MAX
 from codegen.model.dialect.dialect import Kind
-from codegen.model.units.unit import Unit, ratio
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import Unit, conversion
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 
@@ -52,7 +55,7 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
         return None
     in_wire = Fraction(1)
     if isinstance(source, Parameter) or source.kind is QuantityKind.NUMBER:
-        in_wire = ratio(source.unit, unit) or in_wire
+        in_wire = _steps(source.unit, unit, covers, source) or in_wire
     written = written_bounds(covers.written, source.unit, in_wire, report)
     own = Bounds(source.minimum * factor, source.maximum * factor)
     bounds = own.within(dialect_bounds(covers.field)).within(written)
@@ -91,9 +94,9 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
     if isinstance(source, Quantity) and source.kind is not QuantityKind.NUMBER:
         return Fraction(1)
     kept, step = (source.unit, source.step) if isinstance(source, Parameter) else (source.stored, Fraction(1))
-    to_wire = ratio(kept, unit)
+    to_wire = _steps(kept, unit, covers, source, step)
     if to_wire is not None:
-        return step * to_wire
+        return to_wire
     related = [
         (source.spec.at("unit"), f"{source.path} gets its unit here"),
         (covers.field.definition.place, f"{covers.field.name} is declared here"),
@@ -108,3 +111,20 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
         )
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, covers.written.at(key), message, hint, related)
     return None
+
+
+def _steps(
+    kept: Unit, unit: Unit, covers: Elements, source: Quantity | Parameter, step: Fraction = Fraction(1)
+) -> Fraction | None:
+    """Return what a step of a unit is in the unit of the field; a fraction in place of pi where that lies between.
+
+    For an integer field every value of the source is rounded with it as with pi; for a float it is as close as the
+    firmware's whole numbers get. None where an offset lies between, or the units measure something else.
+    """
+    way = conversion(kept, unit)
+    if way is None or way.offset:
+        return None
+    way = AffineMap(step * way.factor, way.pi)
+    if not covers.field.type.is_integer:
+        return way.close_factor(DIVISOR_MAX, times_twos=True)
+    return way.whole_factor(math.ceil(max(abs(Fraction(source.minimum)), abs(Fraction(source.maximum)))))

@@ -1,9 +1,10 @@
 """One row for each field of a received message, as documents and ``explain`` print it."""
 
 from codegen.frozen import dataclass
+from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import Sender
-from codegen.model.units.unit import decimal
+from codegen.model.units.unit import NUMBER, conversion, decimal, map_words
 from codegen.model.vehicle import QuantityKind
 from codegen.source import Place
 
@@ -75,6 +76,9 @@ def conversion_words(taken: ReceivedField) -> str:
     if taken.factor == 1:
         return ""
     factor = taken.factor
+    way = conversion(wire_unit(taken.field) or NUMBER, taken.quantity.stored)
     shown = f"x {decimal(factor)}" if factor.denominator == 1 else f"x {factor.numerator}/{factor.denominator}"
+    if way is not None and way.pi:
+        shown = map_words(way).replace("*", "x")  # the firmware has a fraction in place of pi
     rounding = "" if factor.denominator == 1 else f", {taken.spec.rounding.value.replace('_', ' ')}"
     return f"{shown} = {taken.quantity.stored.name or 'steps'}{rounding}"

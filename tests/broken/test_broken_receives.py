@@ -48,7 +48,7 @@ CASES = [
     Case("received-elsewhere", STICK, "stick.buttons}", "§clock.boot}", "clock.boot is not for a message to set: counted"),
     Case("received-elsewhere", STATE, "buttons: {doc: Which are pressed., min", "buttons: {doc: Which are pressed., restarts_with: §time, min", "begin anew", 1),
     Case("unit-mismatch", RC, "{state: rc.rudder}", "{state: §wheels.spare}", "chan1_raw is a time (us), wheels.spare is a length (m)"),
-    Case("uncarried-conversion", FIX, "{state: fix.yaw}", "{state: §fix.angle}", "keep it in cdeg"),
+    Case("uncarried-conversion", FIX, "lat: {state: fix.lat}", "lat: {state: §fix.angle}", "keep it in degE7"),
     Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §wheels.near}", "a whole number of one word in mm"),
     Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §wheels.each}", "wheels.each is a list, and distance sets single values"),
     Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §'wheels.each[1]'}", "declare a quantity for each value that arrives"),

@@ -185,6 +185,50 @@ def test_degrees_as_the_nearest_float(value):
     assert conversion(unit_named("rad"), unit_named("deg")).settled(value, float) == float(value * 180 / PI_100)
 
 
+OVER_PI = [("cdeg", "rad"), ("cdeg", "mrad"), ("mrad", "cdeg"), ("deg/2", "mrad"), ("rpm", "rad/s"), ("mrad", "degE7")]
+
+
+@given(st.sampled_from(OVER_PI), st.integers(1, 3000))
+@example(("mrad", "cdeg"), 6283)  # whose first good approximation moves 2938 onto a half
+@example(("cdeg", "mrad"), 36000)
+def test_a_fraction_in_place_of_pi_rounds_each_whole_number_alike(units, largest):
+    """Down, up and to the nearest: no product passes, or lies on, a multiple of a half that pi does not bring it to."""
+    way = conversion(*map(unit_named, units))
+    factor = way.whole_factor(largest)
+    for number in range(1, largest + 1):
+        product = 2 * number * factor
+        assert math.floor(product) == way.settled(Fraction(2 * number), math.floor)
+        assert product.denominator != 1, number
+
+
+def test_no_fraction_is_longer_than_it_has_to_be():
+    """What comes before it among the best approximations moves a number: the firmware counts in small integers."""
+    way = conversion(unit_named("mrad"), unit_named("cdeg"))
+    assert way.whole_factor(6283) == Fraction(132634, 23149)
+    assert way.whole_factor(100) == Fraction(2034, 355)
+    assert conversion(unit_named("cdeg"), unit_named("deg")).whole_factor(10) == Fraction(1, 100)
+
+
+@given(st.sampled_from(OVER_PI), st.sampled_from([2**20, 2**28 - 1, 2**29 - 1]), st.booleans())
+def test_a_close_fraction_is_close_and_of_small_numbers(units, largest, times_twos):
+    """Relatively; without powers of 2 there is none where the factor is nearly as small as the numbers allow."""
+    way = conversion(*map(unit_named, units))
+    found = way.close_factor(largest, times_twos=times_twos)
+    exact = way.factor * PI_100**way.pi
+    if found is None:
+        return
+    assert abs(found / exact - 1) < Fraction(1, 2**40)
+    odd = [number // (number & -number) for number in (found.numerator, found.denominator)]
+    assert max(odd if times_twos else (found.numerator, found.denominator)) <= largest
+
+
+def test_a_factor_that_small_numbers_do_not_come_close_to():
+    """A step of degE7 is 1.7e-9 rad: only with a power of 2 is there a fraction for it."""
+    way = conversion(unit_named("degE7"), unit_named("rad"))
+    assert way.close_factor(2**28) is None
+    assert way.close_factor(2**28, times_twos=True) is not None
+
+
 def test_half_a_turn_is_pi():
     """As the standard library has it."""
     assert conversion(unit_named("rev"), unit_named("rad")).settled(Fraction(1, 2), float) == math.pi

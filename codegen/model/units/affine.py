@@ -1,6 +1,6 @@
 """Exact maps between units: a rational factor, a power of pi, an offset; rounded as if pi were a fraction."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
 from typing import TypeVar
@@ -51,6 +51,52 @@ class AffineMap:
             if low == high:
                 return low
             bits *= 2
+
+    def whole_factor(self, largest: int) -> Fraction:
+        """Return a fraction in place of a factor with pi that rounds each whole number up to ``largest`` alike.
+
+        Whatever the rounding, every one of either sign becomes the same whole number with it. Without pi that is the
+        factor. It is the first of the best approximations by which no product is moved over a multiple of a half:
+        among the products with 1 to ``2 * largest``, none is nearer to a whole number than the one with a denominator
+        of these approximations.
+        """
+        most, nearest = max(2 * largest, 1), Fraction(1)
+        for value, error in self._approximations():
+            if value.denominator <= most and error:
+                nearest = min(nearest, value.denominator * error)
+            if most * error < nearest:
+                return value
+        raise AssertionError("there is always a better one")
+
+    def close_factor(self, largest: int, *, times_twos: bool = False) -> Fraction | None:
+        """Return the fraction nearest to a factor with pi of whole numbers up to ``largest``, maybe times a power of 2.
+
+        None where it is relatively more than 2 ** -40 away. Without pi it is the factor.
+        """
+        if not self.pi:
+            return self.factor
+        value = sum(self.between(Fraction(1), 256), Fraction(0)) / 2
+        digits = value.denominator.bit_length() - value.numerator.bit_length() if times_twos else 0
+        shifted = value * Fraction(2) ** digits
+        found = shifted.limit_denominator(max(1, min(largest, int(largest / shifted))))
+        return found / Fraction(2) ** digits if abs(found / shifted - 1) < Fraction(1, 1 << 40) else None
+
+    def _approximations(self) -> Iterator[tuple[Fraction, Fraction]]:
+        """Yield the best approximations of the factor, each with how far off it is at most: its continued fraction."""
+        if not self.pi:
+            yield self.factor, Fraction(0)
+            return
+        bits = 512
+        low, high = self.between(Fraction(1), bits)
+        exact, rest = (low + high) / 2, (low + high) / 2
+        numerators, denominators = [0, 1], [1, 0]
+        while denominators[-1] < 1 << bits // 4:
+            whole = rest.numerator // rest.denominator
+            numerators.append(whole * numerators[-1] + numerators[-2])
+            denominators.append(whole * denominators[-1] + denominators[-2])
+            found = Fraction(numerators[-1], denominators[-1])
+            yield found, abs(found - exact) + (high - low)
+            rest = 1 / (rest - whole)
 
 
 @cache

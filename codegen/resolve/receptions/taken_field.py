@@ -16,7 +16,8 @@ from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.reception import ReceivedField
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.receive import ReceivedFieldSpec
-from codegen.model.units.unit import ratio
+from codegen.model.units.affine import AffineMap
+from codegen.model.units.unit import conversion
 from codegen.model.vehicle import Citation, Quantity, QuantityKind
 from codegen.resolve.population.population import Parts
 from codegen.resolve.quantities.state import find_quantity
@@ -131,7 +132,8 @@ def _factor(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, re
     unit = field_unit(field, report)
     if unit is None:
         return None
-    factor = ratio(unit, quantity.stored)
+    way = conversion(unit, quantity.stored)
+    factor = None if way is None or way.offset else _steps(way, field, quantity)
     if factor is not None:
         return factor
     related = [
@@ -146,6 +148,15 @@ def _factor(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, re
         message = f"{other}, {quantity.path} is a {own.kind} ({own.name or 'no unit'})"
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, written.at("state"), message, hint, related)
     return None
+
+
+def _steps(way: AffineMap, field: WireField, quantity: Quantity) -> Fraction | None:
+    """Return the factor; with pi, a fraction in its place that rounds each whole number alike that is taken."""
+    close = way.close_factor(_PART_LIMIT - 1)
+    if close is None or not way.pi or not field.type.is_integer:
+        return close
+    most = max(abs(Fraction(quantity.minimum)), abs(Fraction(quantity.maximum))) / close
+    return way.whole_factor(min(math.ceil(most) + 1, max(-field.type.minimum, field.type.maximum)))
 
 
 def _is_kept(
@@ -202,7 +213,7 @@ def _bounds(
         value = None if limit is None else read_number(limit, quantity.unit, written.at(key), report)
         stated.append(None if value is None else value * in_wire)
     natural = _natural(field, quantity, factor, written).within(dialect_bounds(field))
-    low, high = _ends(natural.within(Bounds(*stated)), field, quantity)
+    low, high = _ends(natural.within(Bounds(*stated)), field, quantity, factor)
     at = written.at("min" if written.min is not None else "max" if written.max is not None else "state")
     sentinel = field.sentinel.values[element] if field.sentinel else None
     if low > high or (low == high == sentinel):
@@ -257,13 +268,19 @@ def _first(low: int, end: int, holds: Callable[[int], bool]) -> int:
     return low
 
 
-def _ends(bounds: Bounds, field: WireField, quantity: Quantity) -> tuple[Fraction, Fraction]:
+def _ends(bounds: Bounds, field: WireField, quantity: Quantity, factor: Fraction) -> tuple[Fraction, Fraction]:
+    """The ends as the field has them: floats that are nearest, as who sends 180 degrees in radians has them.
+
+    Only where the quantity does not take what becomes of that one it is the last that does not pass the end.
+    """
     assert bounds.low is not None
     assert bounds.high is not None
     if field.type.is_integer:
         return bounds.whole()
     storage = Storage(field.type.code)
-    if quantity.storage is storage:
-        return storage.nearest(bounds.low), storage.nearest(bounds.high)
+    low, high = storage.nearest(bounds.low), storage.nearest(bounds.high)
+    least, most = (rounded(end * factor, Rounding.NEAREST) for end in (low, high))
+    if quantity.storage is storage or quantity.minimum <= least <= most <= quantity.maximum:
+        return low, high
     within = float_within(Scaling(Fraction(1), Rounding.NEAREST, bounds.low, bounds.high), None, storage)
     return within.low, within.high
