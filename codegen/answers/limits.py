@@ -12,7 +12,7 @@ from codegen.model.answers.scaling import Scaling, rounded
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import exact_number
 from codegen.model.spec.population import FieldAnswer
-from codegen.model.units.unit import Unit, decimal
+from codegen.model.units.unit import Unit, shortly
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
     written, unit, place = covers.written, taken.source.unit.name, covers.written.at(taken.key)
 
     def shown(value: Fraction) -> str:
-        return f"{decimal(value / taken.in_wire)} {unit}".rstrip()
+        return f"{shortly(value / taken.in_wire)} {unit}".rstrip()
 
     initial = taken.initial
     for key, declared, end, stated in (
@@ -171,7 +171,7 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
                 place,
                 f"{taken.source.path} {what} {shown(declared)}, and {covers.label} ({covers.field.type.name}) ends at "
                 f"{shown(end)}",
-                f"{key}: {decimal(end / taken.in_wire)} at {taken.source.path}, or here, if the field is to end there",
+                f"{key}: {shortly(end / taken.in_wire)} at {taken.source.path}, or here, if the field is to end there",
                 [(taken.source.spec.at(key if declared is not initial else "initial"), "it is declared here")],
             )
             return

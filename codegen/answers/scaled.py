@@ -13,7 +13,7 @@ from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.spec.population import Rounding
 from codegen.model.units.affine import AffineMap
-from codegen.model.units.unit import NUMBER, conversion, decimal, map_words
+from codegen.model.units.unit import NUMBER, conversion, decimal, map_words, shortly
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 _ROUNDING = {
@@ -25,10 +25,6 @@ _ROUNDING = {
 
 LONGEST = 24
 """So many characters a limit may take as a decimal number; the largest of 64 bits takes 20."""
-
-
-LONGEST_FRACTION = 12
-"""With more it is told to nine digits: such a limit was multiplied by a fraction in place of pi."""
 
 
 def unit_kept(source: Quantity | Parameter) -> str:
@@ -64,9 +60,7 @@ def limit_words(scaling: Scaling, arrow: str = "->") -> str:
 
 def _shown(value: Fraction) -> str:
     """A limit as a decimal number; a float that takes very many digits as Python writes it, which is exact, too."""
-    text = decimal(value)
-    if "/" in text and len(text) > LONGEST_FRACTION:
-        return f"{float(value):.9g}"
+    text = shortly(value)
     return text if len(text) <= LONGEST or Fraction(float(value)) != value else repr(float(value))
 
 

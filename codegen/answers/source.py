@@ -11,7 +11,7 @@ from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import DIVISOR_MAX
-from codegen.model.dialect.dialect import Kind
+from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit import Unit, conversion
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
@@ -54,8 +54,10 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
     if unit is None or factor is None:
         return None
     in_wire = Fraction(1)
-    if isinstance(source, Parameter) or source.kind is QuantityKind.NUMBER:
-        in_wire = _steps(source.unit, unit, covers, source) or in_wire
+    if isinstance(source, Parameter):
+        in_wire = factor / source.step
+    elif source.kind is QuantityKind.NUMBER:
+        in_wire = factor * source.steps
     written = written_bounds(covers.written, source.unit, in_wire, report)
     own = Bounds(source.minimum * factor, source.maximum * factor)
     bounds = own.within(dialect_bounds(covers.field)).within(written)
@@ -94,7 +96,7 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
     if isinstance(source, Quantity) and source.kind is not QuantityKind.NUMBER:
         return Fraction(1)
     kept, step = (source.unit, source.step) if isinstance(source, Parameter) else (source.stored, Fraction(1))
-    to_wire = _steps(kept, unit, covers, source, step)
+    to_wire = _steps(kept, step, unit, source, covers.field)
     if to_wire is not None:
         return to_wire
     related = [
@@ -113,18 +115,20 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
     return None
 
 
-def _steps(
-    kept: Unit, unit: Unit, covers: Elements, source: Quantity | Parameter, step: Fraction = Fraction(1)
-) -> Fraction | None:
+def _steps(kept: Unit, step: Fraction, unit: Unit, source: Quantity | Parameter, field: WireField) -> Fraction | None:
     """Return what a step of a unit is in the unit of the field; a fraction in place of pi where that lies between.
 
-    For an integer field every value of the source is rounded with it as with pi; for a float it is as close as the
-    firmware's whole numbers get. None where an offset lies between, or the units measure something else.
+    For an integer field every value of the source that it can carry is rounded with it as with pi; for a float it is
+    as close as the firmware's whole numbers get. None where an offset lies between, or the units measure something
+    else.
     """
     way = conversion(kept, unit)
     if way is None or way.offset:
         return None
     way = AffineMap(step * way.factor, way.pi)
-    if not covers.field.type.is_integer:
-        return way.close_factor(DIVISOR_MAX, times_twos=True)
-    return way.whole_factor(math.ceil(max(abs(Fraction(source.minimum)), abs(Fraction(source.maximum)))))
+    close = way.close_factor(DIVISOR_MAX, times_twos=True)
+    if close is None or not way.pi or not field.type.is_integer:
+        return close
+    of_source = max(abs(Fraction(source.minimum)), abs(Fraction(source.maximum)))
+    of_field = max(-field.type.minimum, field.type.maximum) / close
+    return way.whole_factor(math.ceil(min(of_source, of_field)) + 2)

@@ -201,6 +201,16 @@ def decimal(value: Fraction) -> str:
     return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"
 
 
+def shortly(value: Fraction) -> str:
+    """The same; a fraction of long numbers, which comes of one in place of pi, to nine digits."""
+    text = decimal(value)
+    return f"{float(value):.9g}" if "/" in text and len(text) > LONGEST_FRACTION else text
+
+
+LONGEST_FRACTION = 12
+"""So many characters of a fraction are read as one."""
+
+
 def map_words(found: AffineMap) -> str:
     """``* 9/5 + 273.15``, ``* 1/180 * pi``."""
     words = [] if found.factor == 1 else [f"* {decimal(found.factor)}"]
