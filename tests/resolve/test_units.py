@@ -2,12 +2,15 @@
 
 import math
 from fractions import Fraction
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from stated_units import STATED
 
+from codegen.answers.source import _steps
+from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.units.affine import AffineMap, pi_between
 from codegen.model.units.nearest_unit import nearest_unit
 from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio, read_measure, symbols, unit_named
@@ -227,6 +230,17 @@ def test_a_factor_that_small_numbers_do_not_come_close_to():
     way = conversion(unit_named("degE7"), unit_named("rad"))
     assert way.close_factor(2**28) is None
     assert way.close_factor(2**28, times_twos=True) is not None
+
+
+def test_a_field_bounds_the_numbers_that_a_fraction_has_to_round_alike():
+    """A byte in steps of two degrees has no use for more than 8901 mrad, though the quantity goes on to 2 ** 30."""
+    units = unit_named("mrad"), Fraction(1), unit_named("deg/2")
+    source = SimpleNamespace(minimum=-(2**30), maximum=2**30)
+    factor = _steps(*units, source, SimpleNamespace(type=WIRE_TYPES["uint8_t"]))
+    assert 8904 * factor.numerator + factor.denominator < 2**30
+    assert round(8901 * factor) == 255
+    with_sign = _steps(*units, source, SimpleNamespace(type=WIRE_TYPES["int16_t"]))
+    assert with_sign.denominator > 2 * 32768 / factor
 
 
 def test_half_a_turn_is_pi():
