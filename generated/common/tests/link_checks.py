@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 6efd76195754b480
+# Inputs: 4ea53514cf194710
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -190,6 +190,63 @@ def a_stream_that_raises_takes_nothing():
         stream.failures, buffer = failures, bytearray(5)
         assert [port.readinto(buffer) for _ in range(4)] == [0] * failures + [5] * (4 - failures)
         assert port.received == 5 * (4 - failures)
+
+
+class Sipping:
+    """A stream that takes and gives `part` bytes of what it is asked for, as many as there are; what it took is kept."""
+
+    def __init__(self):
+        self.part = None
+        self.sent = b""
+
+    def write(self, data):
+        """Take a part, or say None."""
+        if self.part is None:
+            return None
+        self.sent += bytes(data[: self.part])
+        return min(self.part, len(data))
+
+    def readinto(self, _buffer):
+        """Tell of a part, even one that no stream can give."""
+        return self.part
+
+
+def what_waits_goes_out_in_its_order():
+    """Frames that fit into what is free are kept, to the last byte, and others dropped, however the stream takes them."""
+    lot, size = 1, 100
+    stream = Sipping()
+    port = StreamPort("sipping", stream, size)
+    port.sent = port.dropped = port.received = 0x3FFFFFFF - 20
+    taken, dropped = b"", 0
+    for turn in range(400):
+        lot = lot * 1103515245 + 12345 & 0x3FFFFFFF
+        stream.part = (None, None, 0, 1, 31, 32, 33, 200)[lot >> 20 & 7]
+        free = size - (len(taken) - len(stream.sent))
+        before = len(stream.sent)
+        if lot >> 10 & 3 == 0:
+            is_left = port.poll(turn)
+            assert is_left == (len(taken) > len(stream.sent)), turn
+            assert stream.part != 200 or not is_left, "all goes out where all is taken"
+            assert not stream.part or free == size or len(stream.sent) > before, "what waits is offered"
+            assert stream.part is not None or len(stream.sent) == before, turn
+        else:
+            length = (free, free + 1, max(free - 1, 1), 20)[lot >> 10 & 3]
+            frame = bytes([turn + at & 0xFF for at in range(length)])
+            fits = length <= free
+            assert port.write(frame) == (length if fits else 0), (turn, length, free)
+            taken += frame if fits else b""
+            dropped += not fits
+            assert not fits or free < size or len(stream.sent) - before == min(length, stream.part or 0), "it is offered"
+        assert stream.sent == taken[: len(stream.sent)], turn
+        assert port.sent == len(stream.sent) + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+        assert port.dropped == dropped + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+    assert min(dropped, len(stream.sent) // size) > 20, (dropped, len(stream.sent))
+    arrived = 0
+    for part, count in ((None, 0), (0, 0), (-1, 0), (9, 9), (10, 10), (11, 10), (1, 1)):
+        stream.part = part
+        assert port.readinto(bytearray(10)) == count, part
+        arrived += count
+    assert port.received == arrived + 0x3FFFFFFF - 20 & 0x3FFFFFFF
 
 
 def absent_line_is_survived():
@@ -499,6 +556,7 @@ CHECKS = (
     (slow_line_takes_the_whole_list, "storage.read"),
     (faults_of_a_line_are_survived, "services.links"),
     (a_stream_that_raises_takes_nothing, "services.links"),
+    (what_waits_goes_out_in_its_order, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (a_fault_of_any_part_is_counted, "services.links"),

@@ -140,6 +140,41 @@ def late_by_whole_periods():
         assert turns == ["control", "job", "control", "job"][: 4 if is_due else 3], (late_us, turns)
 
 
+def turns_of_a_pass():
+    """So many jobs have their turn in a pass, in their order, and one more for each slot that came too late.
+
+    Each is due on a grid of its own, and what waited has its turn in the next pass. Where there is room for fewer than
+    are due, no turn is lost but those of slots that are over.
+    """
+    lot = 7
+    for most in (1, 2, 3, 1000):
+        turns = []
+        loop = Scheduler(CONTROL_US, lambda: turns.append(-1), most=most)  # noqa: B023  it is asked in this turn alone
+        periods = [CONTROL_US * several for several in (1, 3, 2, 1, 7, 2)]
+        for number, period_us in enumerate(periods):
+            loop.every(period_us, lambda number=number: turns.append(number))  # noqa: B023
+        due = [mock_time.elapsed_us()] * len(periods)
+        control_us, overruns = due[0], 0
+        for _ in range(60):
+            now_us = mock_time.elapsed_us()
+            expected, missed = [], (now_us - control_us) // CONTROL_US
+            if missed >= 0:
+                control_us += (missed + 1) * CONTROL_US
+                overruns += missed
+                ready = [number for number, at_us in enumerate(due) if at_us <= now_us][: most + missed]
+                expected = [-1] + ready  # noqa: RUF005  MicroPython cannot
+                for number in ready:
+                    due[number] += ((now_us - due[number]) // periods[number] + 1) * periods[number]
+            del turns[:]
+            wait_us = loop.run_pass()
+            assert turns == expected, (most, now_us, turns, expected)
+            assert loop.overruns == overruns, (most, now_us)
+            assert wait_us == control_us - now_us, (most, now_us, wait_us)
+            lot = lot * 1103515245 + 12345 & 0x3FFFFFFF
+            late = (0, 0, 0, -1, 1, CONTROL_US - 1, CONTROL_US, 2 * CONTROL_US + 1)[lot >> 20 & 7]
+            mock_time.advance_us(wait_us + late)
+
+
 def missed_slots_are_reported():
     """Always late: one report in each interval, with the number; in time: none."""
     craft = new_craft()
@@ -224,6 +259,7 @@ CHECKS = (
     (order_within_a_pass, "control.order", "component.order"),
     (missed_slots, "control.missed"),
     (late_by_whole_periods, "control.missed"),
+    (turns_of_a_pass, "control.missed"),
     (missed_slots_are_reported, "control.missed"),
     (load_is_the_share_of_time, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),
