@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 781e999117b2f717
+# Inputs: b818a70ac8f73953
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -200,6 +200,47 @@ def load_is_the_share_of_time():
     assert abs(craft.state.vehicle.load_dpct - 200) <= 1, craft.state.vehicle.load_dpct
 
 
+def load_is_measured_over_whole_passes():
+    """The time from the end of a pass to that of the first one a second later, and what passes took of it."""
+    loop = Scheduler(100000, lambda: mock_time.advance_us(30000))
+    loop.every(200000, lambda: mock_time.advance_us(20000))
+    loads = []
+    for _ in range(32):
+        mock_time.advance_us(loop.run_pass())
+        loads.append(loop.load)
+    # From the start to the end of the eleventh pass it is 1050 ms, with six passes of 50 ms and five of 30 ms.
+    assert loads == [0] * 10 + [450000 // 1050] * 10 + [400] * 12, loads
+
+
+def calls_are_known_by_name():
+    """One that has had no turn for too long is told by its name; what has no period, or too long a one, is refused."""
+    loop = Scheduler(1000, lambda: None, log=lambda *_words: None)
+    loop.every(2000, lambda: None)
+    loop.every(5000, lambda: None, "own")
+    loop.run_pass()
+    assert loop.stalled(10000, ()) is None
+    for passed_us, name in ((11000, None), (1, "control"), (1000, "control")):
+        mock_time.advance_us(passed_us)
+        assert loop.stalled(10000, ()) == name, (passed_us, loop.stalled(10000, ()))
+    loop._control.due_us = loop._control.due_us + 5000
+    assert loop.stalled(10000, ()) == "job 1"
+    loop._jobs[0].due_us = loop._control.due_us
+    mock_time.advance_us(3000 - 1)
+    assert loop.stalled(10000, ()) is None
+    mock_time.advance_us(2)
+    assert loop.stalled(10000, ()) == "own"
+    for wrong in (0, -1, 1 << 29):
+        for make in (lambda wrong=wrong: Scheduler(wrong, None), lambda wrong=wrong: loop.every(wrong, None)):
+            try:
+                make()
+            except ValueError as error:
+                assert error.args[0] == "a period is 1 to 536870911 us", error  # noqa: PT017
+                continue
+            raise AssertionError(wrong)
+    loop.every((1 << 29) - 1, None)
+    Scheduler(1, None)
+
+
 def faults_do_not_stop_the_loop():
     """An exception in control() is logged once until it works again; everything behind it goes on."""
     craft = new_craft()
@@ -264,6 +305,8 @@ CHECKS = (
     (turns_of_a_pass, "control.missed"),
     (missed_slots_are_reported, "control.missed"),
     (load_is_the_share_of_time, "control.missed"),
+    (load_is_measured_over_whole_passes, "control.missed"),
+    (calls_are_known_by_name, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),
     (an_interrupt_ends_one_pass, "control.grid"),
     (what_is_old_is_forgotten_unasked, "quantity.stale_after"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/view_checks.py: do not edit.
-# Inputs: 8066845eb9eed6b4
+# Inputs: 0f8a5dc2989f0bce
 """Attributes as views of words: what each kind keeps of a number, shows of it, limits, counts and tells.
 
 The component of these checks is made up, so that it has each kind that this program can have.
@@ -37,9 +37,7 @@ class Invented(Component):
     START = (0, (3, 4, 2), 6, 1, 9, 5)
     VIEWS = (
         # A comment is no view.
-        " late: whole 7 -2 2 late\n"
-        " late_mm: late_m: number 8 -9000 9000 late_m 1000\n"
-        " is_late: known 7\n"
+        " late: whole 7 -2 2 late\n late_mm: late_m: number 8 -9000 9000 late_m 1000\n is_late: known 7\n"
     )
     plain = whole(0, -5, 7, "plain")
     steps, shown = number(1, -100, 100, "shown", 10, 1, 2)
@@ -112,7 +110,7 @@ def numbers_have_units():
 
 
 def what_is_beyond_is_counted_and_told():
-    """A number beyond its limits is counted each time, and told once, until one within them is set; messages limit it."""
+    """A number beyond its limits is counted each time, and told once, until one within them is set."""
     one, texts = new()
     for value, kept, count, told in (
         (7, 7, 0, None),

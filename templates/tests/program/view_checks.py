@@ -35,9 +35,7 @@ class Invented(Component):
     START = (0, (3, 4, 2), 6, 1, 9, 5)
     VIEWS = (
         # A comment is no view.
-        " late: whole 7 -2 2 late\n"
-        " late_mm: late_m: number 8 -9000 9000 late_m 1000\n"
-        " is_late: known 7\n"
+        " late: whole 7 -2 2 late\n late_mm: late_m: number 8 -9000 9000 late_m 1000\n is_late: known 7\n"
     )
     plain = whole(0, -5, 7, "plain")
     steps, shown = number(1, -100, 100, "shown", 10, 1, 2)
@@ -110,7 +108,7 @@ def numbers_have_units():
 
 
 def what_is_beyond_is_counted_and_told():
-    """A number beyond its limits is counted each time, and told once, until one within them is set; messages limit it."""
+    """A number beyond its limits is counted each time, and told once, until one within them is set."""
     one, texts = new()
     for value, kept, count, told in (
         (7, 7, 0, None),
