@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: f20dc28edd5e974c
+# Inputs: bbb76f4b29f19a38
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -193,7 +193,7 @@ def a_stream_that_raises_takes_nothing():
 
 
 class Sipping:
-    """A stream that takes and gives `part` bytes of what it is asked for, if there are so many, and keeps what it took."""
+    """A stream that takes and gives `part` bytes of what it is asked for, or as many as there are."""
 
     def __init__(self):
         self.part = None

@@ -191,7 +191,7 @@ def a_stream_that_raises_takes_nothing():
 
 
 class Sipping:
-    """A stream that takes and gives `part` bytes of what it is asked for, if there are so many, and keeps what it took."""
+    """A stream that takes and gives `part` bytes of what it is asked for, or as many as there are."""
 
     def __init__(self):
         self.part = None
