@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: 70d79b6477528231
+# Inputs: 1788a7f751154bfe
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -171,6 +171,7 @@ def records_that_are_cut():
 
     own = Parameters()
     changed = [each for each in PARAMETERS if each["minimum"] != each["default"]][:3]
+    needs(changed, "a parameter with another value than its default")
     for facts in changed:
         setattr(own, facts["attribute"], facts["minimum"])
     data, ends = own.dump(), [0]
@@ -287,7 +288,7 @@ def faults_are_told_after_days():
             run_passes(craft, 4)
             told = [text for _, text in craft.said() if "fault ValueError" in text]
             assert len(told) == count, (count, told)
-            run(craft, 5 * SECOND_US)
+            run(craft, 5 * SECOND_US // 2)
             mock_time.set_ticks_us(mock_time.elapsed_us() + later_us)
 
 

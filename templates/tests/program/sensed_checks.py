@@ -55,14 +55,15 @@ def satellites_set_the_clock():
             for is_known in (True, False):
                 words = array("i", [7] + [0] * 18 + [7])
                 words[1:5] = array("i", halves(3000000))
-                words[5:9] = array("i", halves(begun))
-                words[9], words[10] = 5000000, 5000
+                words[5:9] = array("i", halves(begun - 1000000))
+                words[9], words[10] = 4000000, 4000  # a second ago
                 if not is_known:
                     words[5] = UNKNOWN
                 satellite_clock.set_clock(words, 1, values, 2)
                 is_kept = is_known and abs(off) < 1000000
                 assert list(words[5:9]) == halves(begun if is_kept else told), (begun, off, is_known)
-                assert (words[0], words[19], list(words[1:5])) == (7, 7, halves(3000000))
+                assert (words[0], words[19], list(words[1:5])) == (7, 7, halves(4000000))
+                assert (words[9], words[10]) == (5000000, 5000)
     mock_time.set_ticks_us(0)
 
 
