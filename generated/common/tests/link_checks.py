@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: bbb76f4b29f19a38
+# Inputs: ee6d98f5734f2b0d
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -431,6 +431,7 @@ def the_network_is_joined_again():
             tries += [tenth] * (network.radio.connects - before)
             ups += [port.has_network]
             assert twin.has_network == port.has_network, tenth
+            assert port.has_network or not port.is_up, "its socket is closed with it"
             mock_time.advance_us(100000)
         assert network.radio.credentials == ("home", "secret")
         assert tries == [0, 50, 100], tries

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: 1788a7f751154bfe
+# Inputs: e389b50b9707bfaf
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -14,7 +14,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, PARAMETERS, SENT, SYSTEM_ID
+from program_facts import COMPONENT_ID, LINKS_US, PARAMETERS, SENT, SYSTEM_ID
 from storage import Storage
 from texts import Texts
 
@@ -24,7 +24,7 @@ SILENCE_MS = 10000
 
 
 def listeners_are_known_by_their_names():
-    """Who is heard is new at first and after a silence; where all places are taken the one silent for longest goes.
+    """One that is heard is new at first and after a silence; where all places are taken the longest silent one goes.
 
     Times are compared where they start again, too. What is expected stands in a dictionary of names.
     """
@@ -61,7 +61,7 @@ def listeners_are_known_by_their_names():
 
 
 class Shown:
-    """What cannot be shown."""
+    """Something that cannot be shown."""
 
     def __str__(self):
         raise ValueError("no")
@@ -165,7 +165,7 @@ def a_save_begins_with_what_is_there():
 
 
 def records_that_are_cut():
-    """What dump() returned, cut anywhere: whole records count, and one that ends within is told; names are checked."""
+    """Records of dump(), cut anywhere: whole ones count, and one that ends within is told; names are checked."""
     needs(PARAMETERS, "parameters")
     from parameters import Parameters  # noqa: PLC0415  there are some
 
@@ -196,7 +196,7 @@ def records_that_are_cut():
 
 
 def services_can_be_taken_twice():
-    """What code takes besides is taken after the program; what it takes of all, whoever that is for."""
+    """Code that takes a message, too, gets it after the program; what it takes of all, whoever that is for."""
     craft = new_craft()
     services, taken = craft.connections[0].services, []
     station = craft.ground_station()
@@ -288,7 +288,7 @@ def faults_are_told_after_days():
             run_passes(craft, 4)
             told = [text for _, text in craft.said() if "fault ValueError" in text]
             assert len(told) == count, (count, told)
-            run(craft, 5 * SECOND_US // 2)
+            run(craft, 5 * SECOND_US // 2, LINKS_US)
             mock_time.set_ticks_us(mock_time.elapsed_us() + later_us)
 
 

@@ -21,14 +21,14 @@ class Invented(Message):
     BASE_LENGTH = 62
     LENGTH = 93
     FIELDS = (
-        "wide:q=-1 exact:d big:I=4294967295 real:f=nan ratio:2f=nan many:2I cells:3H=65535 first:3h=32767: "
+        "wide:q=-1 exact:d big:I=4294967295 real:f=nan ratio:2f=nan many:2I parts:3H=65535 first:3h=32767: "
         "mixed:3B=255,,0 small:b=-1 flag:B wire:B word:4s name:4s=0 late:2b letter:s row:12B "
         "under:h over:H deep:i high:I"
     )
     DEFAULTS = {"flag": 3}  # noqa: RUF012  as in messages.py
 
 
-NAMES = ["wide", "exact", "big", "real", "ratio", "many", "cells", "first"]
+NAMES = ["wide", "exact", "big", "real", "ratio", "many", "parts", "first"]
 NAMES += ["mixed", "small", "flag", "wire", "word", "name", "late", "letter", "row", "under", "over", "deep", "high"]
 SIZES = (8, 8, 4, 4, 8, 8, 6, 6, 3, 1, 1, 1, 4, 4, 2, 1, 12, 2, 2, 4, 4)  # bytes of these
 
@@ -54,9 +54,9 @@ TAKEN = (
     ("ratio", [0.5, None], (0.5, None)),
     ("ratio", (None, 2), (None, 2.0)),
     ("many", (0, 4294967295), (0, 4294967295)),
-    ("cells", [1, None, 65534], (1, None, 65534), (1, 65535, 65534)),
-    ("cells", None, (None, None, None), (65535, 65535, 65535)),
-    ("cells", b"\x05\x06\x07", (5, 6, 7)),
+    ("parts", [1, None, 65534], (1, None, 65534), (1, 65535, 65534)),
+    ("parts", None, (None, None, None), (65535, 65535, 65535)),
+    ("parts", b"\x05\x06\x07", (5, 6, 7)),
     ("first", [5, 32767, -32768], (5, 32767, -32768)),
     ("first", [32767, 1, 2], None, (32767, 1, 2)),
     ("first", None, None, (32767, 0, 0)),
@@ -104,11 +104,11 @@ REFUSED = (
     ("many", None, "has no value for unknown"),
     ("many", [None, 1], "cannot carry None"),
     ("many", [1, -1], "cannot carry -1"),
-    ("cells", [1, 2], "takes 3 values, not 2"),
-    ("cells", [1, 2, 65536], "cannot carry 65536"),
-    ("cells", [None, -1, 2], "cannot carry -1"),
-    ("cells", [None, 1, 2.0], "cannot carry 2.0"),
-    ("cells", "abc", "cannot carry 'a'"),
+    ("parts", [1, 2], "takes 3 values, not 2"),
+    ("parts", [1, 2, 65536], "cannot carry 65536"),
+    ("parts", [None, -1, 2], "cannot carry -1"),
+    ("parts", [None, 1, 2.0], "cannot carry 2.0"),
+    ("parts", "abc", "cannot carry 'a'"),
     ("first", [None, 1, 2], "cannot carry None"),
     ("mixed", [1, None, 1], "cannot carry None"),
     ("mixed", [None, 256, None], "cannot carry 256"),
@@ -124,7 +124,7 @@ REFUSED = (
     ("late", [1, 2, 3], "takes 2 values, not 3"),
     ("letter", "xy", "takes up to 1 characters, not 2"),
 )
-LIVE = ("big", "small", "cells[1]", "mixed", "late[0]", "row[10]", "under", "over", "deep", "high")
+LIVE = ("big", "small", "parts[1]", "mixed", "late[0]", "row[10]", "under", "over", "deep", "high")
 STARTS = [-1, -1, 65535, 255, 0, 0, 0, 0, 0, 0, 0, 0]  # what these are at first: uint32 as int32, as they are kept
 
 
@@ -138,7 +138,7 @@ def error_of(kind, function, *arguments, **values):
 
 
 def values_go_in_and_come_out():
-    """What a field can carry comes back, by its name and as an attribute; what means unknown is None."""
+    """A value that a field can carry comes back, by its name and as an attribute; one that means unknown is None."""
     for live in ((), LIVE):
         for number, (name, value, told, *raw) in enumerate(TAKEN):
             for how in (number % 3,) if live else (0, 1, 2):
@@ -169,8 +169,8 @@ def changed(message):
 
 
 def nothing_is_known_at_first():
-    """What can be unknown is, all else is 0, or what the dialect has for it; without that all is 0."""
-    expected = {"real": None, "ratio": (None, None), "cells": (None,) * 3, "mixed": (None, 0, None), "flag": 3}
+    """All is unknown that can be, and else 0, or what the dialect has for it; without that all is 0."""
+    expected = {"real": None, "ratio": (None, None), "parts": (None,) * 3, "mixed": (None, 0, None), "flag": 3}
     expected.update({"exact": 0.0, "many": (0, 0), "wire": 0, "word": "", "name": "", "late": (0, 0)})
     expected.update({"letter": "", "row": (0,) * 12, "under": 0, "over": 0, "deep": 0, "high": 0})
     for name in NAMES:
@@ -225,31 +225,31 @@ def names_that_are_none():
         told = error_of(ValueError, Invented, (name,))
         assert told == f"INVENTED.{name} is no whole number of up to 32 bits", told
     for name, element in (
-        ("cells", "3"),
-        ("cells", "x"),
-        ("cells", "-1"),
+        ("parts", "3"),
+        ("parts", "x"),
+        ("parts", "-1"),
         ("big", "0"),
         ("late", "2"),
-        ("cells", ""),
+        ("parts", ""),
         ("row", "12"),
     ):
         assert error_of(ValueError, Invented, f"{name}[{element}]") == f"INVENTED.{name} has no element {element}"
-    assert error_of(ValueError, Invented, ("cells[1",)) == "INVENTED.cells has no element 1"
-    assert list(Invented("cells[2]").live) == [65535]
+    assert error_of(ValueError, Invented, ("parts[1",)) == "INVENTED.parts has no element 1"
+    assert list(Invented("parts[2]").live) == [65535]
 
 
 def live_values_are_those_of_the_fields():
-    """What is written into `live` is read by name, and the other way round; each element has its own."""
+    """Numbers that are written into `live` are read by name, and the other way round; each element has its own."""
     message = Invented(LIVE)
     message.live[0], message.live[1], message.live[2], message.live[6] = -2, -128, 7, -3
     message.live[3], message.live[4], message.live[5] = 1, 2, 3
-    assert (message.big, message.small, message.cells, message.late) == (4294967294, -128, (None, 7, None), (-3, 0))
-    assert (message.mixed, message.raw("mixed"), message.raw("cells")) == ((1, 2, 3), (1, 2, 3), (65535, 7, 65535))
-    message.update(big=5, cells=[1, 2, 3], late=[-1, -2])
+    assert (message.big, message.small, message.parts, message.late) == (4294967294, -128, (None, 7, None), (-3, 0))
+    assert (message.mixed, message.raw("mixed"), message.raw("parts")) == ((1, 2, 3), (1, 2, 3), (65535, 7, 65535))
+    message.update(big=5, parts=[1, 2, 3], late=[-1, -2])
     message.set("small", None)
     message.mixed = (4, 5, 6)
     assert list(message.live)[:7] == [5, -1, 2, 4, 5, 6, -1]
-    assert (message.cells, message.late) == ((1, 2, 3), (-1, -2))
+    assert (message.parts, message.late) == ((1, 2, 3), (-1, -2))
     for at, value in enumerate((250, -2, 65534, -7, -9), 7):
         message.live[at] = value
     assert (message.row, message.under, message.over) == ((0,) * 10 + (250, 0), -2, 65534)
@@ -436,7 +436,7 @@ def messages_are_made_for_those_that_are_expected():
 
 
 class Stamp:
-    """What signs frames with the same thirteen bytes each; `asked` are those that it was asked about."""
+    """A signature of the same thirteen bytes for each frame; `asked` are those that it was asked about."""
 
     unsigned = (Invented.ID,)
 

@@ -429,6 +429,7 @@ def the_network_is_joined_again():
             tries += [tenth] * (network.radio.connects - before)
             ups += [port.has_network]
             assert twin.has_network == port.has_network, tenth
+            assert port.has_network or not port.is_up, "its socket is closed with it"
             mock_time.advance_us(100000)
         assert network.radio.credentials == ("home", "secret")
         assert tries == [0, 50, 100], tries

@@ -1,4 +1,4 @@
-"""How ports are opened: UARTs with the settings that they are given, and USB, a byte at a time without waiting."""
+"""Ports as they are opened: UARTs with the settings that they are given, and USB, a byte at a time without waiting."""
 
 import sys
 
@@ -140,7 +140,7 @@ def usb_takes_and_gives_what_is_ready():
 
 
 class Poller:
-    """What select gives: of numbers or of objects, and those that it watches."""
+    """A poller as select gives it: of numbers or of objects, and those that it watches."""
 
     def __init__(self):
         self.watched = {}
@@ -181,7 +181,7 @@ class Numbered:
 
 
 class Select:
-    """What there is of the module: a function that makes a poller, here the same one each time."""
+    """The module, as far as it is needed: a function that makes a poller, here the same one each time."""
 
     def __init__(self, poller):
         self.poll = lambda: poller

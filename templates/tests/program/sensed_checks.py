@@ -1,4 +1,4 @@
-"""What comes from outside: the time, messages that set quantities, the user's sensors, and what methods answer."""
+"""Things that come from outside: the time, messages that set quantities, sensors, and what methods answer."""
 
 import sys
 from array import array
@@ -42,7 +42,7 @@ def halves(number):
 
 
 def satellites_set_the_clock():
-    """Where it is unknown, or off by a second or more; else it goes on as it is. Each half counts."""
+    """It is set where it is unknown, or off by a second or more; else it goes on as it is. Each half counts."""
     needs(satellite_clock, "a receiver of satellites")
     mock_time.set_ticks_us(5000000)
     step = (0, 1, 999999, 1000000, 1000001, 1 << 16, 20 << 16, 21 << 16, 1 << 32, (1 << 32) + 5, 1 << 33, 1 << 48)
@@ -141,7 +141,7 @@ def tables_take_in_turn():
 
 
 class Heard:
-    """What a table asks about senders."""
+    """Things that a table asks about senders."""
 
     def __init__(self, sender):
         from listeners import Listeners  # noqa: PLC0415  the clock has to be in place before

@@ -5,6 +5,7 @@ The component of these checks is made up, so that it has each kind that this pro
 
 import struct
 
+from conversion import to_steps
 from program_bench import main, needs
 from words import UNKNOWN, Component, known, number, result, together, truth, whole
 
@@ -40,6 +41,7 @@ class Invented(Component):
     plain = whole(0, -5, 7, "plain")
     steps, shown = number(1, -100, 100, "shown", 10, 1, 2)
     third = number(3, -50, 50, "third", 1, 3)[1]
+    half = number(10, -50, 50, "half", 1, 2)[1]
     count, same = number(4, 0, 9, "same", 1)
     only = result(5, 4, 1)
     flag = truth(6)
@@ -93,6 +95,10 @@ def numbers_have_units():
     for value, kept in ((9, 9.0), (7, 6.0), (8, 9.0), (-8, -9.0)):
         one.third = value
         assert (one.third, one.words[3]) == (kept, kept // 3), value
+    for value, kept in ((8, 8.0), (7, 8.0), (-7, -8.0), (0.9, 0.0)):
+        one.half = value
+        assert (one.half, one.words[10]) == (kept, kept // 2), value
+    assert to_steps((1 << 60) + 1, 1, 1, 1 << 64) == (1 << 60) + 1, "a whole number has all of its digits"
     one.same = 5
     assert (repr(one.same), one.count) == ("5", 5), "a whole number stays one"
     one.words[5] = 10
@@ -182,29 +188,29 @@ def lists_have_places():
     class Listed(Invented):
         """One with lists: of as many as there can be, and of as many as an instance says."""
 
-        cells = lists.elements(10, 4, 0, 100, "cells", None, 2)
-        cells_v = lists.shown_elements("cells", 10)
+        parts = lists.elements(10, 4, 0, 100, "parts", None, 2)
+        parts_v = lists.shown_elements("parts", 10)
         few = lists.elements(14, 4, -9, 9, "few", 20)
 
     texts = []
     one = together(Listed, array_of([UNKNOWN] * 24), 0, 24, 1, lambda *told: texts.append(told[0]))
-    assert (len(one.cells), one.cells_v) == (4, [None] * 4)
-    one.cells = [1, None, 3, 4]
+    assert (len(one.parts), one.parts_v) == (4, [None] * 4)
+    one.parts = [1, None, 3, 4]
     assert list(one.words[10:14]) == [1, UNKNOWN, 3, 4]
     assert one.words[2] == 0
-    assert [one.cells[at] for at in (0, 1, 3, -1, -4)] == [1, None, 4, 4, 1]
+    assert [one.parts[at] for at in (0, 1, 3, -1, -4)] == [1, None, 4, 4, 1]
     one.words[2] = 5
-    one.cells[-2] = 7
+    one.parts[-2] = 7
     assert (one.words[12], one.words[2]) == (7, 0)
-    one.cells_v = (0.25, 1, None, NAN)
-    assert (list(one.words[10:14]), one.cells_v) == ([3, 10, UNKNOWN, UNKNOWN], [0.3, 1.0, None, None])
-    one.cells_v = None
-    assert one.cells_v == [None] * 4
+    one.parts_v = (0.25, 1, None, NAN)
+    assert (list(one.words[10:14]), one.parts_v) == ([3, 10, UNKNOWN, UNKNOWN], [0.3, 1.0, None, None])
+    one.parts_v = None
+    assert one.parts_v == [None] * 4
     one.words[20] = 2
     assert len(one.few) == 2
     one.few = [1, 2]
     assert list(one.words[14:18]) == [1, 2, UNKNOWN, UNKNOWN]
-    for name, values in (("cells", [1, 2, 3]), ("cells_v", [1] * 5), ("few", [1, 2, 3])):
+    for name, values in (("parts", [1, 2, 3]), ("parts_v", [1] * 5), ("few", [1, 2, 3])):
         try:
             setattr(one, name, values)
         except ValueError as error:
@@ -214,14 +220,14 @@ def lists_have_places():
         raise AssertionError(name)
     for wrong in (4, -5):
         try:
-            one.cells[wrong] = 1
+            one.parts[wrong] = 1
         except IndexError:
             continue
         raise AssertionError(wrong)
     assert texts == []
-    one.cells[2] = 101
-    assert texts == ["warning: invented.cells[2] beyond 100: limited"], texts
-    assert one.limited == {"cells": 1}
+    one.parts[2] = 101
+    assert texts == ["warning: invented.parts[2] beyond 100: limited"], texts
+    assert one.limited == {"parts": 1}
 
 
 def numbers_of_many_bits():
