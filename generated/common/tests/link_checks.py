@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: ee6d98f5734f2b0d
+# Inputs: 474d06374a67c2b7
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import io
@@ -401,6 +401,43 @@ def a_datagram_is_tried_twice():
         assert len(texts) == 1 - is_sent, texts
 
 
+def a_socket_that_cannot_be_opened_is_told_once():
+    """It is tried again at its pace, and once it is open, nothing is wrong; a Wi-Fi that cannot be asked is down."""
+    texts = []
+    port = UdpPort("shut", "127.0.0.1", 1, 0, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))
+    opened, tries = port._open, []
+
+    def fail():
+        tries.append(mock_time.ticks_ms())
+        raise OSError(5)
+
+    mock_time.set_ticks_us(0)
+    port._open = fail
+    for _ in range(30):
+        port.poll(mock_time.ticks_ms())
+        assert (port.is_up, isinstance(port.problem, OSError)) == (False, True)
+        assert port.write(b"frame") == 0
+        mock_time.advance_us(100000)
+    assert tries == [0, 1000, 2000], tries
+    assert len(texts) == 1, texts
+    port._open = opened
+    port.poll(mock_time.ticks_ms())
+    assert (port.is_up, port.problem, port.dropped) == (True, None, 30)
+    port._socket.close()
+    for host in ("10.0.0.255", "", None):
+        assert network_port.numbered(host) == host
+    for host in ("station", "10.0.0.x", "10..1"):
+        try:
+            network_port.numbered(host)
+        except ValueError:
+            continue
+        raise AssertionError(host)
+    wifi = network_port._Wifi("home", None, 5000)
+    wifi.is_up, wifi._wlan = True, None
+    wifi.poll(0)
+    assert wifi.is_up is False
+
+
 WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
   "bench": {"host": "127.0.0.2", "port": 2, "local_port": 0}, "spare": {"ssid": "other"}}"""
 
@@ -571,6 +608,7 @@ CHECKS = (
     (one_message_in_a_pass, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
+    (a_socket_that_cannot_be_opened_is_told_once, "services.links"),
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),

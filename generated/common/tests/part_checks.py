@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: e389b50b9707bfaf
+# Inputs: 5500de219c720620
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -10,11 +10,12 @@ from program_bench import (
     messages,
     mock_time,
     needs,
+    needs_arming,
     new_craft,
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, LINKS_US, PARAMETERS, SENT, SYSTEM_ID
+from program_facts import COMPONENT_ID, LINKS_US, PARAMETERS, SENT, STREAMS, SYSTEM_ID
 from storage import Storage
 from texts import Texts
 
@@ -297,6 +298,71 @@ def fail(_message):
     raise ValueError("broken")
 
 
+def arming_asks_the_users_code():
+    """on_arm() is called once, and keeps it disarmed where it fails; so does a restart that is coming."""
+    needs_arming()
+    craft = new_craft()
+    on_arm, on_disarm = craft.on_arm, craft.on_disarm
+    craft.on_arm = lambda: fail(None)
+    assert craft.arm(force=True) == "Arm: on_arm() failed: " + repr(ValueError("broken"))
+    assert not craft.is_armed
+    craft.on_arm = on_arm
+    assert [craft.arm(force=True) for _ in range(2)] == [None, None]
+    assert (craft.is_armed, craft.calls) == (True, ["on_arm"])
+    craft.on_disarm = lambda: fail(None)
+    craft.disarm()
+    assert not craft.is_armed
+    assert craft.said("on_disarm() failed"), craft.said()
+    craft.on_disarm = on_disarm
+    craft.disarm()
+    assert craft.calls == ["on_arm"], "it is disarmed already"
+    assert craft.reboot() is None
+    assert craft.arm(force=True) == "PreArm: the vehicle is about to restart"
+    assert not craft.is_armed
+
+
+def a_stream_takes_back_what_was_asked_for_a_message():
+    """Its messages go out at the rate that is asked for, though one had an interval, also where that is repeated."""
+    streams = [each for each in STREAMS if each["data_stream"] and each["messages"] and each["fastest_hz"] >= 2]
+    needs(streams, "a data stream")
+    craft = new_craft()
+    own, looked_at = craft.connections[0].streams, 0
+    for stream in streams:
+        number = stream["messages"][0][0]
+        own.set_interval(number, 0)
+        own.request(stream["data_stream"], 1)
+        if own.interval_us(number) != 1000000:  # it is not the one that is chosen, or another stream has it, too
+            continue
+        looked_at += 1
+        for interval_us in (-1, 7000000):
+            assert own.set_interval(number, interval_us)
+            assert own.interval_us(number) == interval_us
+            for _ in range(2):
+                assert own.request(stream["data_stream"], 2)
+                assert own.interval_us(number) == 500000, (stream["name"], interval_us, own.interval_us(number))
+        assert own.request(stream["data_stream"], 60000)
+        assert own.interval_us(number) == 1000000 // stream["fastest_hz"]
+        assert own.set_interval(number, 0)
+        assert own.request(stream["data_stream"], 0)
+        assert own.interval_us(number) == -1
+    assert not own.request(250, 1)
+    assert looked_at, "no stream"
+
+
+def a_minute_is_worth_a_save():
+    """Once all saves are used up that may come at once, the next one is due a minute later; it looks each 100 ms."""
+    needs(PARAMETERS, "parameters")
+    craft = new_craft()
+    craft.parameters.changes += 1
+    craft._credit_ms = 0
+    looks = 1
+    while not craft._is_due_to_save():
+        looks += 1
+        assert looks < 1000
+    assert looks == 600, looks
+    assert len(craft.said("parameters change so often")) == 1, craft.said()
+
+
 CHECKS = (
     (listeners_are_known_by_their_names,),
     (texts_are_kept_by_their_numbers,),
@@ -306,6 +372,9 @@ CHECKS = (
     (answers_wait_for_room, "services.links"),
     (a_message_that_is_asked_for_waits_for_room, "services.links"),
     (faults_are_told_after_days, "services.links"),
+    (arming_asks_the_users_code,),
+    (a_stream_takes_back_what_was_asked_for_a_message,),
+    (a_minute_is_worth_a_save, "storage.set"),
 )
 
 if __name__ == "__main__":
