@@ -361,6 +361,17 @@ def a_minute_is_worth_a_save():
     assert len(craft.said("parameters change so often")) == 1, craft.said()
 
 
+def texts_from_before_the_link_are_sent():
+    """All that is told while the vehicle is made goes to the first station, too, from the first text on."""
+    craft = new_craft()
+    told = [(severity, text[:50]) for severity, text in craft.said()]
+    assert told, "it tells why it has started"
+    station = craft.ground_station()
+    run(craft, SECOND_US, LINKS_US)
+    found = [message for message in station.received(messages.Statustext) if message.raw("chunk_seq") == 0]
+    assert [(message.severity, message.text) for message in found][: len(told)] == told, found
+
+
 CHECKS = (
     (listeners_are_known_by_their_names,),
     (texts_are_kept_by_their_numbers,),
@@ -370,6 +381,7 @@ CHECKS = (
     (answers_wait_for_room, "services.links"),
     (a_message_that_is_asked_for_waits_for_room, "services.links"),
     (faults_are_told_after_days, "services.links"),
+    (texts_from_before_the_link_are_sent,),
     (arming_asks_the_users_code,),
     (a_stream_takes_back_what_was_asked_for_a_message,),
     (a_minute_is_worth_a_save, "storage.set"),
