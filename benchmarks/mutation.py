@@ -15,17 +15,17 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from queue import Queue
 
-from equivalents import fault_of, is_listed, listed
+from equivalents import Fault, fault_of, is_listed, listed
 from measure import ROOT
 from mutants import Mutant, mutants_of
 from process_group import outcome
-from quality_results import left_by, store
+from quality_results import left_by, read, store
 from whole_program import module_folders, whole_program
 
 PROGRAMS = {
@@ -55,6 +55,11 @@ def main() -> int:
         action="store_true",
         help="try only what the stored run of the same faults has not noticed: where the suite has more cases since",
     )
+    parser.add_argument(
+        "--judge",
+        action="store_true",
+        help="run nothing: keep for each stored run of the program how many of the faults it left are listed by now",
+    )
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
     output = PROGRAMS[arguments.program][0]
@@ -67,6 +72,9 @@ def main() -> int:
     }
     known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
     equivalent = listed(texts, arguments.program)
+    if arguments.judge:
+        _judge(arguments.program, equivalent)
+        return 0
     drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
     tried = [mutant for mutant in drawn if not is_listed(fault_of(mutant, texts[mutant.file]), equivalent)]
     firmware_hash = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
@@ -100,6 +108,19 @@ def main() -> int:
         found = {**drawing, "equivalent": len(drawn) - len(tried), "left": left}
         store("mutation", given, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
+
+
+def _judge(program: str, equivalent: Set[Fault]) -> None:
+    """Keep for each stored run of a program how many of the faults that it left are known to have no effect by now.
+
+    One whose line has been written anew since then counts as it did.
+    """
+    for given, run in read().get("mutation", {}).items():
+        if given.split()[0] == program:
+            left = [Fault(*each) for each in run["left"]]
+            without = sum(is_listed(fault, equivalent) for fault in left)
+            store("mutation", given, {**run, "listed_since": without})
+            print(f"{given}: {without} of {len(left)} faults that were left have no effect")
 
 
 def firmware_of(program: str) -> dict[str, str]:
