@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 COMPARED = {
@@ -60,16 +61,51 @@ def mutants_of(file: str, text: str) -> list[Mutant]:
     """All of a module, in the order of its text; none in annotations, decorators, defaults of types, or docstrings.
 
     Neither are what only type checkers see, and whether ``zip`` checks lengths that are the same. A function that says
-    ``-> bool`` does not return None in place of False: type checkers see that, and who asks ``if`` does not.
+    ``-> bool`` does not return None in place of False: type checkers see that, and who asks ``if`` does not. Neither
+    does one of the module's own, with a name that begins with "_", that nobody asks for more than whether it is true.
     """
-    maker = _Maker(file, text)
-    maker.visit(ast.parse(text))
+    tree = ast.parse(text)
+    maker = _Maker(file, text, _asked_for_truth(tree))
+    maker.visit(tree)
     return sorted(set(maker.found), key=lambda each: (each.start, each.new))
 
 
+def _asked_for_truth(tree: ast.Module) -> frozenset[str]:
+    """Return the names that begin with "_" and that are only ever called where nothing but truth is asked for."""
+    asked = {id(call.func) for node in ast.walk(tree) for test in _tests(node) for call in _judged(test)}
+    named: dict[str, bool] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name | ast.Attribute):
+            name = node.id if isinstance(node, ast.Name) else node.attr
+            named[name] = named.get(name, True) and id(node) in asked
+    return frozenset(name for name, is_asked in named.items() if is_asked and name.startswith("_"))
+
+
+def _tests(node: ast.AST) -> list[ast.expr]:
+    """Return the parts of a node that it only asks whether they are true."""
+    if isinstance(node, ast.If | ast.While | ast.IfExp | ast.Assert):
+        return [node.test]
+    if isinstance(node, ast.comprehension):
+        return node.ifs
+    return [node.operand] if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not) else []
+
+
+def _judged(test: ast.expr) -> Iterator[ast.Call]:
+    """Yield the calls whose truth is that of an expression, or a part of it."""
+    if isinstance(test, ast.Call):
+        yield test
+    elif isinstance(test, ast.BoolOp):
+        for each in test.values:
+            yield from _judged(each)
+    elif isinstance(test, ast.IfExp):
+        yield from _judged(test.body)
+        yield from _judged(test.orelse)
+
+
 class _Maker(ast.NodeVisitor):
-    def __init__(self, file: str, text: str) -> None:
+    def __init__(self, file: str, text: str, predicates: frozenset[str]) -> None:
         self.found: list[Mutant] = []
+        self._predicates = predicates
         self._file = file
         self._text = text
         self._lines = text.splitlines(keepends=True)
@@ -175,7 +211,8 @@ class _Maker(ast.NodeVisitor):
             self.visit(each)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
-        outer, self._is_predicate = self._is_predicate, isinstance(node.returns, ast.Name) and node.returns.id == "bool"
+        says_bool = isinstance(node.returns, ast.Name) and node.returns.id == "bool"
+        outer, self._is_predicate = self._is_predicate, says_bool or node.name in self._predicates
         for each in [*node.args.defaults, *filter(None, node.args.kw_defaults), *node.body]:
             self.visit(each)
         self._is_predicate = outer

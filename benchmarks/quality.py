@@ -155,7 +155,8 @@ The {documents} requirement documents of the rover state {all_criteria} criteria
 `make mutation` puts small faults into the firmware, one at a time, drawn by lot from a seed, and runs the generated
 suite. Faults without effect are listed in `benchmarks/equivalents.yaml` with the reason, and left out.
 `make mutation FAULTS="--store"` keeps the numbers. Checks were written for what the run with seed 1 had not
-noticed; other seeds are as they were drawn, faults without effect included that nobody has listed.
+noticed; other seeds are as they were drawn, faults without effect included that nobody had listed. How many of these
+are listed by now, with a reason, stands behind (`--judge` counts them), and the share of those that are left.
 
 {mutation}
 
@@ -249,12 +250,20 @@ def _by_seed(runs: dict[str, Found]) -> list[tuple[str, Found]]:
 
 def _mutation(what: str, parts: dict[str, Found]) -> str:
     rows: list[tuple[object, ...]] = []
-    for part, each in parts.items():
+    head = (what, "seed", "faults", "noticed", "share")
+    is_judged = any("listed_since" in each for each in parts.values())
+    for part, each in sorted(parts.items(), key=lambda found: (found[0].split()[0], found[1]["seed"])):
         noticed, tried = (sum(pair[index] for pair in each["modules"].values()) for index in (0, 1))
         name = part.split()[0]  # its seed stands behind it
         name = f"`{name}/`" if name.startswith("codegen/") else name
-        rows.append((name, each["seed"], tried, noticed, f"{100 * noticed / max(1, tried):.0f} %"))
-    return _table((what, "seed", "faults", "noticed", "share"), rows)
+        row = (name, each["seed"], tried, noticed, _share(noticed, tried))
+        without = each.get("listed_since", 0)
+        rows.append((*row, without, _share(noticed, tried - without)) if is_judged else row)
+    return _table((*head, "without effect", "of the others") if is_judged else head, rows)
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{100 * part / max(1, whole):.0f} %"
 
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[object, ...]]) -> str:

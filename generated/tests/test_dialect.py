@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 1986f2892f53015c
+# Inputs: 7fc266a713f5a91d
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -25,7 +25,7 @@ TARGETS = ("target_system", "target", "target_component")
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def laid_out(request, printed):
-    """Return the firmware's layout of each message, by name; see dialect_run.py."""
+    """Return the firmware's layout of each message, by name, and of those without a name; see dialect_run.py."""
     found = printed(request.param, "dialect_run.py")
     assert "" not in found, found[""]
     return found
@@ -68,7 +68,7 @@ def crc_extra(known, length):
 
 def test_messages(laid_out, modules):
     """Id, CRC_EXTRA, lengths, fields and targets of every message are those of the dialect."""
-    for name, (number, extra, base, length, targets, first, fields) in laid_out.items():
+    for name, (number, extra, base, length, targets, first, fields) in laid_out["named"].items():
         known = message_class(modules[0], name)
         assert known, f"pymavlink has no {name}"
         assert [number, extra, length] == [known.id, known.crc_extra, known.unpacker.size], name
@@ -79,6 +79,18 @@ def test_messages(laid_out, modules):
         encode = getattr(modules[0].MAVLink, known.msgname.lower() + "_encode")
         defaults = {key: each.default for key, each in inspect.signature(encode).parameters.items()}
         assert first == {key: defaults[key] for key in first}, name
+
+
+def test_bare_messages(laid_out, modules):
+    """So are those of messages that the firmware knows by their ids alone."""
+    for number, extra, base, length, targets in laid_out["bare"]:
+        known = modules[0].mavlink_map.get(number)
+        assert known, f"pymavlink has no {number}"
+        fields = fields_of(known)
+        assert [extra, length] == [known.crc_extra, known.unpacker.size], known.msgname
+        assert base in (*(place for _name, _form, place in fields), length), known.msgname
+        assert crc_extra(known, base) == extra, known.msgname
+        assert targets == [place for target in TARGETS for field, _form, place in fields if field == target]
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])

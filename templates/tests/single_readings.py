@@ -177,6 +177,7 @@ def is_summed_exactly(facts, fresh):
     What a sum leaves of a full store goes with it, of stores of several sizes and of none.
     """
     sizes = max(len(rest["sizes"]) for rest in facts["rests"]) if facts["rests"] else 1
+    begins_alike(facts, fresh)
     for at in range(sizes):
         settings = dict(facts["on"])
         for rest in facts["rests"]:
@@ -199,6 +200,23 @@ def is_summed_exactly(facts, fresh):
             for part in (each["parts"] - near, 0):  # just short of a step, then exactly at one
                 fill(facts, board, state, settings, totals, each, part, near)
     mock_time.set_ticks_us(0)
+
+
+def begins_alike(facts, fresh):
+    """Hold a sum that the first reading begins against one that is 0 before: to their last part they are alike."""
+    found = []
+    for begun in (None, 0):
+        mock_time.set_ticks_us(0)
+        board, state, _ = fresh(facts["on"])
+        for each in facts["sums"]:
+            setattr(first_of(state, facts), each["attribute"], begun)
+        for one in [facts] + facts["others"]:
+            set_count(board, one, one["counts"][0])
+        for _ in range(3):
+            update(state, board, facts)
+            mock_time.advance_us(1000)
+        found.append(list(state.words))
+    assert found[0] == found[1] or max(each["least"] for each in facts["sums"]) > 0, found
 
 
 def summed_over(facts, board, state, settings, totals, times_ms):

@@ -59,3 +59,21 @@ def test_none_in_place_of_false_is_a_fault_only_where_it_can_be_told() -> None:
     assert returned("", "None") == set()
     inner = "def f() -> bool:\n    def g():\n        return False\n    return False\n"
     assert sum(mutant.new == "None" for mutant in mutants_of("a.py", inner)) == 1
+
+
+def test_a_function_of_the_module_itself_that_is_only_asked_whether_it_is_true() -> None:
+    """Each way to ask for more makes None another answer than False: to keep it, return it, compare it, hand it on."""
+
+    def returned(use: str, name: str = "_f") -> set[str]:
+        text = f"def {name}():\n    return False\n\n\n{use.replace('F', name)}\n"
+        return {mutant.new for mutant in mutants_of("a.py", text) if mutant.line == 2}
+
+    for asked in ("if F(): a()", "while not F(): a()", "b = 1 if a or F() else 2", "b = not (F() if a else a)"):
+        assert returned(asked) == {"True"}, asked
+    for asked in ("[a for a in b if F() and a]", "assert x.F(1)", "if F() and not self.F(): a()"):
+        assert returned(asked) == {"True"}, asked
+    for kept in ("b = F()", "return_(F())", "if F() is False: a()", "b = F() or a", "if a(F): a()", "b = not a(F())"):
+        assert returned(kept) == {"True", "None"}, kept
+    assert returned("if F(): b = F") == {"True", "None"}
+    assert returned("if F(): a()", "f") == {"True", "None"}, "others may ask, too"
+    assert returned("a()") == {"True", "None"}, "nobody in this module asks"

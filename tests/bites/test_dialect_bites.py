@@ -50,10 +50,10 @@ def suite(tmp_path_factory, monkeypatch_module):
             if before[name] is not None:
                 sys.modules[name] = before[name]
     said = laid_out(generated)
-    return generated, test_dialect, oracle.dialects(test_dialect.ABOUT, set(said), generated / "tests")
+    return generated, test_dialect, oracle.dialects(test_dialect.ABOUT, set(said["named"]), generated / "tests")
 
 
-def laid_out(generated: Path) -> dict[str, list]:
+def laid_out(generated: Path) -> dict[str, dict[str, list]]:
     """Return the firmware's description of its messages."""
     return json.loads(scripts_of(generated / "tests").run_under("cpython", "dialect_run.py"))
 

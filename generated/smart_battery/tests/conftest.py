@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: bb169dd5d9836501
+# Inputs: 352f249112408147
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -52,7 +52,9 @@ def modules():
         name for path in files("firmware/*.py") for name in re.findall(r"^_(\w+)_AT = ", path.read_text("utf-8"), re.M)
     ]
     ends = [(name, end.start()) for name in places for end in re.finditer("_", name)]
-    return dialects(cases["dialect"], names, HERE, [name[:end] for name, end in ends])
+    kinds = [path.read_text("utf-8") for path in files("firmware/absences.py")]
+    absent = [name for text in kinds for name in re.findall(r"\),  # (\w+)$", text, re.M)]
+    return dialects(cases["dialect"], names, HERE, [*absent, *(name[:end] for name, end in ends)])
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 395c8a3dee98468d
+# Inputs: eec224419e7e45cc
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -76,3 +76,22 @@ def test_places():
             if allowed and int(number) not in (places[name], *allowed):
                 wrong.append((path.name, name, number))
     assert wrong == []
+
+
+def test_parts():
+    """Each word of the state belongs to one component, and none of its names stands for the place of another."""
+    text = path_of("firmware", "state.py").read_text("utf-8")
+    places = {name: int(number) for name, number in re.findall(r"^(_[A-Z]\w*) = const\((\d+)\)", text, re.MULTILINE)}
+    parts = re.findall(r"together\(\w+, self\.words, (\w+), (\w+), (\d+), log\)", text)
+    named = {begin: [] for begin, _, _ in parts}
+    for name in places.keys() - {each for part in parts for each in part}:
+        begins = [begin for begin in named if name.startswith(begin + "_")]
+        if begins:
+            named[max(begins, key=len)].append(places[name])
+    end = 0
+    for begin, size, instances in parts:
+        assert places[begin] == end, begin
+        end += places[size] * int(instances)
+        assert sorted(set(named[begin])) == sorted(named[begin]), begin
+        assert all(place < places[size] for place in named[begin]), size
+    assert end == places["_SIZE"] > 0

@@ -190,6 +190,65 @@ def a_stream_that_raises_takes_nothing():
         assert port.received == 5 * (4 - failures)
 
 
+class Sipping:
+    """A stream that takes and gives `part` bytes of what it is asked for, or as many as there are."""
+
+    def __init__(self):
+        self.part = None
+        self.sent = b""
+
+    def write(self, data):
+        """Take a part, or say None."""
+        if self.part is None:
+            return None
+        self.sent += bytes(data[: self.part])
+        return min(self.part, len(data))
+
+    def readinto(self, _buffer):
+        """Tell of a part, even one that no stream can give."""
+        return self.part
+
+
+def what_waits_goes_out_in_its_order():
+    """Frames that fit into what is free are kept, and others dropped, however the stream takes them."""
+    lot, size = 1, 100
+    stream = Sipping()
+    port = StreamPort("sipping", stream, size)
+    port.sent = port.dropped = port.received = 0x3FFFFFFF - 20
+    taken, dropped = b"", 0
+    for turn in range(400):
+        lot = lot * 1103515245 + 12345 & 0x3FFFFFFF
+        stream.part = (None, None, 0, 1, 31, 32, 33, 200)[lot >> 20 & 7]
+        free = size - (len(taken) - len(stream.sent))
+        before = len(stream.sent)
+        if lot >> 10 & 3 == 0:
+            is_left = port.poll(turn)
+            assert is_left == (len(taken) > len(stream.sent)), turn
+            assert stream.part != 200 or not is_left, "all goes out where all is taken"
+            assert not stream.part or free == size or len(stream.sent) > before, "what waits is offered"
+            assert stream.part is not None or len(stream.sent) == before, turn
+        else:
+            length = (free, free + 1, max(free - 1, 1), 20)[lot >> 10 & 3]
+            frame = bytes([turn + at & 0xFF for at in range(length)])
+            fits = length <= free
+            assert port.write(frame) == (length if fits else 0), (turn, length, free)
+            taken += frame if fits else b""
+            dropped += not fits
+            assert not fits or free < size or len(stream.sent) - before == min(length, stream.part or 0), (
+                "it is offered"
+            )
+        assert stream.sent == taken[: len(stream.sent)], turn
+        assert port.sent == len(stream.sent) + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+        assert port.dropped == dropped + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+    assert min(dropped, len(stream.sent) // size) > 20, (dropped, len(stream.sent))
+    arrived = 0
+    for part, count in ((None, 0), (0, 0), (-1, 0), (9, 9), (10, 10), (11, 10), (1, 1)):
+        stream.part = part
+        assert port.readinto(bytearray(10)) == count, part
+        arrived += count
+    assert port.received == arrived + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+
+
 def absent_line_is_survived():
     """A UART that cannot be opened: the vehicle runs without it, and other links work."""
     machine.reset_serial()
@@ -245,12 +304,17 @@ def one_message_in_a_pass():
         craft = new_craft()
     finally:
         Craft.MESSAGES = most
+    craft.port.room = 1  # before it is polled again, which a pass does that has sent nothing
     station = GroundStation(craft.port)
     run_passes(craft, 20)
     craft.port.frames = []
     craft.texts("warning: this is one of many")
+    expected = [messages.Statustext, messages.Ping, messages.CommandAck]
+    craft.port.room = 0
+    station.command(410)
+    run_passes(craft, 3)
+    craft.port.room = 1
     station.send(messages.Ping, target_system=0, target_component=0, seq=7)
-    expected = [messages.Statustext, messages.Ping]
     if PARAMETERS:
         station.send(messages.ParamRequestList)
         expected.append(messages.ParamValue)
@@ -335,6 +399,43 @@ def a_datagram_is_tried_twice():
         assert len(texts) == 1 - is_sent, texts
 
 
+def a_socket_that_cannot_be_opened_is_told_once():
+    """It is tried again at its pace, and once it is open, nothing is wrong; a Wi-Fi that cannot be asked is down."""
+    texts = []
+    port = UdpPort("shut", "127.0.0.1", 1, 0, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))
+    opened, tries = port._open, []
+
+    def fail():
+        tries.append(mock_time.ticks_ms())
+        raise OSError(5)
+
+    mock_time.set_ticks_us(0)
+    port._open = fail
+    for _ in range(30):
+        port.poll(mock_time.ticks_ms())
+        assert (port.is_up, isinstance(port.problem, OSError)) == (False, True)
+        assert port.write(b"frame") == 0
+        mock_time.advance_us(100000)
+    assert tries == [0, 1000, 2000], tries
+    assert len(texts) == 1, texts
+    port._open = opened
+    port.poll(mock_time.ticks_ms())
+    assert (port.is_up, port.problem, port.dropped) == (True, None, 30)
+    port._socket.close()
+    for host in ("10.0.0.255", "", None):
+        assert network_port.numbered(host) == host
+    for host in ("station", "10.0.0.x", "10..1"):
+        try:
+            network_port.numbered(host)
+        except ValueError:
+            continue
+        raise AssertionError(host)
+    wifi = network_port._Wifi("home", None, 5000)
+    wifi.is_up, wifi._wlan = True, None
+    wifi.poll(0)
+    assert wifi.is_up is False
+
+
 WIFI = """{"ssid": "home", "password": "secret", "host": "127.0.0.9", "port": 1,
   "bench": {"host": "127.0.0.2", "port": 2, "local_port": 0}, "spare": {"ssid": "other"}}"""
 
@@ -365,6 +466,7 @@ def the_network_is_joined_again():
             tries += [tenth] * (network.radio.connects - before)
             ups += [port.has_network]
             assert twin.has_network == port.has_network, tenth
+            assert port.has_network or not port.is_up, "its socket is closed with it"
             mock_time.advance_us(100000)
         assert network.radio.credentials == ("home", "secret")
         assert tries == [0, 50, 100], tries
@@ -497,12 +599,14 @@ CHECKS = (
     (slow_line_takes_the_whole_list, "storage.read"),
     (faults_of_a_line_are_survived, "services.links"),
     (a_stream_that_raises_takes_nothing, "services.links"),
+    (what_waits_goes_out_in_its_order, "services.links"),
     (absent_line_is_survived, "services.links"),
     (one_broken_port_leaves_the_others_alone, "services.links"),
     (a_fault_of_any_part_is_counted, "services.links"),
     (one_message_in_a_pass, "services.links"),
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
+    (a_socket_that_cannot_be_opened_is_told_once, "services.links"),
     (the_network_is_joined_again, "services.links"),
     (boards_own_ports, "services.links"),
     (what_arrives_is_counted, "services.garbage"),

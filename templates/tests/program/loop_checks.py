@@ -140,6 +140,41 @@ def late_by_whole_periods():
         assert turns == ["control", "job", "control", "job"][: 4 if is_due else 3], (late_us, turns)
 
 
+def turns_of_a_pass():
+    """So many jobs have their turn in a pass, in their order, and one more for each slot that came too late.
+
+    Each is due on a grid of its own, and what waited has its turn in the next pass. Where there is room for fewer than
+    are due, no turn is lost but those of slots that are over.
+    """
+    lot = 7
+    for most in (1, 2, 3, 1000):
+        turns = []
+        loop = Scheduler(CONTROL_US, lambda: turns.append(-1), most=most)  # noqa: B023  it is asked in this turn alone
+        periods = [CONTROL_US * several for several in (1, 3, 2, 1, 7, 2)]
+        for number, period_us in enumerate(periods):
+            loop.every(period_us, lambda number=number: turns.append(number))  # noqa: B023
+        due = [mock_time.elapsed_us()] * len(periods)
+        control_us, overruns = due[0], 0
+        for _ in range(60):
+            now_us = mock_time.elapsed_us()
+            expected, missed = [], (now_us - control_us) // CONTROL_US
+            if missed >= 0:
+                control_us += (missed + 1) * CONTROL_US
+                overruns += missed
+                ready = [number for number, at_us in enumerate(due) if at_us <= now_us][: most + missed]
+                expected = [-1] + ready  # noqa: RUF005  MicroPython cannot
+                for number in ready:
+                    due[number] += ((now_us - due[number]) // periods[number] + 1) * periods[number]
+            del turns[:]
+            wait_us = loop.run_pass()
+            assert turns == expected, (most, now_us, turns, expected)
+            assert loop.overruns == overruns, (most, now_us)
+            assert wait_us == control_us - now_us, (most, now_us, wait_us)
+            lot = lot * 1103515245 + 12345 & 0x3FFFFFFF
+            late = (0, 0, 0, -1, 1, CONTROL_US - 1, CONTROL_US, 2 * CONTROL_US + 1)[lot >> 20 & 7]
+            mock_time.advance_us(wait_us + late)
+
+
 def missed_slots_are_reported():
     """Always late: one report in each interval, with the number; in time: none."""
     craft = new_craft()
@@ -161,6 +196,47 @@ def load_is_the_share_of_time():
     craft.scheduler._control.call = lambda: mock_time.advance_us(CONTROL_US // 5)
     run(craft, 5 * SECOND_US)
     assert abs(craft.state.vehicle.load_dpct - 200) <= 1, craft.state.vehicle.load_dpct
+
+
+def load_is_measured_over_whole_passes():
+    """The time from the end of a pass to that of the first one a second later, and what passes took of it."""
+    loop = Scheduler(100000, lambda: mock_time.advance_us(30000))
+    loop.every(200000, lambda: mock_time.advance_us(20000))
+    loads = []
+    for _ in range(32):
+        mock_time.advance_us(loop.run_pass())
+        loads.append(loop.load)
+    # From the start to the end of the eleventh pass it is 1050 ms, with six passes of 50 ms and five of 30 ms.
+    assert loads == [0] * 10 + [450000 // 1050] * 10 + [400] * 12, loads
+
+
+def calls_are_known_by_name():
+    """One that has had no turn for too long is told by its name; what has no period, or too long a one, is refused."""
+    loop = Scheduler(1000, lambda: None, log=lambda *_words: None)
+    loop.every(2000, lambda: None)
+    loop.every(5000, lambda: None, "own")
+    loop.run_pass()
+    assert loop.stalled(10000, ()) is None
+    for passed_us, name in ((11000, None), (1, "control"), (1000, "control")):
+        mock_time.advance_us(passed_us)
+        assert loop.stalled(10000, ()) == name, (passed_us, loop.stalled(10000, ()))
+    loop._control.due_us = loop._control.due_us + 5000
+    assert loop.stalled(10000, ()) == "job 1"
+    loop._jobs[0].due_us = loop._control.due_us
+    mock_time.advance_us(3000 - 1)
+    assert loop.stalled(10000, ()) is None
+    mock_time.advance_us(2)
+    assert loop.stalled(10000, ()) == "own"
+    for wrong in (0, -1, 1 << 29):
+        for make in (lambda wrong=wrong: Scheduler(wrong, None), lambda wrong=wrong: loop.every(wrong, None)):
+            try:
+                make()
+            except ValueError as error:
+                assert error.args[0] == "a period is 1 to 536870911 us", error  # noqa: PT017
+                continue
+            raise AssertionError(wrong)
+    loop.every((1 << 29) - 1, None)
+    Scheduler(1, None)
 
 
 def faults_do_not_stop_the_loop():
@@ -224,8 +300,11 @@ CHECKS = (
     (order_within_a_pass, "control.order", "component.order"),
     (missed_slots, "control.missed"),
     (late_by_whole_periods, "control.missed"),
+    (turns_of_a_pass, "control.missed"),
     (missed_slots_are_reported, "control.missed"),
     (load_is_the_share_of_time, "control.missed"),
+    (load_is_measured_over_whole_passes, "control.missed"),
+    (calls_are_known_by_name, "control.missed"),
     (faults_do_not_stop_the_loop, "control.grid"),
     (an_interrupt_ends_one_pass, "control.grid"),
     (what_is_old_is_forgotten_unasked, "quantity.stale_after"),

@@ -185,6 +185,13 @@ def _started():
     return program.vehicle_class()
 
 
+def _made():
+    """Return the vehicle that main.py makes."""
+    import main as program  # noqa: PLC0415
+
+    return program.new_vehicle()
+
+
 def its_class_is_taken():
     """One that is derived from Vehicle is; another one is a fault that names both; without the module it is Vehicle."""
     import vehicle  # noqa: PLC0415
@@ -195,10 +202,14 @@ def its_class_is_taken():
     class Own(vehicle.Vehicle):
         """A vehicle of the user's."""
 
+        def __init__(self):
+            self.is_made = True
+
     try:
         module = sys.modules[name] = Module()
         setattr(module, class_name, Own)
         assert _started() is Own
+        assert _made().is_made, "it is made without a fault"
         setattr(module, class_name, Module)
         told = ""
         try:

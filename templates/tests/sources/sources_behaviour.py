@@ -251,6 +251,11 @@ def takes_too_long(facts):
         bench.turn()
         text = "warning: " + facts["name"] + " took too long, in us: " + str(3 * limit)
         assert (bench.poller.overruns, bench.texts) == (2, [text]), bench.texts
+    bench = Bench(facts)
+    bench.driver.took_us = 1 << 27
+    for _ in range(9):  # more than a small number holds, all together
+        bench.turn()
+        assert 1 << 26 < bench.poller.mean_us <= bench.poller.longest_us == 1 << 27, bench.poller.mean_us
 
 
 def grows_old(facts):

@@ -16,6 +16,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import QuantityKind
 
 GROUND_STATION = 255, 190
+_COUNTED = 6  # fields that are refused more than once
 Value = int | float | str
 Step = Mapping[str, object]
 
@@ -84,6 +85,12 @@ class _Cases:
         cited = str(table.citation)
         zeros: dict[str, Value] = {each.label: "" if each.is_text else 0 for each in table.fields}
         yield self._case("truncated", cited, self._message(), self._message(zeros))
+        refused = [(each.label, value) for each in table.fields for value in list(_refused_values(each).values())[:1]]
+        often = [
+            self._message({label: value}) for at, (label, value) in enumerate(refused[:_COUNTED]) for _ in range(at + 2)
+        ]
+        if often:  # each field another number of times, so that none is counted for another one
+            yield self._case("refused-in-turn", table.cited("range"), *often)
         yield self._case("others-are-zero", cited, self._message())
         if table.wire.id <= 255:
             yield self._case("MAVLink-1", cited, self._message(), self._message(version=1))
