@@ -15,6 +15,8 @@ _NO_VALUE = pattern(
     r"(?:\b(?:than|above|below|over|under|least|most|about|until|version|param|except|but|not) |[<>\u2264\u2265+*/x-] ?"
     r"|\.\.|\[)$"
 )
+_ONE_OF_SEVERAL = pattern(r"N,? (?:and|or) $")
+_AND_MORE = pattern(r",? (?:and|or) N")
 _BIT = pattern(r"\bbits? (?:number )?$")
 _BITS = 63
 _SAID = "PUVTC"
@@ -26,6 +28,8 @@ def of_entry(reading: Reading, pair: Pair, value: int) -> Iterator[Comparison]:
     enum = reading.enums.get(pair.one.field.definition.enum or "")
     if enum is None or _NO_VALUE.search(pair.before(14)):
         return
+    if _ONE_OF_SEVERAL.search(pair.before(8)) or _AND_MORE.match(pair.behind(8)):
+        return  # "3 and 4 for taking off and landing": which is which, only the order tells
     low, high = clause(pair.span.text, pair.at, pair.low, pair.high)
     is_bit = _BIT.search(pair.before(12)) is not None and 0 <= value < _BITS
     sides = {"words behind": (pair.at + 1, high), "words before": (low, pair.at), "words around": (low, high)}

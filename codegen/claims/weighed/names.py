@@ -10,6 +10,7 @@ from codegen.claims.weighed.comparison import traits
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 from codegen.source import Place
 
@@ -56,6 +57,12 @@ def strangers(reading: Reading) -> Iterator[Stranger]:
                 yield from _stranger(reading, passage, near, (low, high), found["name"], named)
 
 
+@once
+def _elsewhere(reading: Reading) -> frozenset[str]:
+    """The names of the fields of all messages that there are."""
+    return frozenset(field.name for message in reading.messages.values() for field in message.fields)
+
+
 def _stranger(
     reading: Reading, passage: Passage, near: Surroundings, span: tuple[int, int], name: str, named: list[WireMessage]
 ) -> Iterator[Stranger]:
@@ -74,6 +81,8 @@ def _stranger(
         like_a_field=meant,
         same_in_other_words=same_field(name, message),
         like_one_of_the_document=alike,
+        field_of_another_message=name in _elsewhere(reading),
+        field_with_an_end=any(name.startswith(f"{each}_") for each in fields),
         of_several_words="_" in name,
         like_fields_of_several=len(alike) > 1,
         beside_fields=any(other in fields for other in others),

@@ -70,6 +70,10 @@ _LESS = pattern(
 )
 
 
+_REST = pattern(r"\b(?:others?|rest|remaining|remainder)\b")
+_MORE_THAN = pattern(r"\b(?:below|above|over|under|than|least|about|only) $")
+
+
 def _length(pair: Pair, value: Number, noun: str) -> Iterator[Comparison]:
     """So many elements of an array, or bytes of any field."""
     field, is_bytes = pair.one.field, noun.startswith(("byte", "octet"))
@@ -96,6 +100,8 @@ def _length(pair: Pair, value: Number, noun: str) -> Iterator[Comparison]:
         of_message=_OF_MESSAGE.search(pair.before(30)),
         part_of_it=_LESS.search(pair.gap),
         own_length=field.count in near,
+        rest_behind=_REST.search(pair.span.text, pair.at, pair.at + 60),
+        more_than=_MORE_THAN.search(pair.before(24)),
     )
     text = f"{pair.one.name} has {own}, not {pair.term.written}"
     yield Comparison("length", TYPE, is_right=False, text=text, traits=found)

@@ -96,8 +96,8 @@ def pairs(reading: Reading, span: Span) -> Iterator[Pair]:
 
 
 def _is_name(span: Span, term: Term) -> bool:
-    """Return whether a word that is the name of a field may be one here."""
-    return term.letter == "F" or (not span.is_code and len(term.written) >= _SHORT)
+    """Return whether an everyday word that is the name of a field may be one here."""
+    return term.letter == "P" and not span.is_code and len(term.written) >= _SHORT
 
 
 def _in_reach(

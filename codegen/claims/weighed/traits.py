@@ -62,6 +62,7 @@ _IDLE = pattern(
     r"\b(?:is|are|in|a|an|the|as|of|to|be|shall|must|has|have|its|it|value|values|field|with|for|by|at|both|given|sent"
     r"|unit|units|measured|on|or|this|that|when|if|sets?|counts?)\b"
 )
+_DENIED = pattern(r"(?:\b(?:no|not|never|without)|n't)(?: [a-z]+){0,2} $")
 _SIGN = pattern(r"[*/+\u00d7\u00f7=]")
 _WORD = pattern(r"\w+")
 _LETTER = pattern(r"[A-Za-z]")
@@ -164,6 +165,7 @@ def _between(pair: Pair) -> tuple[str, ...]:
         only_links=not _SMALL.search(_IDLE.sub("", gap)),
         verb=_VERB.search(gap),
         arithmetic=_SIGN.search(gap),
+        denied_before=_DENIED.search(pair.before(30)),
         first=not _LETTER.search(text[pair.low : pair.name].replace("the", "")),
     )
 

@@ -26,10 +26,10 @@ _AROUND = 200
 
 def of_type(pair: Pair) -> Iterator[Comparison]:
     """Yield what a type says of a field."""
-    stated, span, field = pair.term.value, pair.span, pair.one.field
+    stated, field = pair.term.value, pair.one.field
     if not isinstance(stated, StatedType) or (pair.term.written.lower().startswith("float") and field.definition.enum):
         return
-    if span.is_code and not span.is_comment and _is_cast(pair):
+    if _is_cast(pair):
         return
     if any(has_type(each, stated) for each in pair.fields):
         yield Comparison("type", TYPE, is_right=True)
@@ -43,6 +43,8 @@ def of_type(pair: Pair) -> Iterator[Comparison]:
 
 def _is_cast(pair: Pair) -> bool:
     """Return whether code converts something to a type."""
+    if not pair.span.is_code or pair.span.is_comment:
+        return pair.behind(2) == "::"
     before = pair.before(8)
     is_in_parentheses = before.endswith("(") and pair.behind(1) == ")"
     return is_in_parentheses or _CAST.match(pair.behind(3)) is not None or _CASTING.search(before) is not None

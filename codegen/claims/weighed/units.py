@@ -13,7 +13,7 @@ from codegen.claims.weighed.pairs import Pair
 from codegen.model.units.unit import Unit
 from codegen.pattern import pattern
 
-_GOES_ON = pattern(r" ?(?:hours?|squared|per\b|/)")
+_GOES_ON = pattern(r" ?(?:U|hours?|squared|per\b|/)")
 """Behind a part of a unit."""
 _IS_PART = pattern(
     r"\b(?:cubic|square) $|(?:tenths?|hundredths?|thousandths?|fifths?) of (?:an? |one )?$"
