@@ -2,14 +2,14 @@
 
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import replace
 
 from codegen.claims.elsewhere import is_elsewhere
 from codegen.claims.evidence import FIRM, evidence_of
 from codegen.claims.known_names import near_fields
-from codegen.claims.parts.span import Span
+from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import is_own_column
 from codegen.claims.rules import NO_FIELD, as_sure
 from codegen.claims.weighed.compared import compared
 from codegen.claims.weighed.comparison import Comparison, traits
@@ -80,7 +80,13 @@ def _compared(reading: Reading, span: Span) -> Iterator[tuple[Pair, Comparison]]
 def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> Iterator[Candidate]:
     """The candidate of a pair; none of what is said elsewhere, or called wrong."""
     pair, compared_with = met.pair, met.comparison
-    place, one, written = pair.span.place(pair.at), pair.one, pair.term.written if pair.at in pair.span.sentence.terms else ""
+    if pair.span.kind is PassageKind.ROW and is_own_column(head_of(pair.span, pair.at)):
+        return
+    place, one, written = (
+        pair.span.place(pair.at),
+        pair.one,
+        pair.term.written if pair.at in pair.span.sentence.terms else "",
+    )
     rule = as_sure(compared_with.rule, is_sure=False)
     finding = reading.found(rule, place, f"{one.name} {written} weighed", compared_with.text)
     if place.line in reading.quoted_as_wrong or is_elsewhere(reading, finding):

@@ -28,8 +28,8 @@ _NOUN = pattern(
     r"|bytes?|octets?|distances|bins|sectors|channels|cores|doubles|components|numbers|more cells)\b"
 )
 _MUST_NOT = pattern(r"\b(?:never|do not|don't|must not|should not)\b[a-zFPM ]{0,30}[=:]* ?$")
-_FIRST_CELL = pattern(r"[\s|]*")
-_CELL_ENDS = pattern(r"\s*\|")
+_ROW_BEGINS = pattern(r"[\s|]*")
+_COLUMN_ENDS = pattern(r"\s*\|")
 
 
 def of_number(reading: Reading, pair: Pair) -> Iterator[Comparison]:
@@ -57,7 +57,7 @@ def _is_none(pair: Pair) -> bool:
     text, at = pair.span.text, pair.at
     if at > 1 and text[at - 1] in "-." and text[at - 2].isalnum():
         return True
-    if pair.span.kind is PassageKind.ROW and _FIRST_CELL.fullmatch(text, 0, at) and _CELL_ENDS.match(text, at + 1):
+    if pair.span.kind is PassageKind.ROW and _ROW_BEGINS.fullmatch(text, 0, at) and _COLUMN_ENDS.match(text, at + 1):
         return True
     return _MUST_NOT.search(pair.before(50)) is not None
 
@@ -71,6 +71,7 @@ _LESS = pattern(
 
 
 _REST = pattern(r"\b(?:others?|rest|remaining|remainder)\b")
+"""Behind elements that are used, and not all that there are."""
 _MORE_THAN = pattern(r"\b(?:below|above|over|under|than|least|about|only) $")
 
 
@@ -78,7 +79,7 @@ def _length(pair: Pair, value: Number, noun: str) -> Iterator[Comparison]:
     """So many elements of an array, or bytes of any field."""
     field, is_bytes = pair.one.field, noun.startswith(("byte", "octet"))
     is_text = noun.startswith(("char", "letter"))
-    if not field.is_array and not is_bytes:
+    if (not field.is_array and not is_bytes) or _REST.search(pair.span.text, pair.at, pair.at + 60):
         return
 
     def fits(one: WireField) -> bool:
@@ -100,7 +101,6 @@ def _length(pair: Pair, value: Number, noun: str) -> Iterator[Comparison]:
         of_message=_OF_MESSAGE.search(pair.before(30)),
         part_of_it=_LESS.search(pair.gap),
         own_length=field.count in near,
-        rest_behind=_REST.search(pair.span.text, pair.at, pair.at + 60),
         more_than=_MORE_THAN.search(pair.before(24)),
     )
     text = f"{pair.one.name} has {own}, not {pair.term.written}"
@@ -118,7 +118,9 @@ _CLEAR = pattern(
     r"|not (?:known|available|measured|valid|provided|configured|set|used|present|fitted))\b"
 )
 _NO_VALUE = pattern(r"(?: ?(?:[-+*/%]|\.\.|to N)|\.\d)")
-_NO_VALUE_BEFORE = pattern(r"(?:[<>*/+]|\.\.|N to|\bparam|\bbit|\bversion|#|\bid) ?$")
+_NO_VALUE_BEFORE = pattern(
+    r"(?:[<>*/+]|\.\.|N to|\bparam|\bbit|\bversion|#|\bid) ?$|\b(?:in|at|into|from) (?!value)[a-z]{3,} $"
+)
 _GIVEN = pattern(r"(?:=|is|send|sends|sent as|set to|use|write|as|to|==|with|of|be|reports?) ?$")
 _THEN = pattern(r" ?(?:if|when|for|means|=|where|without|stands|marks|\()")
 _COMPARED = pattern(r"(?:==|!=|===) ?$")
@@ -168,6 +170,7 @@ def _of_sentinel(pair: Pair, value: Number, known: str) -> tuple[str, ...]:
         clear=_CLEAR.search(pair.sentence),
         given=_GIVEN.search(pair.before(16)),
         then=_THEN.match(pair.behind(12)),
+        element=pair.before(1) == "[",
         tested=_COMPARED.search(pair.before(16)),
         not_it=_NOT_IT.search(pair.before(40)),
     )

@@ -21,9 +21,9 @@ ATOMS = "UTLNS"
 class Pair:
     """A name of a field and a term in its reach, by their offsets, in a piece of a text between ``low`` and ``high``.
 
-    ``side`` is where the name stands: before the term, behind it, or in the sentence before. ``several`` is how many names
-    the term may be said of together, ``is_loose`` that only their name ties the field to its message, ``is_word`` that
-    nothing says that the name is one.
+    ``side`` is where the name stands: before the term, behind it, or in the sentence before. ``several`` is how many
+    names the term may be said of together, ``is_loose`` that only their name ties the field to its message,
+    ``is_word`` that nothing says that the name is one.
     """
 
     span: Span
@@ -84,11 +84,12 @@ def bounds(span: Span, offset: int) -> tuple[int, int]:
 def pairs(reading: Reading, span: Span) -> Iterator[Pair]:
     """Yield the pairs of a part: each term with the last names before it, and with the first one behind it."""
     said = {name: each for each in said_of_fields(span) for name in each.names}
-    names = [(at, term) for at, term in span.sentence.within(0, len(span.text), "FP") if at in said or _is_name(span, term)]
+    terms = span.sentence.within(0, len(span.text), "FP")
+    names = [at for at, term in terms if at in said or _is_name(span, term)]
     known: dict[int, tuple[About, bool] | None] = {}
     for at, _ in span.sentence.within(0, len(span.text), ATOMS) if names else ():
         low, high = bounds(span, at)
-        for name, side, several in _in_reach(span, [name for name, _ in names], said, (low, high), at):
+        for name, side, several in _in_reach(span, names, said, (low, high), at):
             if name not in known:
                 known[name] = field_at(reading, span, name)
             if (found := known[name]) is not None:

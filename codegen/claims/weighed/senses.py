@@ -8,7 +8,7 @@ from codegen.claims.rules import SENSE
 from codegen.claims.statements.fields import said_of_fields
 from codegen.claims.statements.senses.stated import told_of
 from codegen.claims.statements.senses.words import Sense, has_other_way, levels, signs
-from codegen.claims.weighed.comparison import Comparison, traits
+from codegen.claims.weighed.comparison import Comparison
 from codegen.claims.weighed.pairs import Pair, bounds, field_at, is_line
 
 _FAR = 250
@@ -30,18 +30,17 @@ def senses(reading: Reading, span: Span) -> Iterator[tuple[Pair, Comparison]]:
         for sense in found:
             own = known.get(sense.axis)
             others = [other.pole for each in one.others if (other := told_of(one.message, each).get(sense.axis))]
-            if own is None or (own.pole != sense.pole and sense.pole in others):
+            if own is None or has_other_way(sense, words) or (own.pole != sense.pole and sense.pole in others):
                 continue
             at = said.end + _piece(pieces, sense.start)
             low, high = bounds(span, at)
             pair = Pair(span, said.names[-1], one, at, low, high, "before", len(said.names), is_loose, is_word=False)
-            yield pair, _compared(pair, own, sense, words)
+            yield pair, _compared(pair, own, sense)
 
 
-def _compared(pair: Pair, own: Sense, sense: Sense, words: str) -> Comparison:
+def _compared(pair: Pair, own: Sense, sense: Sense) -> Comparison:
     text = f'{pair.one.name}: the dialect says "{own.words}", not "{sense.words}"'
-    there = traits(other_way=has_other_way(sense, words))
-    return Comparison("sense", SENSE, own.pole == sense.pole, text, (f"of {sense.axis}", *there))
+    return Comparison("sense", SENSE, own.pole == sense.pole, text, (f"of {sense.axis}",))
 
 
 def _pieces(span: Span, low: int, high: int) -> list[str]:

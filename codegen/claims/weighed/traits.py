@@ -19,7 +19,6 @@ from codegen.claims.ruled_out import (
     TEMPORARY,
     is_aside,
     is_denial,
-    is_own_column,
     words,
 )
 from codegen.claims.weighed.clauses import clause
@@ -199,7 +198,6 @@ def _column(pair: Pair) -> tuple[str, ...]:
     head = head_of(pair.span, pair.at).lower()
     return traits(
         column_of_remarks=_REMARKS.search(head),
-        column_of_ones_own=is_own_column(head),
         column_of_units="unit" in head,
         column_of_types="type" in head,
         column_of_sources=_SOURCES.search(head),

@@ -1,7 +1,6 @@
 """Types in the reach of a field's name."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from codegen.claims.layout import typed
 from codegen.claims.parts.sentence import StatedType
@@ -34,9 +33,8 @@ def of_type(pair: Pair) -> Iterator[Comparison]:
     if any(has_type(each, stated) for each in pair.fields):
         yield Comparison("type", TYPE, is_right=True)
         return
-    single = replace(stated, length=None)
-    if stated.length is not None and not field.is_array and any(has_type(each, single) for each in pair.fields):
-        return  # it counts the fields
+    if stated.length is not None and not field.is_array:
+        return  # so many fields, or another thing
     text = f"{pair.one.name} is {typed(field.definition)}, not {pair.term.written}"
     yield Comparison("type", TYPE, is_right=False, text=text, traits=_traits(pair, stated))
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.parts.sentence import Term
+from codegen.claims.parts.span import is_data
 from codegen.claims.rules import UNIT
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.scaling.factors import turns
@@ -20,6 +21,7 @@ _IS_PART = pattern(
     r"|\b(?:few|some|several|silent for|every|within|after|least|most) $"
 )
 """Before a part of a unit, or one of an amount."""
+_KEY = pattern(r"\bunits?\W*$")
 _DATA = frozenset(("bit", "bits", "pixel", "pixels", "pix", "byte", "bytes"))
 _PLACED = pattern(r"(?:\bin|[(\[|:,=#*/]|//|\bis|\bare|\bT) ?$")
 _ENDED = pattern(r"\s*(?:[,.;:)\]|]|$|\*/)")
@@ -41,6 +43,8 @@ def of_unit(pair: Pair) -> Iterator[Comparison]:
     owns = [Unit.parse(each.definition.units) for each in pair.fields]
     if all(own is None and has_unit(each, unit) for own, each in zip(owns, pair.fields, strict=True)):
         return
+    if is_data(pair.span) and not pair.span.is_comment and not _KEY.search(pair.before(24)):
+        return  # of what is made of it
     if _GOES_ON.match(pair.behind(8)) or _IS_PART.search(pair.before(24)):
         return
     if pair.term.written.lower() in _DATA and all(own is None or own.dimension != unit.dimension for own in owns):
@@ -61,7 +65,8 @@ def _is_turned(pair: Pair, unit: Unit) -> bool:
     """Return whether a number beside a unit turns the number of a field into it, or the reverse."""
     low, high = max(pair.at - _BESIDE, pair.low), min(pair.at + _BESIDE, pair.high)
     factors = (Fraction(value) for _, term in pair.span.sentence.within(low, high, "N") if (value := number(term)))
-    return any(turns(each, unit, by) for value in factors if value > 0 for by in (value, 1 / value) for each in pair.fields)
+    either = [by for value in factors if value > 0 for by in (value, 1 / value)]
+    return any(turns(each, unit, by) for by in either for each in pair.fields)
 
 
 def _traits(pair: Pair, *, is_alike: bool) -> tuple[str, ...]:
