@@ -44,7 +44,7 @@ _WITH_FAULTS = frozenset(("claims.md",))
 RECENT = tuple(f"seen-{number}" for number in range(16, 23))
 THRESHOLDS = (0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.4, 0.3)
 THRESHOLD = 0.7
-"""How likely a candidate has to be, to be told."""
+"""The least likelihood of a candidate that is told, from 0 to 1."""
 _KINDS: Mapping[str, frozenset[str]] = {
     "unit": frozenset(("unit", "multiplier", "other", "encoding", "encoded")),
     "type": frozenset(("type", "array-length", "array", "size", "length")),
@@ -164,7 +164,7 @@ def weighed(those: Sequence[Example]) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Gain:
-    """What further findings do: faults that only they find, findings that are right, and those that are wrong."""
+    """The gain by further findings: faults that only they find, findings that are right, and those that are wrong."""
 
     found: int
     right: int

@@ -1,4 +1,4 @@
-"""What a term in the reach of a field's name would say of the field, were it said of it."""
+"""Compares a term in the reach of a field's name with the field, as if it were said of it."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What is compared: one thing that may be said of a field, and whether the dialect agrees."""
+"""One thing that may be said of a field, and whether the dialect agrees."""
 
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass

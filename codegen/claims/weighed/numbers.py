@@ -76,7 +76,7 @@ _MORE_THAN = pattern(r"\b(?:below|above|over|under|than|least|about|only) $")
 
 
 def _length(pair: Pair, value: Number, noun: str) -> Iterator[Comparison]:
-    """So many elements of an array, or bytes of any field."""
+    """A number of elements of an array, or of bytes of any field."""
     field, is_bytes = pair.one.field, noun.startswith(("byte", "octet"))
     is_text = noun.startswith(("char", "letter"))
     if (not field.is_array and not is_bytes) or _REST.search(pair.span.text, pair.at, pair.at + 60):

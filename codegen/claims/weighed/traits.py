@@ -1,4 +1,4 @@
-"""What speaks for a statement, or against it: its place, the words and names between, what its sentence is about."""
+"""Traits that speak for a statement, or against it: its place, the words between, the subject of its sentence."""
 
 from codegen.claims.parts.span import head_of
 from codegen.claims.reading import Reading
@@ -53,7 +53,7 @@ _SENTENCE = {
     ),
     "demanded": pattern(r"\b(?:shall|must|has to|have to)\b"),
 }
-"""What the words of a whole sentence may say, by its name."""
+"""Words of a whole sentence, by the trait that they give it."""
 _ON_THE_WIRE = pattern(r"\b(?:here|on the wire|on the link|in mavlink|field)\b")
 _VERB = pattern(r"\b(?:is|are|has|have|comes?|goes|counts?|holds?|takes?)\b")
 _AND = pattern(r"\b(?:and|but|while)\b")
@@ -71,11 +71,11 @@ _REMARKS = pattern(r"note|comment|remark|meaning|description|text|requirement|ru
 _SOURCES = pattern(r"source|input|from|their|sensor|device|nmea|bus|register|gives|raw")
 _DATA = ("json", "yaml", "yml", "toml")
 _DENYING = ("denied", "conditional")
-"""What says nothing against a value for unknown."""
+"""Traits that say nothing against a value for unknown."""
 
 
 def around(reading: Reading, pair: Pair, kind: str) -> frozenset[str]:
-    """Return what stands around a pair, of which a term is said to be of some kind."""
+    """Return the traits of a pair by all that stands around it, for a statement of some kind."""
     found = [*_form(pair), *_tie(reading, pair), *_between(pair), *_said(pair, kind)]
     return frozenset([*found, *(_column(pair) if pair.span.kind is PassageKind.ROW else ())])
 
@@ -100,7 +100,7 @@ def _form(pair: Pair) -> tuple[str, ...]:
 
 
 def _tie(reading: Reading, pair: Pair) -> tuple[str, ...]:
-    """How the name is tied to a field of one message."""
+    """The ties of the name to a field of one message."""
     span, one = pair.span, pair.one
     named = [name for _, name in span.named(pair.low, pair.high)]
     holders, messages = _holders(reading).get(one.field.name, 1), len(_named(reading))
@@ -130,7 +130,7 @@ def _named(reading: Reading) -> tuple[str, ...]:
 
 @once
 def _holders(reading: Reading) -> dict[str, int]:
-    """How many messages of a document have a field, by its name."""
+    """The number of messages of a document that have a field, by its name."""
     found: dict[str, int] = {}
     for message in _named(reading):
         for field in reading.messages[message].fields:
@@ -170,7 +170,7 @@ def _between(pair: Pair) -> tuple[str, ...]:
 
 
 def _said(pair: Pair, kind: str) -> tuple[str, ...]:
-    """What the words of the sentence say, and those of the clause."""
+    """The sense of the words of the sentence, and of those of the clause."""
     span, sentence = pair.span, pair.sentence
     low, high = clause(span.text, pair.at, pair.low, pair.high)
     here = span.text[low:high]
@@ -194,7 +194,7 @@ def _said(pair: Pair, kind: str) -> tuple[str, ...]:
 
 
 def _column(pair: Pair) -> tuple[str, ...]:
-    """What the heading of a column says."""
+    """The sense of the heading of a column."""
     head = head_of(pair.span, pair.at).lower()
     return traits(
         column_of_remarks=_REMARKS.search(head),

@@ -13,7 +13,7 @@ FILE = os.path.join(os.path.dirname(__file__), "weights.json")
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """What each trait adds to the logarithm of the odds, and how likely a finding has to be."""
+    """The logarithm of the odds that each trait adds, and the least likelihood of a finding."""
 
     of: Mapping[str, float]
     threshold: float
