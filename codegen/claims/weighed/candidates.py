@@ -9,7 +9,7 @@ from codegen.claims.known_names import near_fields
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
-from codegen.claims.ruled_out import is_own_column
+from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
 from codegen.claims.rules import NO_FIELD, as_sure
 from codegen.claims.weighed.compared import compared
 from codegen.claims.weighed.comparison import Comparison, traits
@@ -80,7 +80,7 @@ def _compared(reading: Reading, span: Span) -> Iterator[tuple[Pair, Comparison]]
 def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> Iterator[Candidate]:
     """The candidate of a pair; none of what is said elsewhere, or called wrong."""
     pair, compared_with = met.pair, met.comparison
-    if pair.span.kind is PassageKind.ROW and is_own_column(head_of(pair.span, pair.at)):
+    if _is_aside(pair):
         return
     place, one, written = (
         pair.span.place(pair.at),
@@ -102,6 +102,14 @@ def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> It
     )
     found = around(reading, pair, compared_with.kind) | {*compared_with.traits, *others, f"by {tied.value}"}
     yield Candidate(compared_with.kind, one.message.name, one.field.name, written, finding, found)
+
+
+def _is_aside(pair: Pair) -> bool:
+    """Return whether a column or a sentence is about other things than the messages of the dialect."""
+    span = pair.span
+    if span.kind is PassageKind.ROW:
+        return is_own_column(head_of(span, pair.at))
+    return not (span.is_code and not span.is_comment) and (is_aside(pair.sentence) or is_denial(pair.sentence))
 
 
 def _names(reading: Reading) -> Iterator[Candidate]:

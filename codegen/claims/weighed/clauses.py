@@ -3,7 +3,7 @@
 from codegen.pattern import pattern
 
 _BREAK = pattern(
-    r"[,;:()|]|\s[-\u2013\u2014]\s|\.(?=\s|$)|\b(?:but|while|whereas|and|which|because|so that|although)\b"
+    r"[,;:()|\u00b7\u2022]|\s[-\u2013\u2014]\s|\.(?=\s|$)|\b(?:but|while|whereas|and|which|because|so that|although)\b"
 )
 
 

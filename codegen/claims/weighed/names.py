@@ -25,6 +25,9 @@ _ELSE = pattern(
 )
 _TOLD = pattern(r"`? (?:is|are|has|holds?|counts?|tells?|gives?|goes|carries|shall|must|and|,)")
 _PART = pattern(r"`?\W?(?:\.|/|\(|=)")
+_IS_ELSE = pattern(
+    r"`? is (?:an?|the|our) (?:[a-z]+ )?(?:topic|param|variable|function|macro|option|setting|file|method|class|script)"
+)
 _LETTER = pattern(r"[a-zA-Z]")
 _SENTENCE = {
     "denied": words(DENIED),
@@ -78,9 +81,9 @@ def _stranger(
     about = message_about(reading, passage, near, *span)
     alike = [message for message in named if near_fields(name, message)]
     message = about or next(iter(alike), None)
-    if message is None:
-        return
     low, high = span
+    if message is None or _IS_ELSE.match(passage.text, high):
+        return
     text, sentence = passage.text, passage.text[slice(*passage.sentence(low, high))].lower()
     before, meant = text[max(0, low - 18) : low].lower(), near_fields(name, message)
     others = [text[start:end] for start, end in passage.codes if (start, end) != span]

@@ -15,7 +15,7 @@ from codegen.claims.unknown_value import unknown_values
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import Comparison, traits
 from codegen.claims.weighed.entries import of_entry
-from codegen.claims.weighed.pairs import Pair
+from codegen.claims.weighed.pairs import Pair, is_line
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
@@ -70,7 +70,7 @@ _LESS = pattern(
 )
 
 
-_REST = pattern(r"\b(?:others?|rest|remaining|remainder)\b")
+_REST = pattern(r"\b(?:others?|rest|remaining|remainder)\b|\bare used\b")
 """Behind elements that are used, and not all that there are."""
 _MORE_THAN = pattern(r"\b(?:below|above|over|under|than|least|about|only) $")
 
@@ -192,13 +192,15 @@ _FACTOR = pattern(
     r"|\bfactor(?: of)?|\bscaled? (?:by|with)) ?$"
 )
 _HAS_SCALE = pattern(r".*E\d|[mcdu](?:deg|degC|m|m/s|V|A|Ah|rad|rad/s|s|%|gauss|Pa|W|T|G)|.*\*\d+")
+_ASSIGNED = pattern(r"=[^=]*[a-z]")
+"""Between a field and a factor of what it is filled with: in whatever unit that is."""
 _UNIT_BEHIND = pattern(r"[^.;]{0,13}U")
 
 
 def _factor(pair: Pair, value: Number) -> Iterator[Comparison]:
     """A power of ten behind a sign or a word for a factor."""
     found = _FACTOR.search(pair.before(24))
-    if found is None:
+    if found is None or (is_line(pair.span) and _ASSIGNED.search(pair.gap)):
         return
     field, is_right = pair.one.field, any(has_scale(each, value) for each in pair.fields)
     is_scaled = _HAS_SCALE.fullmatch(field.definition.units or "") is not None or bool(described_units(field))

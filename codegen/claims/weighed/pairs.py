@@ -10,9 +10,12 @@ from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
+from codegen.pattern import pattern
 
 _SHORT = 4
 """The least length of an everyday word that may be the name of a field without anything that says so, in letters."""
+_OF_A_DEVICE = pattern(r"\b(?:sensor|device|driver|receiver)s $")
+"""Before a name of what something else has: "the sensor's heading"."""
 ATOMS = "UTLNS"
 """The letters of the terms that something is said by: units, types, numbers, names of numbers."""
 
@@ -86,6 +89,7 @@ def pairs(reading: Reading, span: Span) -> Iterator[Pair]:
     said = {name: each for each in said_of_fields(span) for name in each.names}
     terms = span.sentence.within(0, len(span.text), "FP")
     names = [at for at, term in terms if at in said or _is_name(span, term)]
+    names = [at for at in names if not _OF_A_DEVICE.search(span.text, max(at - 12, 0), at)]
     known: dict[int, tuple[About, bool] | None] = {}
     for at, _ in span.sentence.within(0, len(span.text), ATOMS) if names else ():
         low, high = bounds(span, at)

@@ -9,6 +9,7 @@ from codegen.claims.rules import UNIT
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.scaling.factors import turns
 from codegen.claims.statements.scaling.field_units import has_unit, of_field, shown_units
+from codegen.claims.statements.units import ELSEWHERE
 from codegen.claims.weighed.comparison import Comparison, traits
 from codegen.claims.weighed.pairs import Pair
 from codegen.model.units.unit import Unit
@@ -21,6 +22,8 @@ _IS_PART = pattern(
     r"|\b(?:few|some|several|silent for|every|within|after|least|most) $"
 )
 """Before a part of a unit, or one of an amount."""
+_CONVERTED = pattern(r"\b(?:convert|scale|to_|from_|parse|decode)\w*\(")
+"""Between a variable and its unit in code that makes it from something else."""
 _KEY = pattern(r"\bunits?\W*$")
 _DATA = frozenset(("bit", "bits", "pixel", "pixels", "pix", "byte", "bytes"))
 _PLACED = pattern(r"(?:\bin|[(\[|:,=#*/]|//|\bis|\bare|\bT) ?$")
@@ -45,6 +48,8 @@ def of_unit(pair: Pair) -> Iterator[Comparison]:
         return
     if is_data(pair.span) and not pair.span.is_comment and not _KEY.search(pair.before(24)):
         return  # of what is made of it
+    if ELSEWHERE.match(pair.span.text, pair.at + 1) or (pair.span.is_code and _CONVERTED.search(pair.gap)):
+        return
     if _GOES_ON.match(pair.behind(8)) or _IS_PART.search(pair.before(24)):
         return
     if pair.term.written.lower() in _DATA and all(own is None or own.dimension != unit.dimension for own in owns):
