@@ -20,6 +20,7 @@ from typing import Any
 
 import yaml
 
+from codegen.claims import of_dialect, settled
 from codegen.claims.evidence import FIRM, Evidence, evidence_of
 from codegen.claims.reading import Reference, read_document
 from codegen.commands.documents import check_documents, dialect_reference
@@ -78,6 +79,13 @@ def findings_of(path: Path) -> tuple[Diagnostic, ...]:
     report = Report()
     check_documents([str(path)], reference(), report)
     return tuple(report)
+
+
+@cache
+def rules_find(path: Path) -> tuple[Diagnostic, ...]:
+    """Return what the rules alone find in a document, without what is weighed."""
+    reading = read_document(path.read_text(), str(path), reference())
+    return tuple(settled(reading, of_dialect(reading, with_weighed=False)))
 
 
 def told(folder: str) -> str:

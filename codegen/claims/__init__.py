@@ -17,14 +17,25 @@ LIKELY = "likely, not certain"
 """The mark of a finding whose claim was read from the words around it; its rule is then a warning and says why."""
 
 
-def of_dialect(reading: Reading) -> tuple[Diagnostic, ...]:
-    """Return the findings for claims about messages, fields and entries against the dialect; some occur repeatedly."""
+def of_dialect(reading: Reading, *, with_weighed: bool = True) -> tuple[Diagnostic, ...]:
+    """Return the findings for claims about messages, fields and entries against the dialect; some occur repeatedly.
+
+    Besides what rules find there is what weighs enough by all that stands around it, which is likely only.
+    """
     found = [finding for check in checks_in(__name__) for finding in check(reading)]
-    if not found:
+    further = _weighed(reading, found) if with_weighed and reading.sightings else ()
+    if not found and not further:
         return ()
     from codegen.claims.doubted import told
 
-    return tuple(told(reading, tuple(_borne_out(reading, found))))
+    return tuple(told(reading, (*_borne_out(reading, found), *further)))
+
+
+def _weighed(reading: Reading, found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The findings at places of which no rule says anything."""
+    from codegen.claims.weighed.likely import likely
+
+    return tuple(likely(reading, found))
 
 
 def _borne_out(reading: Reading, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:

@@ -17,7 +17,7 @@ from codegen.claims.parts.code_spans import _places
 from codegen.claims.reading import merged
 from codegen.claims.rules import UNIT
 from codegen.claims.size import SizeClaim, is_possible
-from codegen.claims.statements.scaling.factors import _has_scale
+from codegen.claims.statements.scaling.factors import has_scale
 from codegen.claims.statements.scaling.field_units import has_unit, is_same_unit, of_field
 from codegen.claims.unknown_value import number_of
 from codegen.commands.codec import read_codec_dialect
@@ -223,7 +223,7 @@ def test_a_unit_is_meant_as_its_field_has_it(name: str, written: str, meant: str
 )
 def test_the_factor_of_a_field_is_that_to_its_unit_without_a_prefix(units: str, factor: int) -> None:
     own: Any = SimpleNamespace(definition=SimpleNamespace(units=units))
-    assert [value for value in (1, 5, 6, 10, 100, 1000, 10**6, 10**7) if _has_scale(own, value)] == [factor]
+    assert [value for value in (1, 5, 6, 10, 100, 1000, 10**6, 10**7) if has_scale(own, value)] == [factor]
 
 
 @pytest.mark.parametrize(

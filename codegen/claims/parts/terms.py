@@ -106,7 +106,7 @@ _SHORT_UNITS = frozenset((
 """Units that are as often a word or a name: they are read only where a unit has to stand."""
 _UNIT_PLACE = pattern(
     r"(?:\b(?:in|how many|units?|units? (?:is|of|are)|as|unit:|get|gets|gives?|yields?|obtain|N for|N to|carries|uses"
-    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/>\u2192]|^|U,? (?:and|or) )\s?['\"]?$"
+    r"|F(?: (?:of|in) M)? (?:is|are))[ :]|[(\[|:,=#*/>\u2192]|^|U,? (?:and|or) |[FP] [-\u2013\u2014] )\s?['\"]?$"
 )
 _UNIT_END = pattern(
     r"['\"]?\s*(?:[,.;)\]|}=]|\*/|$|(?:and|if|when|since|for|or|above|below|from|at|over|as|with|per|are|you)\b"
@@ -298,13 +298,20 @@ def _name(
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
         return Term("P", NamedField(name.lower()), written, start, end)
-    field = snake(name) if is_code and name[:1].islower() and not name.islower() else ""
-    if field in words.fields:
-        return Term("F", NamedField(field), written, start, end)
+    for field in _in_snake(name) if is_code else ():
+        if field in words.fields:
+            return Term("F", NamedField(field), written, start, end)
     is_filling = written.lower() == "zero" and _FILLING.match(text, end) is not None
     if written.lower() in NUMBER_WORDS and written.lower() != "one" and not is_filling:
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
     return _camel(name, start, end, words)
+
+
+def _in_snake(name: str) -> tuple[str, ...]:
+    """Return the names that fields may have which code calls so: ``timeBootMs``, or as Go exports them, ``NumSats``."""
+    if name.islower() or name.isupper() or "_" in name or not any(map(str.isupper, name[1:])):
+        return ()
+    return snake(name), name[:1].lower() + name[1:]
 
 
 def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:

@@ -62,7 +62,7 @@ _SCALED_AFTER = pattern(
     r" (?:screen|display)|here\b|is wrong"
     r"|was wrong|\?|, which is wrong)"
 )
-_ELSEWHERE = pattern(
+ELSEWHERE = pattern(
     r" (?:in|on|at|by|for|from) (?:(?:the |an? )?(?:ais|n2k|nmea(?: N)?|ubx|j1939|can|ros|pgn|rtcm|i2c|s\.?bus"
     r"|sensor|device|driver|datagram|bus|receiver)\b|(?:the )?(?!M)[a-z0-9.-]{2,16}(?: [a-z0-9.-]{1,12})?,"
     r" (?:[a-z]+ ){0,4}(?:here\b|in M|in mavlink|on the (?:wire|link)))"
@@ -155,7 +155,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             or not _IS_SHORT.match(behind)
             or len(gap) > _GAP_LONG
             or _is_own(span, offset)
-            or _ELSEWHERE.match(behind)
+            or ELSEWHERE.match(behind)
             or is_after_factor(said, offset)
         ):
             continue

@@ -92,7 +92,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     ):
         value = number(span.sentence.term(found.start("number")))
         is_power = value is not None and value >= 10 and str(value).strip("0") == "1"
-        one = claimed(reading, said, found.start(), lambda field: _has_scale(field, value)) if is_power else None
+        one = claimed(reading, said, found.start(), lambda field: has_scale(field, value)) if is_power else None
         if one is not None:
             shown = text_of(span, found)
             words = f"{one.name} is in {shown_units(one.field)}, which {shown} does not agree with"
@@ -193,7 +193,7 @@ _STEPS = pattern(
 )
 
 
-def _has_scale(field: WireField, value: float | Fraction | None) -> bool:
+def has_scale(field: WireField, value: float | Fraction | None) -> bool:
     """Return whether a number is the factor between a field's unit and the same one without a prefix."""
     found = _STEPS.fullmatch(field.definition.units or "")
     if found is None:

@@ -45,12 +45,12 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             ):
                 continue
             found_at.add(at)
-            told_of = [(one, _told(one.message, one.field).get(sense.axis)) for one in fields]
-            known = [(one, each) for one, each in told_of if each is not None]
+            of_each = [(one, told_of(one.message, one.field).get(sense.axis)) for one in fields]
+            known = [(one, each) for one, each in of_each if each is not None]
             if not known or not all(_is_other(each, sense) for _, each in known):
                 continue
             one, first = known[0]
-            if all(_is_other(_told(one.message, field).get(sense.axis), sense) for field in one.others):
+            if all(_is_other(told_of(one.message, field).get(sense.axis), sense) for field in one.others):
                 yield _finding(reading, span, at, one.name, sense, first)
     if span.kind is not PassageKind.ROW and (not span.is_code or _OF_MAVLINK.search(span.text)):
         yield from _unnamed(reading, span, found_at)
@@ -80,7 +80,7 @@ def _unnamed(reading: Reading, span: Span, done: set[int]) -> Iterator[Diagnosti
         known = [
             (field, each)
             for field in (messages[0].fields if messages and is_sure else ())
-            if (each := _told(messages[0], field).get(sense.axis)) is not None
+            if (each := told_of(messages[0], field).get(sense.axis)) is not None
         ]
         is_wrong = bool(known) and all(_is_other(each, sense) for _, each in known)
         if is_wrong and not _RULED_OUT.search(span.text, low, high):
@@ -115,7 +115,7 @@ def _piece(pieces: list[str], offset: int) -> int:
     return max(len(pieces) - 1, 0)
 
 
-def _told(message: WireMessage, field: WireField) -> dict[str, Sense]:
+def told_of(message: WireMessage, field: WireField) -> dict[str, Sense]:
     """Return what a field's description says by axis; in NED z points down unless it says something else."""
     found = dict(told(field.definition.description))
     if "vertical" not in found and "NED" in message.name.split("_") and _DOWN.fullmatch(field.name):

@@ -1,0 +1,124 @@
+"""Candidates: what may be said of a field and contradicts the dialect, each with what speaks for that it is said."""
+
+from collections import defaultdict
+from collections.abc import Iterator
+
+from codegen.claims.elsewhere import is_elsewhere
+from codegen.claims.evidence import FIRM, evidence_of
+from codegen.claims.known_names import near_fields
+from codegen.claims.parts.span import Span, head_of
+from codegen.claims.parts.spans import spans
+from codegen.claims.reading import Reading
+from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
+from codegen.claims.rules import NO_FIELD, as_sure
+from codegen.claims.weighed.compared import compared
+from codegen.claims.weighed.comparison import Comparison, traits
+from codegen.claims.weighed.names import strangers
+from codegen.claims.weighed.pairs import ATOMS, Pair, pairs
+from codegen.claims.weighed.senses import senses
+from codegen.claims.weighed.traits import around
+from codegen.diagnostics import Diagnostic, did_you_mean
+from codegen.frozen import dataclass
+from codegen.load.prose import PassageKind
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A finding that is not said yet: of which kind, about which field, and what speaks for it or against it."""
+
+    kind: str
+    message: str
+    field: str
+    written: str
+    finding: Diagnostic
+    traits: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class _Met:
+    """A pair with what is compared, in a list, a table or a block of code that has a number."""
+
+    block: int
+    pair: Pair
+    comparison: Comparison
+
+
+def candidates(reading: Reading) -> Iterator[Candidate]:
+    """Yield all candidates of a document."""
+    met = list(_met(reading))
+    agreeing: dict[tuple[int, str], set[object]] = defaultdict(set)
+    differing: dict[tuple[int, str], set[object]] = defaultdict(set)
+    for each in met:
+        group = agreeing if each.comparison.is_right else differing
+        group[each.block, each.comparison.kind].add((id(each.pair.span), each.pair.at))
+    for each in met:
+        if not each.comparison.is_right:
+            key = each.block, each.comparison.kind
+            yield from _candidate(reading, each, len(agreeing[key]), len(differing[key]))
+    yield from _names(reading)
+
+
+def _met(reading: Reading) -> Iterator[_Met]:
+    block, last = 0, None
+    for span in spans(reading):
+        is_text = span.kind is PassageKind.TEXT and not span.is_code
+        block += span.kind is PassageKind.HEADING or (is_text and last is not PassageKind.TEXT)
+        last = span.kind
+        if any(letter in span.text for letter in "FP"):
+            for pair, comparison in _compared(reading, span):
+                yield _Met(block, pair, comparison)
+
+
+def _compared(reading: Reading, span: Span) -> Iterator[tuple[Pair, Comparison]]:
+    """Yield what is compared in a part."""
+    if any(letter in span.text for letter in ATOMS):
+        for pair in pairs(reading, span):
+            yield from ((pair, comparison) for comparison in compared(reading, pair))
+    yield from senses(reading, span)
+
+
+def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> Iterator[Candidate]:
+    """The candidate of a pair; none of what is said elsewhere, or called wrong."""
+    pair, compared_with = met.pair, met.comparison
+    if _is_aside(pair):
+        return
+    place, one, written = (
+        pair.span.place(pair.at),
+        pair.one,
+        pair.term.written if pair.at in pair.span.sentence.terms else "",
+    )
+    rule = as_sure(compared_with.rule, is_sure=False)
+    finding = reading.found(rule, place, f"{one.name} {written} weighed", compared_with.text)
+    if place.line in reading.quoted_as_wrong or is_elsewhere(reading, finding):
+        return
+    tied = evidence_of(reading, finding)
+    others = traits(
+        others_agree=agreeing,
+        several_agree=agreeing >= 3,
+        several_differ=differing >= 3,
+        most_agree=agreeing >= differing,
+        nearly_all_agree=agreeing >= 4 * differing,
+        tied=tied in FIRM,
+    )
+    found = around(reading, pair, compared_with.kind) | {*compared_with.traits, *others, f"by {tied.value}"}
+    yield Candidate(compared_with.kind, one.message.name, one.field.name, written, finding, found)
+
+
+def _is_aside(pair: Pair) -> bool:
+    """Return whether a column or a sentence is about other things than the messages of the dialect."""
+    span = pair.span
+    if span.kind is PassageKind.ROW:
+        return is_own_column(head_of(span, pair.at))
+    return not (span.is_code and not span.is_comment) and (is_aside(pair.sentence) or is_denial(pair.sentence))
+
+
+def _names(reading: Reading) -> Iterator[Candidate]:
+    """The candidates of names that no message of the document has a field of."""
+    rule = as_sure(NO_FIELD, is_sure=False)
+    for each in strangers(reading):
+        text = f"{each.message.name} has no field {each.name}"
+        hint = did_you_mean(each.name, [field.name for field in each.message.fields])
+        finding = reading.found(rule, each.place, f"{each.message.name} {each.name}", text, hint)
+        if each.place.line not in reading.quoted_as_wrong and not is_elsewhere(reading, finding):
+            near = near_fields(each.name, each.message)
+            yield Candidate("no field", each.message.name, each.name, near[0] if near else "", finding, each.traits)

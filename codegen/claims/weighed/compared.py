@@ -1,0 +1,21 @@
+"""Compares a term in the reach of a field's name with the field, as if it were said of it."""
+
+from collections.abc import Iterator
+
+from codegen.claims.reading import Reading
+from codegen.claims.weighed.comparison import Comparison
+from codegen.claims.weighed.numbers import of_number
+from codegen.claims.weighed.pairs import Pair
+from codegen.claims.weighed.types import of_type
+from codegen.claims.weighed.units import of_unit
+
+
+def compared(reading: Reading, pair: Pair) -> Iterator[Comparison]:
+    """Yield what the term of a pair would say, and whether the dialect agrees."""
+    letter = pair.term.letter
+    if letter == "U":
+        yield from of_unit(pair)
+    elif letter == "T":
+        yield from of_type(pair)
+    elif letter in "NS":
+        yield from of_number(reading, pair)
