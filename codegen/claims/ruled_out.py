@@ -77,6 +77,18 @@ _DENIAL = pattern(
 )
 
 
+_EXCEPTED = pattern(r"\b(?:all|every\w*|each)\b[^.;|]{0,40}\b(?:but|except|save)(?: for| of| the)* $")
+
+
+def is_excepted(text: str, start: int) -> bool:
+    """Return whether what begins there is left out of what is said: "all fields but the health are floats"."""
+    return _EXCEPTED.search(text, max(start - _EXCEPTED_MOST, 0), start) is not None
+
+
+_EXCEPTED_MOST = 70
+"""Characters in which that is looked for."""
+
+
 def is_denial(sentence: str) -> bool:
     """Return whether a sentence says of something what it must not be."""
     return _DENIAL.search(sentence) is not None

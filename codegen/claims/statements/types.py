@@ -18,6 +18,7 @@ from codegen.claims.ruled_out import (
     REPLACED,
     SUPPOSED,
     TEMPORARY,
+    is_excepted,
     words,
 )
 from codegen.claims.rules import TYPE, as_sure
@@ -52,6 +53,8 @@ _NO_WIRE = ("python", "py", "ts", "typescript", "js", "javascript", "tsx")
 def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """Every type of a part."""
     for said in said_of_fields(span):
+        if is_excepted(span.text, said.start):
+            continue
         yield from _type(reading, said)
         yield from _type_before(reading, said)
 

@@ -9,7 +9,7 @@ from codegen.claims.known_names import near_fields
 from codegen.claims.parts.span import Span, head_of
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
-from codegen.claims.ruled_out import is_aside, is_denial, is_own_column
+from codegen.claims.ruled_out import is_aside, is_denial, is_excepted, is_own_column
 from codegen.claims.rules import NO_FIELD, as_sure
 from codegen.claims.weighed.compared import compared
 from codegen.claims.weighed.comparison import Comparison, traits
@@ -107,6 +107,8 @@ def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> It
 def _is_aside(pair: Pair) -> bool:
     """Return whether a column or a sentence is about other things than the messages of the dialect."""
     span = pair.span
+    if is_excepted(span.text, pair.name):
+        return True
     if span.kind is PassageKind.ROW:
         return is_own_column(head_of(span, pair.at))
     return not (span.is_code and not span.is_comment) and (is_aside(pair.sentence) or is_denial(pair.sentence))

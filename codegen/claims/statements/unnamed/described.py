@@ -70,6 +70,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         gap = span.text[found.end("noun") : at]
         if (
             not _LINKED.search(gap)
+            or _BUT.search(found["noun"])
             or _NOT.search(span.text, low, min(high, at + _BEHIND))
             or OF_ELSE.search(span.text, low, high)
         ):
@@ -96,6 +97,8 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield reading.found(as_sure(TYPE, is_sure=False), span.place(at), f"{name} {written}", text)
 
 
+_BUT = pattern(r"\b(?:but|except|save)\b")
+"""Within what is described: "all fields but the health are floats"."""
 _PRONOUN = pattern(
     r"(?:^|\b(?:and|but|so|because|since|as) )(?:it|that|this|the field|the value|the number|the counter)$"
 )
