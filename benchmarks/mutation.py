@@ -41,6 +41,10 @@ A check that hangs is left after two minutes at most, and fails: it is the compu
 """
 
 
+NO_TESTS = 5
+"""pytest's exit code for a part that has no tests: not every suite simulates days."""
+
+
 def main() -> int:
     """Draw, try, print; 1 where fewer are noticed than `--least` asks for."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -181,7 +185,7 @@ def _passes(copy: Path, longest_s: float | None) -> bool | None:
     for part in ("not days", "days"):
         command = [sys.executable, "-B", "-m", "pytest", *options, "-m", part, str(copy / "tests")]
         done = outcome(command, copy.parent, longest_s, environment)
-        if done is None or done.returncode:
+        if done is None or done.returncode not in (0, NO_TESTS):
             return None if done is None else False
     return True
 
