@@ -44,8 +44,8 @@ def compiled(expression: str, flags: int) -> "re.Pattern[str]":
 
 def keep_new_codes() -> None:
     """Put what was compiled in this run to what is kept, where it is worth it: in place of the entry that was there."""
-    known = _kept()
     if len(_new) >= FEWEST:
+        known = _kept()
         keep_object(_name(), {**known, **_new} if len(known) + len(_new) <= MOST else dict(_new))
         _new.clear()
         _kept.cache_clear()
