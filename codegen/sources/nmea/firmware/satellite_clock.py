@@ -20,7 +20,10 @@ def set_clock(words, at, values, place):
 def _is_near(words, at, values, place):
     if words[at] >> 16:
         return False  # it is unknown
-    high = (words[at + 3] - values[place + 3] << 12) + (words[at + 2] - values[place + 2])
+    highest = words[at + 3] - values[place + 3]
+    if not -1 <= highest <= 1:
+        return False  # all that follows is a small integer on a board of 32 bits
+    high = (highest << 16) + words[at + 2] - values[place + 2]
     if not -1 <= high <= 1:
         return False
     middle = (high << 16) + words[at + 1] - values[place + 1]
