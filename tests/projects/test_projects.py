@@ -9,8 +9,9 @@ three_cameras says how many there are. texts has texts in fields of many sizes, 
 rows has arrays of every type that lists fill. wide_values has numbers of more than 30 bits and floats, in fields of
 every type, and clocks that pass the sentinels of theirs; boat is a boat with a receiver of satellites, without battery,
 converter or program. angles has quantities in degrees that fields have in radians, and the other way, sent and
-received. sensors has a sensor of every kind, and one with a driver of its own; power_monitor has two
-channels of an ADC in one component, and a level.
+received. own_dialect is written for a dialect of its own, in two files, and has the last system id that there is.
+sensors has a sensor of every kind, and one with a driver of its own; power_monitor has two channels of an ADC in one
+component, and a level.
 """
 
 import subprocess
@@ -23,7 +24,7 @@ from in_process import build
 
 PROJECTS = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
-WHOLE = {"radio_rover", "guarded", "sensors"}
+WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect"}
 """Whose checks of the whole program run; the checks of others, whose modules are the same, are about what they have."""
 DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
 COMMON = (

@@ -8,8 +8,20 @@ except ImportError:  # no link is signed
     Signing = None
 
 from mavlink import Link
-from program_bench import Flash, GroundStation, Port, live, main, messages, needs, needs_arming, new_craft, run_passes
-from program_facts import ACCESS, FORCE_ARM, SYSTEM_ID
+from program_bench import (
+    OTHER_SYSTEM,
+    Flash,
+    GroundStation,
+    Port,
+    live,
+    main,
+    messages,
+    needs,
+    needs_arming,
+    new_craft,
+    run_passes,
+)
+from program_facts import ACCESS, FORCE_ARM
 
 import dialect
 
@@ -258,7 +270,7 @@ def no_key_comes_otherwise():
     station, trusted = SignedStation(craft.port, KEY), GroundStation(craft.connections[1].port)
     station.send(messages.SetupSigning, secret_key=OTHER)
     craft.ground_station().send(messages.SetupSigning, secret_key=OTHER)
-    trusted.send(messages.SetupSigning, secret_key=OTHER, target_system=SYSTEM_ID % 255 + 1)
+    trusted.send(messages.SetupSigning, secret_key=OTHER, target_system=OTHER_SYSTEM)
     trusted.send(messages.SetupSigning, secret_key=bytes(32))
     run_passes(craft, 8)
     assert craft.said("links stay signed")

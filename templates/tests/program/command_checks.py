@@ -1,7 +1,7 @@
 """The commands and the modes of this vehicle: what they are given, when they are done, and what is answered."""
 
 from command_facts import COMMANDS, MODE_FLAGS, MODES
-from program_bench import SECOND_US, main, messages, needs, new_craft, run, run_passes
+from program_bench import OTHER_SYSTEM, OTHER_COMPONENT, SECOND_US, main, messages, needs, new_craft, run, run_passes
 from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
@@ -130,8 +130,8 @@ def others_are_left_alone():
     """A command for another system or component is not done; 0 is everybody."""
     for facts in COMMANDS:
         for system, component, count in (
-            (SYSTEM_ID % 255 + 1, COMPONENT_ID, 0),
-            (SYSTEM_ID, COMPONENT_ID % 255 + 1, 0),
+            (OTHER_SYSTEM, COMPONENT_ID, 0),
+            (SYSTEM_ID, OTHER_COMPONENT, 0),
             (0, COMPONENT_ID, 1),
             (0, 0, 1),
         ):

@@ -51,6 +51,8 @@ IS_MICROPYTHON = sys.implementation.name == "micropython"
 TURN_US = 1 << 30  # ticks_us() starts again
 TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
+OTHER_SYSTEM = SYSTEM_ID % 255 + 1  # somebody else's ids
+OTHER_COMPONENT = COMPONENT_ID % 255 + 1
 
 
 class NotHereError(Exception):

@@ -45,10 +45,11 @@ def satellites_set_the_clock():
     """It is set where it is unknown, or off by a second or more; else it goes on as it is. Each half counts."""
     needs(satellite_clock, "a receiver of satellites")
     mock_time.set_ticks_us(5000000)
-    step = (0, 1, 999999, 1000000, 1000001, 1 << 16, 20 << 16, 21 << 16, 1 << 32, (1 << 32) + 5, 1 << 33, 15 << 44, 1 << 48)
+    near = (0, 1, 999999, 1000000, 1000001, 1 << 16, 20 << 16, 21 << 16)
+    far = (1 << 32, (1 << 32) + 5, 1 << 33, 15 << 44, 1 << 48)
     late = ((3 << 48) + (7 << 32), (5 << 48) + (1 << 40), (6 << 48) + 3)
     for begun in (1700000000000000, 0xFFFF0000, (1 << 32) + 3) + late:  # noqa: RUF005  MicroPython cannot
-        for off in [each * sign for each in step for sign in (1, -1)]:
+        for off in [each * sign for each in near + far for sign in (1, -1)]:
             told = begun + off
             if told < 0:
                 continue
