@@ -1,5 +1,5 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: d7ed7013138f1d44
+# Inputs: 9c90d1170d4853d6
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
@@ -14,11 +14,12 @@ import io
 import tempfile
 from pathlib import Path
 from xml.etree import ElementTree
+from zlib import crc32
 
 import pymavlink
 from pymavlink.generator import mavgen
 
-DIALECTS = Path(pymavlink.__file__).parent / "dialects" / "v20"
+DIALECTS = (Path(pymavlink.__file__).parent / "dialects" / "v20").resolve()
 WIRES = {"v20": "2.0", "v10": "1.0"}
 
 
@@ -29,12 +30,31 @@ def dialects(about, messages, here, also=()):
     of `also` those that there are.
     """
     if about["shipped"]:
-        newest = _shipped("v20", about["shipped"])
+        newest = shipped("v20", about["shipped"])
         if all(message_class(newest, message) for message in messages):
-            return [newest, _shipped("v10", about["shipped"])]
+            return [newest, shipped("v10", about["shipped"])]
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
     return [_generated(files, about.get("corrections", ()), {*messages, *also}, wire) for wire in WIRES]
+
+
+def shipped_names(about, here):
+    """Return the names of the shipped dialects whose entries a project has: the one it names, and those it includes."""
+    found = [about["shipped"]] if about["shipped"] else []
+    own = [(here / path).resolve() for path in about["files"]]
+    for file in own:  # it grows
+        for element in ElementTree.parse(file).iter("include"):
+            included = _included(file, element)
+            if included.parent == DIALECTS:
+                found.append(included.stem)
+            elif included not in own:
+                own.append(included)
+    return list(dict.fromkeys(found))
+
+
+def shipped(wire, name):
+    """Return pymavlink's module of a dialect that it ships: of wire v20 or v10."""
+    return importlib.import_module(f"pymavlink.dialects.{wire}.{name}")
 
 
 def message_class(dialect, name):
@@ -42,15 +62,10 @@ def message_class(dialect, name):
     return getattr(dialect, f"MAVLink_{name.lower()}_message", None)
 
 
-def _shipped(wire, name):
-    return importlib.import_module(f"pymavlink.dialects.{wire}.{name}")
-
-
 def _generated(files, corrections, messages, wire):
     with tempfile.TemporaryDirectory() as folder:
         source, output = Path(folder) / "project.xml", Path(folder) / f"project_{wire}.py"
-        copies = [Path(folder) / _copied(file, number) for number, file in enumerate(files)]
-        plain = [_plain(file, copy, corrections, messages) for file, copy in zip(files, copies, strict=True)]
+        plain = [_plain(file, Path(folder), corrections, messages) for file in files]
         includes = "".join(f"<include>{file}</include>" for file in plain)
         source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
         options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
@@ -62,18 +77,19 @@ def _generated(files, corrections, messages, wire):
         return module
 
 
-def _copied(file, number):
-    """Return what the copy of a file is called: of a shipped one there is only one, however many include it."""
-    return file.name if file.parent == DIALECTS else f"{number}.xml"
-
-
-def _plain(file, copy, corrections, messages):
+def _plain(file, folder, corrections, messages):
     """Return a corrected copy of an XML file, without descriptions: pymavlink's generator stumbles over quotes.
 
-    Of a shipped file, and of those that it includes, it has only `messages`, and no enums, which are not on the wire.
+    There is one of each file, however many include it. Of a shipped file it has only `messages`, and no enums, which
+    are not on the wire.
     """
+    is_shipped = file.parent == DIALECTS
+    copy = folder / (file.name if is_shipped else f"own_{crc32(str(file).encode())}.xml")
+    if copy.exists():
+        return copy
     tree = ElementTree.parse(file)
-    if file.parent == DIALECTS:
+    tree.write(copy)  # files that include one another end here
+    if is_shipped:
         for group in tree.iter("enums"):
             group.clear()
         for group in tree.iter("messages"):
@@ -84,14 +100,15 @@ def _plain(file, copy, corrections, messages):
         if element.tag == "description" or (element.tag in ("field", "param") and element.text):
             element.text = ""
         if element.tag == "include":
-            beside = file.parent / element.text.strip()
-            included = beside if beside.exists() else DIALECTS / element.text.strip()
-            inner = copy.with_name(included.name)
-            if included.parent == DIALECTS and not inner.exists():
-                _plain(included, inner, corrections, messages)
-            element.text = str(inner if included.parent == DIALECTS else included)
+            element.text = str(_plain(_included(file, element), folder, corrections, messages))
     tree.write(copy)
     return copy
+
+
+def _included(file, element):
+    """Return the file that a file includes: one beside it, or a shipped one."""
+    beside = (file.parent / element.text.strip()).resolve()
+    return beside if beside.exists() else DIALECTS / element.text.strip()
 
 
 def _correct(tree, correction):

@@ -1,8 +1,9 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: 5424fbc22581df90
+# Inputs: fd03cdf0255ee868
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
+    OTHER_SYSTEM,
     SECOND_US,
     TURN_MS_US,
     Flash,
@@ -203,7 +204,7 @@ def services_can_be_taken_twice():
     station = craft.ground_station()
     services.take(messages.Ping, lambda message: taken.append(("own", message.raw("seq"))))
     services.take_any(messages.Ping.ID, lambda _message: taken.append("any"))
-    own, other = (SYSTEM_ID, COMPONENT_ID), (SYSTEM_ID + 1, 0)
+    own, other = (SYSTEM_ID, COMPONENT_ID), (OTHER_SYSTEM, 0)
     for system, component, count in ((0, 0, 1), own + (1,), (SYSTEM_ID, 0, 1), (0, COMPONENT_ID, 1), other + (0,)):  # noqa: RUF005
         station.send(messages.Ping, target_system=system, target_component=component, seq=5)
         run_passes(craft, 4)
@@ -213,7 +214,7 @@ def services_can_be_taken_twice():
     services.take_any(77, lambda message: taken.append(message.ID))
     craft.connections[0].link._messages[77] = False
     craft.connections[0].link._classes[77] = messages.CommandAck
-    station.send(messages.CommandAck, target_system=SYSTEM_ID + 1)
+    station.send(messages.CommandAck, target_system=OTHER_SYSTEM)
     run_passes(craft, 4)
     assert taken == [77]
     assert craft.connections[0].faults == 0, craft.said()

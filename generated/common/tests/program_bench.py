@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 9cc8a7adbaa90b51
+# Inputs: a199915b5fdd00f6
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -53,6 +53,8 @@ IS_MICROPYTHON = sys.implementation.name == "micropython"
 TURN_US = 1 << 30  # ticks_us() starts again
 TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
+OTHER_SYSTEM = SYSTEM_ID % 255 + 1  # somebody else's ids
+OTHER_COMPONENT = COMPONENT_ID % 255 + 1
 
 
 class NotHereError(Exception):

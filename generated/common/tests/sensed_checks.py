@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/sensed_checks.py: do not edit.
-# Inputs: 30560d08d36106c6
+# Inputs: ee81dfffb8b7d6e5
 """Things that come from outside: the time, messages that set quantities, sensors, and what methods answer."""
 
 import sys
@@ -47,24 +47,11 @@ def satellites_set_the_clock():
     """It is set where it is unknown, or off by a second or more; else it goes on as it is. Each half counts."""
     needs(satellite_clock, "a receiver of satellites")
     mock_time.set_ticks_us(5000000)
-    step = (
-        0,
-        1,
-        999999,
-        1000000,
-        1000001,
-        1 << 16,
-        20 << 16,
-        21 << 16,
-        1 << 32,
-        (1 << 32) + 5,
-        1 << 33,
-        15 << 44,
-        1 << 48,
-    )
+    near = (0, 1, 999999, 1000000, 1000001, 1 << 16, 20 << 16, 21 << 16)
+    far = (1 << 32, (1 << 32) + 5, 1 << 33, 15 << 44, 1 << 48)
     late = ((3 << 48) + (7 << 32), (5 << 48) + (1 << 40), (6 << 48) + 3)
     for begun in (1700000000000000, 0xFFFF0000, (1 << 32) + 3) + late:  # noqa: RUF005  MicroPython cannot
-        for off in [each * sign for each in step for sign in (1, -1)]:
+        for off in [each * sign for each in near + far for sign in (1, -1)]:
             told = begun + off
             if told < 0:
                 continue

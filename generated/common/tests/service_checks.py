@@ -1,8 +1,10 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: d9be9804e91f4847
+# Inputs: 5f46418f20ff2877
 """Checks of the services: messages of ground stations, and the answers of the whole vehicle."""
 
 from program_bench import (
+    OTHER_SYSTEM,
+    OTHER_COMPONENT,
     SECOND_US,
     SETTABLE,
     TURN_US,
@@ -98,8 +100,8 @@ def others_are_left_alone():
     """A request to another system or component is not answered; 0 is everybody."""
     craft, station = _met()
     for system, component, answers in (
-        (SYSTEM_ID + 1, COMPONENT_ID, 0),
-        (SYSTEM_ID, COMPONENT_ID + 1, 0),
+        (OTHER_SYSTEM, COMPONENT_ID, 0),
+        (SYSTEM_ID, OTHER_COMPONENT, 0),
         (0, COMPONENT_ID, 1),
         (SYSTEM_ID, 0, 1),
         (0, 0, 1),
@@ -353,7 +355,7 @@ def what_is_not_here_is_answered():
 
     craft, station = _met()
     for question, answer in ABSENT:
-        for targets in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (SYSTEM_ID + 1, 0), (SYSTEM_ID, COMPONENT_ID + 1)):
+        for targets in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (OTHER_SYSTEM, 0), (SYSTEM_ID, OTHER_COMPONENT)):
             asked = absences.Bare(question)
             for place, target in zip(asked.TARGETS, targets):  # noqa: B905  SET_MODE has no target component
                 asked.wire[place] = target
@@ -373,7 +375,7 @@ def files_are_refused():
     import services  # noqa: PLC0415  as long as nothing else here needs it
 
     craft, station = _met()
-    for system, component in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (SYSTEM_ID + 1, 0), (SYSTEM_ID, COMPONENT_ID + 1)):
+    for system, component in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (OTHER_SYSTEM, 0), (SYSTEM_ID, OTHER_COMPONENT)):
         for number, session, opcode in ((0, 0, 0), (254, 1, 4), (255, 2, 5), (256, 9, 127), (65535, 7, 3), (1, 3, 128)):
             head = bytes([number & 0xFF, number >> 8, session, opcode])
             request = services.FtpHead(unknown=False)

@@ -1,12 +1,11 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 7fc266a713f5a91d
+# Inputs: 2e6266c7ca608353
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
 which the tests make it, were they wrong.
 """
 
-import importlib
 import inspect
 import json
 import re
@@ -14,8 +13,8 @@ import struct
 from functools import cache
 
 import pytest
-from interpreters import CASES, files
-from oracle import message_class
+from interpreters import CASES, HERE, files
+from oracle import message_class, shipped, shipped_names
 from pymavlink.generator.mavcrc import x25crc
 
 ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
@@ -185,11 +184,11 @@ def constants():
 
 def numbers_of(modules):
     """Return the numbers of the dialect by name: entries of its enums, and the places of fields as PING_SEQ_AT."""
-    shipped = ABOUT["shipped"] and importlib.import_module(f"pymavlink.dialects.v20.{ABOUT['shipped']}")
     numbers = {
         entry.name: value
-        for module in (shipped, modules[0])  # enums that are shipped are only in the first one
-        for entries in (module.enums.values() if module else ())
+        # The last one has no enums of shipped files.
+        for module in (*(shipped("v20", name) for name in shipped_names(ABOUT, HERE)), modules[0])
+        for entries in module.enums.values()
         for value, entry in entries.items()
     }
     changed = {each["entry"]: int(each["set"]["value"], 0) for each in ABOUT.get("corrections", ()) if "entry" in each}

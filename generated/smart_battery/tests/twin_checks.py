@@ -1,9 +1,20 @@
 # Generated from templates/tests/program/twin_checks.py: do not edit.
-# Inputs: e27bb66bd28bb9c7
+# Inputs: e581bc844abbb339
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
 from mavlink import Link
-from program_bench import COMPONENT_ID, SECOND_US, SYSTEM_ID, GroundStation, main, messages, new_craft, run
+from program_bench import (
+    OTHER_SYSTEM,
+    OTHER_COMPONENT,
+    COMPONENT_ID,
+    SECOND_US,
+    SYSTEM_ID,
+    GroundStation,
+    main,
+    messages,
+    new_craft,
+    run,
+)
 
 _TOLD = f" {COMPONENT_ID} is in use by another: change one"
 
@@ -36,7 +47,7 @@ def who_has_its_ids_is_told():
 
 def others_are_not():
     """Another component of the same system, or one of another system, whatever their sequence numbers are."""
-    for system, component in ((SYSTEM_ID, COMPONENT_ID % 255 + 1), (SYSTEM_ID % 255 + 1, COMPONENT_ID)):
+    for system, component in ((SYSTEM_ID, OTHER_COMPONENT), (OTHER_SYSTEM, COMPONENT_ID)):
         craft = new_craft()
         other = GroundStation(craft.port)
         other.link = Link(other, system, component)
