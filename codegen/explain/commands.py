@@ -44,6 +44,7 @@ def _command(command: Command) -> Story:
     facts = [
         ("done by", f"{method} of the vehicle, which code overrides"),
         *(fact for param in command.params for fact in _param(param)),
+        ("frames", ", ".join(frame.name for frame in command.frames)),
         ("allowed", spec.allowed.value),
         ("from", spec.sender.value.replace("_", " ")),
         ("takes long", f"{spec.method}_progress() and {spec.method}_cancel() go with it" if spec.long else ""),

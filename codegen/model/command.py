@@ -4,7 +4,7 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
 from codegen.model.spec.program import ModeSpec
 from codegen.model.units.affine import AffineMap
@@ -26,7 +26,8 @@ class CommandParam:
     A value on the wire, which is in ``wire_unit``, becomes the method's argument, which is in ``unit``, by ``scale``.
     ``minimum`` and ``maximum`` are limits on the wire, floats of 32 bits, None where there is none; ``limits`` says
     them in words and in ``unit``. ``default`` is the argument for NaN. Of an ``enum`` the value is an entry or, where
-    that is a bitmask, a sum of them. COMMAND_INT carries a position (``axis``) as a whole number of 1e-7 degrees.
+    that is a bitmask, a sum of them. COMMAND_INT carries a position (``axis``) as a whole number of 1e-7 degrees, and
+    says in a frame from where an altitude counts.
     """
 
     number: int
@@ -41,6 +42,7 @@ class CommandParam:
     enum: EnumDefinition | None
     default: Fraction | None
     axis: Axis | None
+    is_altitude: bool
     spec: CommandParamSpec
 
     @property
@@ -51,11 +53,15 @@ class CommandParam:
 
 @dataclass(frozen=True, slots=True)
 class Command(Cited):
-    """A command of the project: ``name`` is its entry of MAV_CMD, ``number`` the entry's value."""
+    """A command of the project: ``name`` is its entry of MAV_CMD, ``number`` the entry's value.
+
+    ``frames`` are the entries of MAV_FRAME that COMMAND_INT may have, none where any is accepted.
+    """
 
     name: str
     number: int
     params: tuple[CommandParam, ...]
+    frames: tuple[EnumEntry, ...]
     spec: CommandSpec
 
 

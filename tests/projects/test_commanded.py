@@ -19,7 +19,7 @@ HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
 NAN, INFINITE = math.nan, math.inf
 PUMP, LIGHTS, HORN, UNKNOWN = 31010, 31011, 31012, 31013
-GO, TURN, SET_MODE = 192, 115, 176
+GO, TURN, SET_MODE, HOME = 192, 115, 176, 179
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED, FAILED, IN_PROGRESS, CANCELLED = range(7)
 
 
@@ -161,6 +161,13 @@ CASES = {
         [(GO, 2, 0), (GO, 0, 0), (GO, 0, 0)],
         ["Go to: positions have to be global"],
         [["go", "0", "0.0", "0.0", "0"], ["go", "0", "0.0", "36.0", "0"]],
+    ),
+    # MAV_FRAME_GLOBAL (0) and its _INT (5) count from the sea, LOCAL_NED (1) downwards; those above home are 3 and 6
+    "an altitude counts from one level": (
+        [whole(HOME, z=10.0, frame_of=each) for each in (0, 5, 1, 10, 11, 3, 6)] + [long(HOME, 0, 0, 0, 0, 0, 0, 2.5)],
+        [(HOME, 2, 0)] * 5 + [(HOME, 0, 0)] * 3,
+        ["Set home: the frame must be MAV_FRAME_GLOBAL_RELATIVE_ALT_INT"],
+        [["home", "0", "0", "1000.0"]] * 2 + [["home", "0", "0", "250.0"]],
     ),
     "options that there are not": (
         [GCS, ARM, long(GO, 0, 4.0), SECOND],

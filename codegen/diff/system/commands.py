@@ -25,6 +25,7 @@ def _command(command: Command) -> Subject:
         Fact("number", str(command.number), rules.COMMAND, spec.place),
         Fact("allowed", spec.allowed.value, rules.COMMAND, spec.at("allowed")),
         Fact("from", spec.sender.value, rules.COMMAND, spec.at("from")),
+        Fact("frames", ", ".join(frame.name for frame in command.frames), rules.COMMAND_UNIT, spec.at("frames")),
         Fact("takes long", "yes" if spec.long else "", rules.COMMAND, spec.at("long")),
         *(fact for param in command.params for fact in _param(param)),
         Fact("answers to", str(command.citation or ""), CITATION, spec.at("requirement")),

@@ -69,6 +69,12 @@ class CommandSpec(Written):
         key="from",
         default=Sender.ANY,
     )
+    frames: tuple[str, ...] = described(
+        "Entries of MAV_FRAME in which COMMAND_INT may state it, each with or without _INT. Default: the global ones "
+        "for a position, any for others. A command with an altitude (parameter 7) has to say which one: frames count "
+        "altitudes from different levels, and COMMAND_LONG is taken to be in it.",
+        default=(),
+    )
     params: Mapping[str, CommandParamSpec] = described(
         "Its parameters by their numbers, 1 to 7, in the order of the method's arguments.", default_factory=dict
     )

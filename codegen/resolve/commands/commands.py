@@ -9,6 +9,7 @@ from codegen.model.spec.command import Allowed, CommandSpec, CommandsSpec
 from codegen.model.spec.program import VehicleSpec
 from codegen.model.spec.spec import Requirement
 from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.commands.frames import resolve_frames
 from codegen.resolve.commands.params import resolve_params
 from codegen.resolve.named import is_name
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
@@ -60,7 +61,8 @@ def resolve_commands(
         aspects = cite_aspects(command, index, report)
         if entry is not None:
             params = resolve_params(name, entry, command, dialect, report)
-            found.append(Command(citation, aspects, name, entry.value, params, command))
+            frames = resolve_frames(name, command, params, dialect, report)
+            found.append(Command(citation, aspects, name, entry.value, params, frames, command))
     return tuple(found)
 
 

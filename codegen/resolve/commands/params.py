@@ -37,6 +37,7 @@ class _Stated:
     increment: Fraction | None
     enum: str | None
     axis: Axis | None
+    is_altitude: bool
 
 
 def resolve_params(
@@ -70,7 +71,8 @@ def _stated(entry: EnumEntry, key: str) -> _Stated:
         found = conversion(unit_named("deg"), unit)
         end = found.exact(Fraction(axis.value)) if found else None
         minimum, maximum = (None, None) if end is None else (-end, end)
-    return _Stated(unit, minimum, maximum, increment, attributes.get("enum"), axis)
+    is_altitude = key == "7" and "altitude" in words
+    return _Stated(unit, minimum, maximum, increment, attributes.get("enum"), axis, is_altitude)
 
 
 def _number(text: str | None) -> Fraction | None:
@@ -124,6 +126,7 @@ def _param(
         enum=enum,
         default=spec.default,
         axis=stated.axis,
+        is_altitude=stated.is_altitude,
         spec=spec,
     )
     if not _has_value(found):

@@ -158,7 +158,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         **({"absences.py": (absences_view(program.absences), [vehicle])} if program.absences else {}),
         **({"failsafe.py": (failsafes, paths)} if failsafes else {}),
         **({"watchdog.py": (view.watchdog, [vehicle])} if view.watchdog else {}),
-        **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
+        **({"command_table.py": (command_table_view(program), [commands])} if program.commands else {}),
     }
     for name, (shown, sources) in read.items():
         text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), _numbers(program))

@@ -17,7 +17,8 @@ _STATIONS = const(3)  # whether only ground stations may ask
 _LONG = const(4)
 _PARAMS = const(5)
 _INT_PARAMS = const(6)  # the parameters as COMMAND_INT has them, with a position; () where they are the same
-_FRAMES = const(7)  # in which COMMAND_INT may state that position
+_FRAMES = const(7)  # in which COMMAND_INT may state it; () for any
+_FRAME_WORDS = const(8)
 
 # The parts of a parameter in command_table.py.
 _NUMBER = const(0)
@@ -131,7 +132,7 @@ def _read(row, command, values):
     """Append the arguments for the method to `values`; return what is wrong with a parameter, or None."""
     is_int = command.message.ID == messages.CommandInt.ID
     if is_int and row[_FRAMES] and command.message.wire[dialect.COMMAND_INT_FRAME_AT] not in row[_FRAMES]:
-        return "positions have to be global"
+        return row[_FRAME_WORDS]
     for param in (is_int and row[_INT_PARAMS]) or row[_PARAMS]:
         value = _argument(param, command.param(param[_NUMBER]), is_int)
         if value is None:

@@ -104,16 +104,32 @@ def ends_are_done():
 
 
 def command_int_is_the_same():
-    """COMMAND_INT gives the method what COMMAND_LONG does; its position is in 1e-7 degrees of a global frame."""
+    """COMMAND_INT gives the method what COMMAND_LONG does; its position is in 1e-7 degrees."""
     for facts in COMMANDS:
         scene = Scene(facts)
-        names = ("param1", "param2", "param3", "param4", "x", "y", "z")
-        values = {name: value for name, value in zip(names, facts["as_int"])}  # noqa: B905,C416  MicroPython
-        values["x"], values["y"] = int(values["x"]), int(values["y"])
-        scene.station.send(messages.CommandInt, command=facts["number"], **values)
-        acks, _ = scene.answers()
-        assert [ack.result for ack in acks] == [scene.done], (facts["name"], acks)
+        assert _result_as_int(scene, (facts["frames"] or [0])[0]) == scene.done, facts["name"]
         assert _is_near(scene.method.given[-1], facts["good"][1]), (facts["name"], scene.method.given)
+
+
+def _result_as_int(scene, frame):
+    """Return the result of the good parameters as a COMMAND_INT in a frame."""
+    names = ("param1", "param2", "param3", "param4", "x", "y", "z")
+    values = {name: value for name, value in zip(names, scene.facts["as_int"])}  # noqa: B905,C416  MicroPython
+    values["x"], values["y"] = int(values["x"]), int(values["y"])
+    scene.station.send(messages.CommandInt, command=scene.facts["number"], frame=frame, **values)
+    acks, _ = scene.answers()
+    assert len(acks) == 1, (scene.facts["name"], frame, acks)
+    return acks[0].result
+
+
+def other_frames_are_denied():
+    """A COMMAND_INT in a frame that the command does not have does not reach the method."""
+    for facts in COMMANDS:
+        for frame in list(range(22)) + [255]:  # noqa: RUF005  MicroPython
+            scene = Scene(facts)
+            is_meant = not facts["frames"] or frame in facts["frames"]
+            assert _result_as_int(scene, frame) == (scene.done if is_meant else DENIED), (facts["name"], frame)
+            assert len(scene.method.given) == is_meant, (facts["name"], frame)
 
 
 def beyond_is_denied():
@@ -322,6 +338,7 @@ CHECKS = (
     (ends_are_done, "command.done", "command.params"),
     (command_int_is_the_same, "command.done"),
     (beyond_is_denied, "command.params"),
+    (other_frames_are_denied, "command.params"),
     (others_are_left_alone, "command.done"),
     (refusals_have_failed, "command.refusal"),
     (exceptions_have_failed, "command.refusal"),

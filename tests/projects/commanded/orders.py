@@ -51,6 +51,9 @@ class Boat(Craft):
     def lower(self, depth, frame):
         return self._do("lower", depth, frame)
 
+    def set_home(self, lat, lon, altitude):
+        return self._do("home", lat, lon, altitude)
+
     def check_mode(self, _mode):
         return self.says.get("check_mode")
 

@@ -6,10 +6,8 @@ from textwrap import wrap
 
 from codegen.frozen import dataclass
 from codegen.model.command import Command, CommandParam, Mode
-from codegen.model.dialect.dialect import Dialect
 from codegen.model.program import Program
 from codegen.model.spec.command import Allowed, Sender
-from codegen.model.system import System
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit import ratio, unit_named
 from codegen.targets.naming import prose, quoted
@@ -34,6 +32,7 @@ class CommandRow:
     params: tuple[str, ...]
     int_params: tuple[str, ...]
     frames: tuple[int, ...]
+    frame_words: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,9 +58,9 @@ class CommandTableView:
     commands: tuple[CommandRow, ...]
 
 
-def command_table_view(system: System, program: Program) -> CommandTableView:
+def command_table_view(program: Program) -> CommandTableView:
     """The view of command_table.py."""
-    return CommandTableView(tuple(_row(command, system.dialect) for command in program.commands))
+    return CommandTableView(tuple(_row(command) for command in program.commands))
 
 
 def title_of(command: Command) -> str:
@@ -73,10 +72,8 @@ _ROOM = 100
 """Columns of a line of the table behind its indentation, with a comma."""
 
 
-def _row(command: Command, dialect: Dialect) -> CommandRow:
+def _row(command: Command) -> CommandRow:
     has_position = any(param.axis for param in command.params)
-    enum = dialect.enums.get("MAV_FRAME")
-    entries = enum.entries if enum and has_position else ()
     return CommandRow(
         number=command.number,
         about=f"{command.name}: {prose(command.spec.doc)}{_cited(command)}",
@@ -87,8 +84,16 @@ def _row(command: Command, dialect: Dialect) -> CommandRow:
         is_long=command.spec.long,
         params=tuple(_param(param, is_int=False) for param in command.params),
         int_params=tuple(_param(param, is_int=True) for param in command.params) if has_position else (),
-        frames=tuple(entry.value for entry in entries if entry.name.startswith("MAV_FRAME_GLOBAL")),
+        frames=tuple(entry.value for entry in command.frames),
+        frame_words=_frame_words(command),
     )
+
+
+def _frame_words(command: Command) -> str:
+    """What a text says of another frame, as Python writes it."""
+    if not command.spec.frames:
+        return '"positions have to be global"' if command.frames else "None"
+    return quoted(f"the frame must be {' or '.join(dict.fromkeys(command.spec.frames))}")
 
 
 def _param(param: CommandParam, *, is_int: bool) -> str:

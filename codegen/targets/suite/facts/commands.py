@@ -33,7 +33,8 @@ def command_facts(program: Program) -> tuple[CommandFacts, ...]:
     """Each command of the project.
 
     ``good`` are the seven parameters and the arguments that are accepted, ``ends`` more of these, ``unknown`` those
-    with NaN; ``beyond`` are parameters that are denied. ``as_int`` are the good parameters of a COMMAND_INT.
+    with NaN; ``beyond`` are parameters that are denied. ``as_int`` are the good parameters of a COMMAND_INT,
+    ``frames`` those that it may have; none for any.
     """
     calls = {action.call for action in program.actions}
     armed = {"always": "None", "armed": "True", "disarmed": "False"}
@@ -55,6 +56,7 @@ def command_facts(program: Program) -> tuple[CommandFacts, ...]:
                     ("ends", _listed(_call(command, good | each) for each in _each_end(command))),
                     ("unknown", _listed(_call(command, good | each) for each in _each_unknown(command))),
                     ("beyond", _listed(_params(good | each) for each in _each_beyond(command))),
+                    ("frames", _listed(str(frame.value) for frame in command.frames)),
                     ("as_int", _params({param.number: _as_int(param, good) for param in command.params})),
                 )
             )
