@@ -5,6 +5,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 
 from codegen.claims.enclosing import is_beside_type, is_of_other_type, members_of_type
+from codegen.claims.other_subject import is_right_for_another
 from codegen.claims.reading import Reading, parts_at, snake
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import CodeBlock, Passage, PassageKind
@@ -36,6 +37,7 @@ def is_elsewhere(reading: Reading, finding: Diagnostic) -> bool:
         or _is_number_of_section(reading, finding.place)
         or (finding.rule.id in _OF_MEMBERS and _is_taken_from(reading, finding.place))
         or (finding.rule.id in _NUMBERS and _is_of_nearer(reading, finding))
+        or (finding.rule.id in (*_NUMBERS, "claim-struct") and is_right_for_another(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_own_member(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_own_argument(reading, finding))
         or (finding.rule.id in _OF_MEMBERS and _is_told_apart(reading, finding.place))

@@ -128,7 +128,8 @@ def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         names = [at for at in range(*found.span()) if text[at] in "FP"]
-        is_of_all = {"are", "both", "all", "belong", "as", "were", "come"} & set(words) or kind[0].endswith("s")
+        is_of_all = {"are", "both", "all", "belong", "were", "come"} & set(words) or kind[0].endswith("s")
+        is_of_all = is_of_all or ("as" in words and "an" not in words)  # "`a`, and `b` as an extension"
         is_extension = not kind[0].startswith("no") and not any(word in kind[0] for word in _ORIGINAL)
         is_extension = not is_extension if {"not", "no"} & set(words) else is_extension
         if _IT.match(gap) or (resumed is not None and resumed["what"] in ("it", "the field")):

@@ -262,7 +262,7 @@ def _kind(size: _Size) -> str | None:
     kinds = [found.lastgroup or "" for found in _KINDS.finditer(size.before + size.words)]
     behind = _BEHIND.match(size.behind)
     if behind is not None:
-        return behind.lastgroup or "frame"
+        return behind.lastgroup or ("frame" if behind[0].endswith(("frame", "packet")) else "message")
     if not kinds:
         low, _ = size.span.bounds(size.offset)
         is_word = size.span.sentence.term(size.offset).written.isalpha()
