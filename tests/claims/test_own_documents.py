@@ -38,6 +38,12 @@ EDITS = [
     (DECISION, "`SR0_EXTRA1`, 0 to 50 Hz", "`SR0_EXTRA1`, 0 to 40 Hz", "SR0_EXTRA1 has the maximum 50 Hz, not 40"),
     (PACKS, "beyond the 13.035 V", "beyond the 14.035 V", "claim-full-scale: full scale is 13.035 V, not 14.035"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
+    (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent twice per second", "HEARTBEAT is sent at 1 Hz, not 2 Hz"),
+    (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT (0) goes out every 500 ms", "HEARTBEAT is sent at 1 Hz, not 2 Hz"),
+    (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent every three seconds", "1 Hz, not every three seconds"),
+    (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent once a minute", "HEARTBEAT is sent at 1 Hz, not once a minute"),
+    (DECISION, "`SR0_EXTRA1`, 0 to 50 Hz", "`SR0_EXTRA1` is from 0 to 40 Hz", "SR0_EXTRA1 has the maximum 50 Hz, not 40"),
+    (TELEMETRY, "range 0 to 50 Hz, and 0", "range 0..40 Hz, and 0", "claim-parameter: SR0_EXTRA1 has the maximum 50 Hz, not 40"),
 ]  # fmt: skip
 
 

@@ -23,6 +23,7 @@ PARAMETER = Rule(
 _NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
 _NUMBER = r"-?\d+(?:\.\d+)?"
 _UNIT = r"(?: ?(?P<unit>[A-Za-z%][A-Za-z0-9/%]{0,8})\b)?"
+_TO = r"(?: to | ?\.\.\.? ?| ?\u2013 ?)"
 _BEHIND = {
     "default": (
         pattern(rf"\bdefaults?(?: is| of|:|,)? (?:GPIO )?(?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),
@@ -31,8 +32,8 @@ _BEHIND = {
     ),
     "step": (pattern(rf"\bsteps? of (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}"),),
 }
-_RANGE = pattern(rf"\brange(?: is| of|:|,)? (?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
-_DIRECT = pattern(rf"(?:,| is| \(|:) ?(?P<low>{_NUMBER}) to (?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_RANGE = pattern(rf"\brange(?: is| of|:|,)?(?: from)? (?P<low>{_NUMBER}){_TO}(?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
+_DIRECT = pattern(rf"(?:,| is| \(|:)(?: from)? ?(?P<low>{_NUMBER}){_TO}(?P<high>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
 _BEFORE = pattern(r"\bdefault of (?:the )?$")
 _FIRST = pattern(rf"(?:,| is| of) (?P<number>{_NUMBER})(?![\w.]\d|\w){_UNIT}")
 _COUNT = pattern(r"\b(?:all|the|list of(?: the)?)(?: all)? (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
