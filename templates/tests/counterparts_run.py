@@ -101,7 +101,7 @@ KEPT = 40
 
 def guarded(kind, values):
     """Return the array of a state with a few words behind it."""
-    return array(kind, list(values) + list(GUARDS))  # noqa: RUF005  MicroPython
+    return array(kind, list(values) + list(GUARDS))
 
 
 class Buffers:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: ea68b9723cef253e
+# Inputs: 01e4fa8a2f6d37de
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -103,7 +103,7 @@ KEPT = 40
 
 def guarded(kind, values):
     """Return the array of a state with a few words behind it."""
-    return array(kind, list(values) + list(GUARDS))  # noqa: RUF005  MicroPython
+    return array(kind, list(values) + list(GUARDS))
 
 
 class Buffers:

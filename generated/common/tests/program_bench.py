@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: a199915b5fdd00f6
+# Inputs: 9aae0061bc9250c9
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -36,6 +36,7 @@ from program_facts import (  # noqa: E402
     SHARED,
     PARAMETERS,
     SENT,
+    STREAMS,
     SYSTEM_ID,
 )
 from texts import Texts  # noqa: E402
@@ -331,6 +332,14 @@ def keep_nothing(_words, _values, _now_ms):
 
 def silent(_text):
     """Show nothing."""
+
+
+def beats(seconds):
+    """Return how many HEARTBEATs come at least in so many seconds."""
+    for stream in STREAMS:
+        if stream["parameter"] is None and stream["messages"] and stream["messages"][0][0] == messages.Heartbeat.ID:
+            return seconds * 1000 * stream["period_denominator"] // stream["period_numerator"] - 1
+    return 0
 
 
 def know(state):

@@ -34,6 +34,7 @@ from program_facts import (  # noqa: E402
     SHARED,
     PARAMETERS,
     SENT,
+    STREAMS,
     SYSTEM_ID,
 )
 from texts import Texts  # noqa: E402
@@ -329,6 +330,14 @@ def keep_nothing(_words, _values, _now_ms):
 
 def silent(_text):
     """Show nothing."""
+
+
+def beats(seconds):
+    """Return how many HEARTBEATs come at least in so many seconds."""
+    for stream in STREAMS:
+        if stream["parameter"] is None and stream["messages"] and stream["messages"][0][0] == messages.Heartbeat.ID:
+            return seconds * 1000 * stream["period_denominator"] // stream["period_numerator"] - 1
+    return 0
 
 
 def know(state):
