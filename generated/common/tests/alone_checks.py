@@ -1,12 +1,14 @@
 # Generated from templates/tests/program/alone_checks.py: do not edit.
-# Inputs: be9e98e348041db9
+# Inputs: 0e57b11445b931e7
 """Parts by themselves, with rows, devices and stations that a check makes: all they can do, asked for here or not."""
 
+import errno
 import struct
 from binascii import hexlify
 
 from program_bench import (
     SECOND_US,
+    Flash,
     machine,
     main,
     messages,
@@ -16,10 +18,11 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, LINKS_US, MEASURED, PARAMETERS, SENT, SYSTEM_ID
+from program_facts import ABSENT, COMPONENT_ID, LINKS_US, MEASURED, PARAMETERS, SENT, SYSTEM_ID, VERSION
 
 import dialect
 import rare_commands
+import storage
 import vehicle as vehicle_module
 from mavlink import Link
 from message import keep
@@ -565,6 +568,130 @@ def floats_are_made():
             assert bytes(wire[:5] + wire[5 + size :]) == b"\x5a" * (20 - size)
 
 
+class Counted:
+    """Opens files of a flash in memory, and counts those that are open; writing may fail."""
+
+    def __init__(self, fails):
+        self.flash = Flash()
+        self.flash.files = {}
+        self.fails = fails
+        self.is_open = 0
+        self.opened = 0
+
+    def open(self, path, mode):
+        """Open a file."""
+        file = self.flash.open(path, mode)
+        self.opened += 1
+        self.is_open += 1
+        return Open(self, file)
+
+
+class Open:
+    """A file that is open until it is closed."""
+
+    def __init__(self, counted, file):
+        self._counted = counted
+        self.read = file.read
+        self._write = file.write
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_raised):
+        self.close()
+
+    def write(self, data):
+        """Write, or fail."""
+        if self._counted.fails:
+            raise OSError(errno.EIO, "broken")
+        return self._write(data)
+
+    def close(self):
+        """Be open no more."""
+        self._counted.is_open -= 1
+
+
+def files_are_closed():
+    """Whatever becomes of a save: what it has opened counts only once it is closed, and there are few at a time."""
+    for fails in (False, True):
+        counted = Counted(fails)
+        storage.open = counted.open
+        own = storage.Storage(("a", "b"), 8)
+        own.load()
+        assert counted.is_open == 0
+        own.begin(b"a payload of several pieces")
+        while own.step():
+            assert counted.is_open in (0, 1)
+        assert counted.is_open == 0, fails
+        assert counted.opened > 0
+        assert (own.problem is not None) == fails
+        assert (own.load() is None) == fails
+        assert counted.is_open == 0
+    Flash()
+
+
+def a_link_without_work_rests():
+    """A pass in which nothing is left to do says so; one that has more than it may take in says that, too."""
+    craft = new_craft()
+    own, station = craft.connections[0], craft.ground_station()
+    run(craft, SECOND_US, LINKS_US)
+    for number in SENT:
+        own.streams.set_interval(number, -1)
+    run(craft, SECOND_US, LINKS_US)
+    for _ in range(5):
+        assert not own.run(mock_time.ticks_ms()), "nothing is left"
+        mock_time.advance_us(LINKS_US)
+    for _ in range(4 * craft.MESSAGES):
+        station.send(messages.Ping, target_system=0, target_component=0)
+    assert own.run(mock_time.ticks_ms()), "more has arrived"
+    for _ in range(40):
+        own.run(mock_time.ticks_ms())
+        mock_time.advance_us(LINKS_US)
+    assert not own.run(mock_time.ticks_ms())
+    assert len(station.received(messages.Ping)) > 0
+
+
+LIST, COUNT, CLEAR, REQUEST, REQUEST_INT, ACK, LOGS, LOG = 43, 44, 45, 40, 51, 47, 117, 118
+ABSENCES = (  # a question with what its payload has at some places, and the same of the answer
+    (LIST, {2: 1}, COUNT, {0: 0, 1: 0, 4: 1}),
+    (LIST, {2: 255}, COUNT, {0: 0, 1: 0, 4: 255}),
+    (COUNT, {0: 0, 1: 0, 4: 2}, ACK, {2: 0, 3: 2}),
+    (COUNT, {0: 1, 1: 0, 4: 0}, ACK, {2: 3, 3: 0}),
+    (COUNT, {0: 0, 1: 1, 4: 7}, ACK, {2: 3, 3: 7}),
+    (COUNT, {0: 255, 1: 255, 4: 1}, ACK, {2: 3, 3: 1}),
+    (CLEAR, {2: 3}, ACK, {2: 0, 3: 3}),
+    (REQUEST, {4: 2}, ACK, {2: 13, 3: 2}),
+    (REQUEST_INT, {4: 1}, ACK, {2: 13, 3: 1}),
+    (LOGS, {0: 1, 2: 9}, LOG, dict.fromkeys(range(14), 0)),
+)
+
+
+def absences_say_what_is_true():
+    """Lists are empty, take nothing, and have no item; a list that is sent without items is taken. Of the same kind."""
+    needs(ABSENT, "questions about what the vehicle does not have")
+    needs(VERSION == 2, "messages with kinds of lists")
+    import absences  # noqa: PLC0415  as the firmware does
+
+    craft = new_craft()
+    station = craft.ground_station()
+    run_passes(craft, 20)
+    for question, asked, answer, expected in ABSENCES:
+        if (question, answer) not in ABSENT:
+            continue
+        message = absences.Bare(question)
+        for place, byte in asked.items():
+            message.wire[place] = byte
+        for place, target in zip(message.TARGETS, (SYSTEM_ID, COMPONENT_ID)):  # noqa: B905  MicroPython
+            message.wire[place] = target
+        craft.port.frames = []
+        station.link.send(message)
+        run_passes(craft, 4)
+        found = [frame for frame in craft.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == answer]
+        assert len(found) == 1, (question, found)
+        payload = found[0][10:-2] + bytes(20)
+        assert {place: payload[place] for place in expected} == expected, (question, asked, payload)
+
+
 CHECKS = (
     (parameters_of_commands_are_looked_at, "command.params"),
     (positions_of_commands_are_global, "command.params"),
@@ -579,6 +706,9 @@ CHECKS = (
     (floats_are_made,),
     (what_the_first_version_cannot_carry_is_left_out, "services.links"),
     (the_board_is_prepared,),
+    (files_are_closed,),
+    (a_link_without_work_rests, "services.links"),
+    (absences_say_what_is_true,),
 )
 
 if __name__ == "__main__":
