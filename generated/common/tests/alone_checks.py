@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/alone_checks.py: do not edit.
-# Inputs: 0e57b11445b931e7
+# Inputs: 809da31619d7a49f
 """Parts by themselves, with rows, devices and stations that a check makes: all they can do, asked for here or not."""
 
 import errno
@@ -7,8 +7,10 @@ import struct
 from binascii import hexlify
 
 from program_bench import (
+    IS_MICROPYTHON,
     SECOND_US,
     Flash,
+    GroundStation,
     machine,
     main,
     messages,
@@ -18,8 +20,9 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import ABSENT, COMPONENT_ID, LINKS_US, MEASURED, PARAMETERS, SENT, SYSTEM_ID, VERSION
+from program_facts import ABSENT, COMPONENT_ID, LINKS_US, MEASURED, PARAMETERS, SENT, STEP_LIMIT_US, SYSTEM_ID, VERSION
 
+import asyncio
 import dialect
 import rare_commands
 import storage
@@ -568,6 +571,55 @@ def floats_are_made():
             assert bytes(wire[:5] + wire[5 + size :]) == b"\x5a" * (20 - size)
 
 
+def the_vehicle_runs_until_it_is_stopped():
+    """It is made while garbage is collected often, and runs; its motors stop, whatever ends it."""
+    import main as program  # noqa: PLC0415  it is about to be looked at
+
+    kept = program.collect_often, program.new_vehicle, program.asyncio
+    try:
+        for error in (None, ValueError, SystemExit):
+            noted = []
+
+            def run(told):
+                noted.append(told)  # noqa: B023
+                if error is not None:  # noqa: B023
+                    raise error  # noqa: B023
+
+            made = Thing(run=lambda: "it runs", halt_motors=lambda: noted.append("it is stopped"))  # noqa: B023
+            program.collect_often = noted.append
+            program.new_vehicle = lambda: noted.append("it is made") or made  # noqa: B023
+            program.asyncio = Thing(run=run)
+            try:
+                program.main()
+                ended = None
+            except (ValueError, SystemExit) as raised:
+                ended = type(raised)
+            assert ended is error
+            stops = ["it is stopped"] * hasattr(vehicle_module.Vehicle, "halt_motors")
+            assert noted == [True, "it is made", False, "it runs"] + stops, noted  # noqa: RUF005  MicroPython
+    finally:
+        program.collect_often, program.new_vehicle, program.asyncio = kept
+
+
+def slow_steps_of_saves_are_told():
+    """The longest one, if it takes longer than it may; as long as that is no matter."""
+    needs(PARAMETERS, "parameters")
+    for took, count in ((STEP_LIMIT_US - 1, 0), (STEP_LIMIT_US, 0), (STEP_LIMIT_US + 1, 1)):
+        craft = new_craft()
+        step, times = craft.storage.step, [1, took, 5]
+
+        def save_step():
+            step()  # noqa: B023
+            return times.pop(0) if times else 0  # noqa: B023
+
+        craft._save_step = save_step
+        if IS_MICROPYTHON:
+            asyncio.new_event_loop()
+        asyncio.run(craft._save())
+        told = craft.said("a step of a save took us")
+        assert [text for _, text in told] == [f"a step of a save took us: {took}"] * count, told
+
+
 class Counted:
     """Opens files of a flash in memory, and counts those that are open; writing may fail."""
 
@@ -692,6 +744,28 @@ def absences_say_what_is_true():
         assert {place: payload[place] for place in expected} == expected, (question, asked, payload)
 
 
+def answers_are_for_who_asks():
+    """What has a target has the ids of who asked, of whatever system and component that is."""
+    craft = new_craft()
+    run_passes(craft, 20)
+    for system, component in ((201, 45), (255, 190), (7, 1)):
+        station = GroundStation(craft.port, VERSION, system, component)
+        station.command(410)
+        station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, 1000000)
+        station.send(messages.Ping, target_system=0, target_component=0)
+        if hasattr(messages, "Timesync"):
+            station.send(messages.Timesync, ts1=5)
+        if PARAMETERS:
+            station.send(messages.ParamRequestRead, param_id="NO_SUCH", param_index=-1)
+            station.send(messages.ParamSet, param_id="NO_SUCH", param_value=1)
+        run_passes(craft, 12)
+        found = [each for each in station.received() if "target_system" in each.names()]
+        assert len(found) >= 3, found
+        for each in found:
+            assert (each.target_system, each.target_component) == (system, component), each
+    assert craft.connections[0].faults == 0, craft.said()
+
+
 CHECKS = (
     (parameters_of_commands_are_looked_at, "command.params"),
     (positions_of_commands_are_global, "command.params"),
@@ -706,9 +780,12 @@ CHECKS = (
     (floats_are_made,),
     (what_the_first_version_cannot_carry_is_left_out, "services.links"),
     (the_board_is_prepared,),
+    (the_vehicle_runs_until_it_is_stopped,),
+    (slow_steps_of_saves_are_told, "storage.set"),
     (files_are_closed,),
     (a_link_without_work_rests, "services.links"),
     (absences_say_what_is_true,),
+    (answers_are_for_who_asks, "services.links"),
 )
 
 if __name__ == "__main__":
