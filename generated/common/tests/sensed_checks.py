@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/sensed_checks.py: do not edit.
-# Inputs: c1b7a3c991af5055
+# Inputs: ee81dfffb8b7d6e5
 """Things that come from outside: the time, messages that set quantities, sensors, and what methods answer."""
 
 import sys
@@ -47,26 +47,8 @@ def satellites_set_the_clock():
     """It is set where it is unknown, or off by a second or more; else it goes on as it is. Each half counts."""
     needs(satellite_clock, "a receiver of satellites")
     mock_time.set_ticks_us(5000000)
-<<<<<<< HEAD
     near = (0, 1, 999999, 1000000, 1000001, 1 << 16, 20 << 16, 21 << 16)
     far = (1 << 32, (1 << 32) + 5, 1 << 33, 15 << 44, 1 << 48)
-=======
-    step = (
-        0,
-        1,
-        999999,
-        1000000,
-        1000001,
-        1 << 16,
-        20 << 16,
-        21 << 16,
-        1 << 32,
-        (1 << 32) + 5,
-        1 << 33,
-        15 << 44,
-        1 << 48,
-    )
->>>>>>> 0d1c5cdf (Generated suites look at parts by themselves: own commands by rows, boards that raise, twins, places of stations, sockets as declared, MAVLink 1, reasons of failsafes, and that no object gets an attribute later)
     late = ((3 << 48) + (7 << 32), (5 << 48) + (1 << 40), (6 << 48) + 3)
     for begun in (1700000000000000, 0xFFFF0000, (1 << 32) + 3) + late:  # noqa: RUF005  MicroPython cannot
         for off in [each * sign for each in near + far for sign in (1, -1)]:
