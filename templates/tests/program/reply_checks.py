@@ -24,8 +24,8 @@ def what_a_table_takes_is_told():
     """What a table that takes a message finds wrong is told, and code that waits for it is called; each for itself."""
     opened, message = vehicle_module.open_link, messages.Ping(unknown=False)
 
-    def open_link(port, known=(), *more):
-        return opened(port, [message if each.ID == message.ID else each for each in known], *more)
+    def open_link(port, known=(), *more, **named):
+        return opened(port, [message if each.ID == message.ID else each for each in known], *more, **named)
 
     vehicle_module.open_link = open_link
     try:
@@ -55,7 +55,7 @@ def what_a_table_takes_is_told():
 def _old_craft():
     """Return a vehicle with a link that speaks MAVLink 1, and the station behind it."""
     opened = vehicle_module.open_link
-    vehicle_module.open_link = lambda port, known=(), *_more: Link(port, SYSTEM_ID, COMPONENT_ID, 1, known)
+    vehicle_module.open_link = lambda port, known=(), *_more, **_named: Link(port, SYSTEM_ID, COMPONENT_ID, 1, known)
     try:
         craft = new_craft()
     finally:
