@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/network_checks.py: do not edit.
-# Inputs: 6059391c0b3dfd79
+# Inputs: 298d4b75db63b337
 """UDP and Wi-Fi, under a vehicle and by themselves: sockets, who is at their other end, a network that is lost."""
 
 import errno
@@ -247,6 +247,7 @@ def a_socket_is_what_is_declared():
         net, texts = Net(), []
         own = UdpPort("net", host, port, local_port, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))  # noqa: B023
         end = (host, port) if host else None
+        assert own.look == own._ready.look, "what a pass asks for"
         own._ready, before = Looking(), udp_port.socket
         udp_port.socket = net
         try:

@@ -245,6 +245,7 @@ def a_socket_is_what_is_declared():
         net, texts = Net(), []
         own = UdpPort("net", host, port, local_port, None, 1000, lambda *words: texts.append(" ".join(map(str, words))))  # noqa: B023
         end = (host, port) if host else None
+        assert own.look == own._ready.look, "what a pass asks for"
         own._ready, before = Looking(), udp_port.socket
         udp_port.socket = net
         try:

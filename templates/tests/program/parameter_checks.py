@@ -94,6 +94,19 @@ def unknown_names_are_refused():
     assert [each.error for each in answers] == [dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST] * 5, answers
     asked = [("NO_SUCH_NAME", -1)] * 2 + [("", index) for index in (len(PARAMETERS), -2, 32767)]
     assert [(each.param_id, each.raw("param_index")) for each in answers] == asked, answers
+    for name, text in (
+        ("OTHER", "OTHER is no parameter"),
+        ("", "a parameter of this name does not exist"),
+        ("N\xe9", "a parameter of this name does not exist"),
+    ):
+        message = messages.ParamSet(unknown=False).update(target_system=SYSTEM_ID)
+        data = bytes([ord(each) for each in name])
+        marked = bytes(messages.ParamSet(unknown=False).update(param_id="@").wire)
+        place = marked.index(b"@")
+        message.wire[place : place + len(data)] = data
+        station.link.send(message)
+        run_passes(craft, 4)
+        assert craft.said()[-1][1] == text, craft.said()
 
 
 def list_is_complete():
