@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/attribute_checks.py: do not edit.
-# Inputs: ef6c69cb89965376
+# Inputs: bcf2c6ae1f224d61
 """What objects of the firmware have, they have from their beginning: one that gets more later takes heap then."""
 
 import sys
@@ -10,6 +10,7 @@ from program_bench import (
     Flash,
     GroundStation,
     Port,
+    finish,
     main,
     messages,
     mock_time,
@@ -109,8 +110,7 @@ def _live_through_all(beginnings):
     storage = Storage(("a", "b"), 64)
     storage.load()
     storage.begin(b"payload")
-    while storage.step():
-        pass
+    finish(storage)
     port = StreamPort("attributes", Port(), 100)
     port.write(b"frame")
     port.readinto(bytearray(5))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 01e4fa8a2f6d37de
+# Inputs: 4a0b8714962d67de
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -488,18 +488,21 @@ def frames_by_lot():
 
 
 def times_of_readings():
-    """A reading takes as long as a number that the code compares with, or about that: what comes of it is counted."""
-    for place, (name, mock, _, full_scale, instances) in enumerate(READINGS):
-        _, board = new_state(Lot(place), Log())
-        for instance in range(instances):
-            about, told = (instance,) if instances > 1 else (), []
-            getattr(board, "set_" + mock + "_value")(full_scale // 3, *about)
-            for number in NUMBERS:
-                for samples in range(1, 9):  # as many as a reading may have
-                    if 100 <= number <= 20000 and number % samples == 0:
-                        getattr(board, "delay_" + mock)(number // samples, *about)
-                        told += [getattr(board, "read_" + name + "_adc")(*about), counted(board)]
-            yield told
+    """A reading takes as long as a number that the code compares with, or about that: what comes of it is counted.
+
+    Parameters are drawn by lot several times: with some of them an input is not read.
+    """
+    delays_us = sorted({number // samples for number in NUMBERS for samples in range(1, 9) if 100 <= number <= 20000})
+    for seed in range(4):
+        _, board = new_state(Lot(seed), Log())
+        for name, mock, _, full_scale, instances in READINGS:
+            for instance in range(instances):
+                about, told = (instance,) if instances > 1 else (), []
+                getattr(board, "set_" + mock + "_value")(full_scale // 3, *about)
+                for delay_us in delays_us:  # of each sample
+                    getattr(board, "delay_" + mock)(delay_us, *about)
+                    told += [getattr(board, "read_" + name + "_adc")(*about), counted(board)]
+                yield told
 
 
 def more_steps_of_state():

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/port_checks.py: do not edit.
-# Inputs: a6785f2b4118d4e1
+# Inputs: b0f56d29feb68357
 """Ports as they are opened: UARTs with the settings that they are given, and USB, a byte at a time without waiting."""
 
 import sys
@@ -251,7 +251,8 @@ def a_stream_that_raises_takes_nothing():
         assert port.sent == len(frame), failures
         assert port.is_up
         stream.failures, buffer = failures, bytearray(5)
-        assert [port.readinto(buffer) for _ in range(4)] == [0] * failures + [5] * (4 - failures)
+        found = [(port.readinto(buffer), port.is_up) for _ in range(4)]
+        assert found == [(0, False)] * failures + [(5, True)] * (4 - failures), found
         assert port.received == 5 * (4 - failures)
 
 

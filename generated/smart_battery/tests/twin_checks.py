@@ -1,27 +1,17 @@
 # Generated from templates/tests/program/twin_checks.py: do not edit.
-# Inputs: b536ce9474939ee9
+# Inputs: 36c2df241a056473
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
 from binascii import hexlify
 
 from mavlink import Link
 from program_bench import (
-<<<<<<< HEAD
-    OTHER_SYSTEM,
-    OTHER_COMPONENT,
-=======
->>>>>>> ab6ed364 (Checks of parts by themselves stand where their subject does)
     COMPONENT_ID,
+    OTHER_COMPONENT,
+    OTHER_SYSTEM,
     SECOND_US,
     SYSTEM_ID,
     GroundStation,
-<<<<<<< HEAD
-    main,
-    messages,
-    new_craft,
-    run,
-)
-=======
     machine,
     main,
     messages,
@@ -32,7 +22,6 @@ from program_bench import (
 from stand_ins import Texts, Thing
 
 import twins
->>>>>>> ab6ed364 (Checks of parts by themselves stand where their subject does)
 
 _TOLD = f" {COMPONENT_ID} is in use by another: change one"
 

@@ -8,6 +8,7 @@ from program_bench import (
     Flash,
     GroundStation,
     Port,
+    finish,
     main,
     messages,
     mock_time,
@@ -107,8 +108,7 @@ def _live_through_all(beginnings):
     storage = Storage(("a", "b"), 64)
     storage.load()
     storage.begin(b"payload")
-    while storage.step():
-        pass
+    finish(storage)
     port = StreamPort("attributes", Port(), 100)
     port.write(b"frame")
     port.readinto(bytearray(5))

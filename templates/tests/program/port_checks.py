@@ -249,7 +249,8 @@ def a_stream_that_raises_takes_nothing():
         assert port.sent == len(frame), failures
         assert port.is_up
         stream.failures, buffer = failures, bytearray(5)
-        assert [port.readinto(buffer) for _ in range(4)] == [0] * failures + [5] * (4 - failures)
+        found = [(port.readinto(buffer), port.is_up) for _ in range(4)]
+        assert found == [(0, False)] * failures + [(5, True)] * (4 - failures), found
         assert port.received == 5 * (4 - failures)
 
 

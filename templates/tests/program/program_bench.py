@@ -54,6 +54,7 @@ TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
 OTHER_SYSTEM = SYSTEM_ID % 255 + 1  # somebody else's ids
 OTHER_COMPONENT = COMPONENT_ID % 255 + 1
+MOST_STEPS = 70000  # of a save, whose largest has 65535 bytes, in chunks of one at least
 
 
 class NotHereError(Exception):
@@ -422,11 +423,18 @@ def run(vehicle, duration_us, step_us=None):
         advance_us(wait_us if step_us is None else step_us)
 
 
+def finish(storage):
+    """Do the steps of a save, up to its end."""
+    for _ in range(MOST_STEPS):
+        if not storage.step():
+            return
+    raise AssertionError("a save does not end")
+
+
 def save(vehicle):
     """Save the parameters at once, without the vehicle's own task."""
     vehicle.storage.begin(vehicle.parameters.dump())
-    while vehicle.storage.step():
-        pass
+    finish(vehicle.storage)
 
 
 def run_passes(vehicle, count):
