@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 6d5bb5a622a1f94a
+# Inputs: 24c835910a1e25f2
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -54,12 +54,9 @@ IS_MICROPYTHON = sys.implementation.name == "micropython"
 TURN_US = 1 << 30  # ticks_us() starts again
 TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
-<<<<<<< HEAD
 OTHER_SYSTEM = SYSTEM_ID % 255 + 1  # somebody else's ids
 OTHER_COMPONENT = COMPONENT_ID % 255 + 1
-=======
 MOST_STEPS = 70000  # of a save, whose largest has 65535 bytes, in chunks of one at least
->>>>>>> f8a33f55 (Faults without effect of the new draws; slow readings, late messages, other generations and saves that do not end are looked at)
 
 
 class NotHereError(Exception):
