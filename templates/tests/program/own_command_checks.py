@@ -108,7 +108,7 @@ def parameters_of_commands_are_looked_at():
     needs(own_commands, "a command of the project's own")
     for (least, most, multiplier, divisor, form, among, default), values, expected in PARAMS:
         param = (2, least, most, multiplier, divisor, form, among, default, "it is wrong")
-        row = ("act", "Title", None, False, False, (param,), (), ())
+        row = ("act", "Title", None, False, False, (param,), (), (), None)
         for value, given in zip(values, expected):  # noqa: B905  MicroPython's takes nothing else
             vehicle = Doing()
             answer = _answer(vehicle, row, Asked(1, value))
@@ -125,7 +125,7 @@ def positions_of_commands_are_global():
     needs(own_commands, "a command of the project's own")
     long_params = ((1, 0, 9, 1, 1, 0, None, None, "long"),)
     int_params = ((2, -90, 2e10, 1, 1, 0, None, 5, "int"),)
-    row = ("act", "Title", None, False, False, long_params, int_params, (0, 6))
+    row = ("act", "Title", None, False, False, long_params, int_params, (0, 6), "positions have to be global")
     for frame, value, result, given, text in (
         (0, 8, ACCEPTED, [(8,)], None),
         (6, 0x7FFFFFFF, ACCEPTED, [(5,)], None),
@@ -141,7 +141,7 @@ def positions_of_commands_are_global():
         vehicle = Doing()
         assert _answer(vehicle, row, Asked(3, value)) == (ACCEPTED, None)
         assert vehicle.given == [(3,)], "COMMAND_LONG has the others"
-    vehicle, row = Doing(), row[:6] + ((), ())  # noqa: RUF005  MicroPython
+    vehicle, row = Doing(), row[:6] + ((), (), None)  # noqa: RUF005  MicroPython
     asked = Asked(4, message=messages.CommandInt(unknown=False).update(frame=1))
     assert _answer(vehicle, row, asked) == (ACCEPTED, None)
     assert vehicle.given == [(4,)], "they are the same without a position"
@@ -160,17 +160,17 @@ def commands_are_done_when_they_may_be():
     ):
         vehicle = Doing()
         vehicle.is_armed = is_armed
-        answer = _answer(vehicle, ("act", "Title", armed, False, False, (), (), ()), Asked())
+        answer = _answer(vehicle, ("act", "Title", armed, False, False, (), (), (), None), Asked())
         assert answer == (REJECTED if text else ACCEPTED, None), (armed, is_armed)
         assert vehicle.given == [()] * (not text)
         assert vehicle.texts.told == ([(error, text)] if text else [])
-    row = ("act", "Title", None, True, False, (), (), ())
+    row = ("act", "Title", None, True, False, (), (), (), None)
     for heard, result in (((255 << 8 | 190, 7), ACCEPTED), ((254 << 8 | 255, 0), DENIED), ((), DENIED)):
         vehicle = Doing()
         assert _answer(vehicle, row, Asked(), heard) == (result, None), heard
         assert len(vehicle.given) == (result == ACCEPTED)
         assert vehicle.texts.told == [(error, "Title: only for ground stations that are heard")] * (result == DENIED)
-    row = ("act", "Title", None, False, True, (), (), ())
+    row = ("act", "Title", None, False, True, (), (), (), None)
     for is_again, result in (
         (None, dialect.MAV_RESULT_IN_PROGRESS),
         (True, dialect.MAV_RESULT_IN_PROGRESS),
@@ -192,7 +192,7 @@ def refusals_are_told_once_in_a_while():
     needs(own_commands, "a command of the project's own")
     vehicle = Doing()
     own = own_commands.OwnCommands(vehicle, None)
-    row = ("act", "Title", None, False, False, (), (), ())
+    row = ("act", "Title", None, False, False, (), (), (), None)
     told = []
     mock_time.set_ticks_us(((1 << 30) - 1500) * 1000)  # ticks start again meanwhile
     for wait_ms, text in (
