@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 5813c384af9501fe
+# Inputs: 4a0b8714962d67de
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -31,6 +31,9 @@ from mavlink import Link  # noqa: E402
 from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 
+import receiver  # noqa: E402
+import sender  # noqa: E402
+import state as state_module  # noqa: E402
 import telemetry  # noqa: E402
 
 try:
@@ -48,6 +51,7 @@ if READINGS:
 
 COMPONENTS = sorted({reading[2] for reading in READINGS})  # of which readings are taken
 HALF_TURN_MS = 1 << 29
+GUARDS = (0x5A5A5A5, -0x5A5A5A5)  # words behind an array: they belong to nobody, and stay what they are
 BEFORE_WRAP_US = ((1 << 30) - 300) * 1000  # ticks_ms() starts again soon
 UNKNOWN = -0x3FFFFFFF - 1
 
@@ -91,6 +95,42 @@ class Wire:
     def write(self, frame):
         self.frame = bytes(frame)
         return len(frame)
+
+
+BEHIND = b"\x5a\xa5" * 8  # the same of buffers
+KEPT = 40
+
+
+def guarded(kind, values):
+    """Return the array of a state with a few words behind it."""
+    return array(kind, list(values) + list(GUARDS))
+
+
+class Buffers:
+    """The newest buffers of links, each with a few bytes behind it that are nobody's."""
+
+    def __init__(self):
+        self.kept = []
+
+    def make(self, size):
+        """Return a new one."""
+        if len(self.kept) == KEPT:
+            self.look()
+            del self.kept[: KEPT // 2]
+        buffer = bytearray(size) + BEHIND
+        self.kept.append(buffer)
+        return buffer
+
+    def look(self):
+        """Fail where anything was written behind one."""
+        for buffer in self.kept:
+            assert buffer[-len(BEHIND) :] == BEHIND, "it writes behind a buffer"
+
+
+# Machine code does not look where an array or a buffer ends.
+buffers = Buffers()
+state_module.array = guarded
+sender.bytearray = receiver.bytearray = buffers.make
 
 
 def new_state(lot, log):
@@ -168,7 +208,8 @@ def forget(state):
 
 
 def summed(state):
-    """Return the sum of all words of a state."""
+    """Return the sum of all words of a state, and of those behind them, which nothing writes to."""
+    assert tuple(state.words[-len(GUARDS) :]) == GUARDS, "it writes behind the state"
     return crc32(bytes(state.words))
 
 
@@ -351,9 +392,11 @@ def due_by_lot():
             times.extend(
                 array("i", [now_ms + ahead & 0x3FFFFFFF, lot.below(parts or 1), lot.one((1, 20, 100, 5000)), parts])
             )
+        times.extend(array("i", GUARDS))
         step = []
         for _ in range(3):
             step += [take_due(times, now_ms, lot.below(2)), list(times)]
+        assert tuple(times[-len(GUARDS) :]) == GUARDS, "it writes behind the times"
         yield step
 
 
@@ -364,6 +407,7 @@ def watched_by_lot():
         count = lot.below(5)
         values = (UNKNOWN, -1, 0, 9, 10, 11, 5, 0x3FFFFFFF, -0x3FFFFFFF)
         words = array("i", [0] * 4)
+        words.extend(array("i", GUARDS))
         now_ms = lot.one((0, 5, (1 << 30) - 3, HALF_TURN_MS))
         rows = array("i", [count, lot.below(count + 1), lot.below(3), 7, 7, now_ms, lot.below(4) - 1, lot.below(3), -1])
         rows[8] = lot.one((-1, 3))
@@ -377,6 +421,7 @@ def watched_by_lot():
             now_ms = now_ms + lot.one((0, 1, 100, 1000, HALF_TURN_MS - 1, HALF_TURN_MS)) & 0x3FFFFFFF
             flags = lot.below(4)
             step += [1 if watch(words, rows, now_ms, flags) else 0, holding(words, rows), list(words), list(rows)]
+        assert tuple(words[-len(GUARDS) :]) == GUARDS, "it writes behind what it watches"
         yield step
 
 
@@ -442,6 +487,24 @@ def frames_by_lot():
             link.give_up()
 
 
+def times_of_readings():
+    """A reading takes as long as a number that the code compares with, or about that: what comes of it is counted.
+
+    Parameters are drawn by lot several times: with some of them an input is not read.
+    """
+    delays_us = sorted({number // samples for number in NUMBERS for samples in range(1, 9) if 100 <= number <= 20000})
+    for seed in range(4):
+        _, board = new_state(Lot(seed), Log())
+        for name, mock, _, full_scale, instances in READINGS:
+            for instance in range(instances):
+                about, told = (instance,) if instances > 1 else (), []
+                getattr(board, "set_" + mock + "_value")(full_scale // 3, *about)
+                for delay_us in delays_us:  # of each sample
+                    getattr(board, "delay_" + mock)(delay_us, *about)
+                    told += [getattr(board, "read_" + name + "_adc")(*about), counted(board)]
+                yield told
+
+
 def more_steps_of_state():
     """More of the same, for who has the time."""
     return steps_of_state(6, 160)
@@ -461,6 +524,7 @@ PARTS = {
     "due": due_by_lot,
     "watched": watched_by_lot,
     "frames": frames_by_lot,
+    "times": times_of_readings,
 }
 
 if __name__ == "__main__":
@@ -469,4 +533,5 @@ if __name__ == "__main__":
     told = {}
     for name in sys.argv[of + 1 :]:
         told[name] = [crc32(json.dumps(step).encode()) for step in PARTS[name]()]
+        buffers.look()
     print(json.dumps(told))

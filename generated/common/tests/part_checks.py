@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: fd03cdf0255ee868
+# Inputs: 6ac800eabecee498
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -7,6 +7,7 @@ from program_bench import (
     SECOND_US,
     TURN_MS_US,
     Flash,
+    finish,
     main,
     messages,
     mock_time,
@@ -110,8 +111,7 @@ def a_save_begins_with_what_is_there():
     for payload in (b"one", b"two", b"three"):
         storage = Storage(slots, 64)
         storage.begin(payload)
-        while storage.step():
-            assert storage.is_saving
+        finish(storage)
         assert (storage.problem, storage.is_saving) == (None, False)
         assert Storage(slots, 64).load() == payload
     assert len(flash.files) == 2
@@ -141,8 +141,7 @@ def a_save_begins_with_what_is_there():
 
     try:
         module.open = lambda path, mode: Full() if mode == "wb" else opened(path, mode)
-        while storage.step():
-            pass
+        finish(storage)
     finally:
         module.open = opened
     assert storage.problem.startswith("b cannot be written: OSError"), storage.problem
@@ -161,8 +160,7 @@ def a_save_begins_with_what_is_there():
         assert (loaded, storage.problem) == (None, f"a is damaged: {words}"), (loaded, storage.problem)
         flash.files = {}
         storage.begin(b"three")
-        while storage.step():
-            pass
+        finish(storage)
         assert list(flash.files) == ["a"]
 
 

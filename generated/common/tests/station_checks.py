@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 1e0c260179e4d427
+# Inputs: 8ac44ba75b890a11
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
@@ -135,6 +135,8 @@ def all_of_four_are_served():
     scene.seconds(1, 1, 2, 3, 4)
     found = scene.heard(10, 1, 2, 3, 4)
     assert [abs(count - alone) <= 1 for count in found] == [True] * 4, (alone, found)
+    scene.air.taken = {}
+    scene.seconds(5, 1, 2, 3, 4)
     for number in (1, 2, 3, 4):
         assert _follows(scene.air.taken[address(number)]), number
 

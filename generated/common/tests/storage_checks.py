@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 16bd5a87c2360abd
+# Inputs: bee59728edbba141
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -12,6 +12,7 @@ from program_bench import (
     Flash,
     good_count,
     live,
+    finish,
     main,
     messages,
     mock_time,
@@ -285,8 +286,7 @@ def what_is_not_understood_is_skipped():
     craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
     unknown = b"\x07NO_SUCH\x00\x00\x80\x3f"
     craft.storage.begin(unknown + craft.parameters.dump())
-    while craft.storage.step():
-        pass
+    finish(craft.storage)
     again = new_craft(flash=craft.flash)
     assert _values(again) == _values(craft)
     assert len([text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]) == 1

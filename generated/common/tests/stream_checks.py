@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: f8b567d640638afc
+# Inputs: 6060d7a40e0f6f53
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -430,7 +430,31 @@ def streams_go_on_after_standing_still():
     mock_time.set_ticks_us(0)
 
 
+def what_waits_for_room_is_noted():
+    """What is due and has no room waits, until there is room; what has waited for a period or more is counted."""
+    craft = new_craft()
+    own = craft.connections[0].streams
+    run(craft, 2 * SECOND_US)
+    needs([number for number in SENT if own.interval_us(number) > 0], "a message that is sent by itself")
+    budget = own._budget
+    longest_us = max([own.interval_us(number) for number in SENT])
+    for room, late_us, waits, is_counted in (
+        (1000, 0, False, False),
+        (0, longest_us, True, False),
+        (0, 10 * longest_us, True, False),
+        (1000, 0, False, True),
+        (1000, 10 * longest_us, False, False),
+    ):
+        mock_time.advance_us(late_us + longest_us)
+        budget[0], left_out = room, budget[1]
+        own.run(mock_time.ticks_ms())
+        assert own.has_waited == waits, (room, late_us)
+        assert (budget[1] > left_out) == is_counted, (room, late_us, budget[1] - left_out)
+        assert budget[0] == 0 if waits else budget[0] < room
+
+
 CHECKS = (
+    (what_waits_for_room_is_noted, "services.links"),
     (rates_by_parameter, "streams.rate", "storage.reboot"),
     (nothing_waits_once_it_is_due, "streams.fixed", "streams.rate"),
     (default_rates, "streams.rate"),

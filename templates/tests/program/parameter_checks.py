@@ -62,6 +62,7 @@ def refused_values_change_nothing():
             answers = _set(craft, station, facts["name"], value)
             assert [type(each) for each in answers] == [messages.ParamError, messages.ParamValue], answers
             assert answers[0].error == dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE
+            assert (answers[0].param_id, answers[0].raw("param_index")) == (facts["name"], -1), answers[0]
             assert answers[1].param_value == _worth(facts, facts["default"]), (facts["name"], value, answers[1])
             assert answers[1].param_index == NO_INDEX
             assert getattr(craft.parameters, facts["attribute"]) == facts["default"]
@@ -91,6 +92,21 @@ def unknown_names_are_refused():
     run_passes(craft, 8)
     answers += station.received(*KINDS)
     assert [each.error for each in answers] == [dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST] * 5, answers
+    asked = [("NO_SUCH_NAME", -1)] * 2 + [("", index) for index in (len(PARAMETERS), -2, 32767)]
+    assert [(each.param_id, each.raw("param_index")) for each in answers] == asked, answers
+    for name, text in (
+        ("OTHER", "OTHER is no parameter"),
+        ("", "a parameter of this name does not exist"),
+        ("N\xe9", "a parameter of this name does not exist"),
+    ):
+        message = messages.ParamSet(unknown=False).update(target_system=SYSTEM_ID)
+        data = bytes([ord(each) for each in name])
+        marked = bytes(messages.ParamSet(unknown=False).update(param_id="@").wire)
+        place = marked.index(b"@")
+        message.wire[place : place + len(data)] = data
+        station.link.send(message)
+        run_passes(craft, 4)
+        assert craft.said()[-1][1] == text, craft.said()
 
 
 def list_is_complete():

@@ -5,6 +5,7 @@ from program_bench import (
     SECOND_US,
     TURN_MS_US,
     Flash,
+    finish,
     main,
     messages,
     mock_time,
@@ -108,8 +109,7 @@ def a_save_begins_with_what_is_there():
     for payload in (b"one", b"two", b"three"):
         storage = Storage(slots, 64)
         storage.begin(payload)
-        while storage.step():
-            assert storage.is_saving
+        finish(storage)
         assert (storage.problem, storage.is_saving) == (None, False)
         assert Storage(slots, 64).load() == payload
     assert len(flash.files) == 2
@@ -139,8 +139,7 @@ def a_save_begins_with_what_is_there():
 
     try:
         module.open = lambda path, mode: Full() if mode == "wb" else opened(path, mode)
-        while storage.step():
-            pass
+        finish(storage)
     finally:
         module.open = opened
     assert storage.problem.startswith("b cannot be written: OSError"), storage.problem
@@ -159,8 +158,7 @@ def a_save_begins_with_what_is_there():
         assert (loaded, storage.problem) == (None, f"a is damaged: {words}"), (loaded, storage.problem)
         flash.files = {}
         storage.begin(b"three")
-        while storage.step():
-            pass
+        finish(storage)
         assert list(flash.files) == ["a"]
 
 

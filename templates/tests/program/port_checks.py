@@ -6,6 +6,7 @@ import micropython
 import serial_port
 from program_bench import machine, main
 from readiness import Readiness
+from serial_port import StreamPort
 
 BYTES = bytes(range(1, 8))
 
@@ -210,7 +211,111 @@ def streams_are_asked_without_waiting():
         readiness.select = true
 
 
+class Raising:
+    """A stream that raises for so many calls, and then takes and gives all there is."""
+
+    def __init__(self, failures):
+        self.failures = failures
+        self.sent = b""
+
+    def _fail(self):
+        if self.failures:
+            self.failures -= 1
+            raise OSError(5)
+
+    def write(self, data):
+        """Take bytes."""
+        self._fail()
+        self.sent += bytes(data)
+        return len(data)
+
+    def readinto(self, buffer):
+        """Give bytes."""
+        self._fail()
+        return len(buffer)
+
+
+def a_stream_that_raises_takes_nothing():
+    """Nothing has gone out or come in then, and all bytes of a frame go out later, in their order."""
+    for failures in range(4):
+        stream = Raising(failures)
+        port = StreamPort("raising", stream, 100)
+        frame = bytes(range(80))
+        assert port.write(frame) == len(frame)
+        assert port.is_up == (not failures)
+        for _ in range(4):
+            port.poll(0)
+        assert stream.sent == frame, failures
+        assert port.sent == len(frame), failures
+        assert port.is_up
+        stream.failures, buffer = failures, bytearray(5)
+        found = [(port.readinto(buffer), port.is_up) for _ in range(4)]
+        assert found == [(0, False)] * failures + [(5, True)] * (4 - failures), found
+        assert port.received == 5 * (4 - failures)
+
+
+class Sipping:
+    """A stream that takes and gives `part` bytes of what it is asked for, or as many as there are."""
+
+    def __init__(self):
+        self.part = None
+        self.sent = b""
+
+    def write(self, data):
+        """Take a part, or say None."""
+        if self.part is None:
+            return None
+        self.sent += bytes(data[: self.part])
+        return min(self.part, len(data))
+
+    def readinto(self, _buffer):
+        """Tell of a part, even one that no stream can give."""
+        return self.part
+
+
+def what_waits_goes_out_in_its_order():
+    """Frames that fit into what is free are kept, and others dropped, however the stream takes them."""
+    lot, size = 1, 100
+    stream = Sipping()
+    port = StreamPort("sipping", stream, size)
+    port.sent = port.dropped = port.received = 0x3FFFFFFF - 20
+    taken, dropped = b"", 0
+    for turn in range(400):
+        lot = lot * 1103515245 + 12345 & 0x3FFFFFFF
+        stream.part = (None, None, 0, 1, 31, 32, 33, 200)[lot >> 20 & 7]
+        free = size - (len(taken) - len(stream.sent))
+        before = len(stream.sent)
+        if lot >> 10 & 3 == 0:
+            is_left = port.poll(turn)
+            assert is_left == (len(taken) > len(stream.sent)), turn
+            assert stream.part != 200 or not is_left, "all goes out where all is taken"
+            assert not stream.part or free == size or len(stream.sent) > before, "what waits is offered"
+            assert stream.part is not None or len(stream.sent) == before, turn
+        else:
+            length = (free, free + 1, max(free - 1, 1), 20)[lot >> 10 & 3]
+            frame = bytes([turn + at & 0xFF for at in range(length)])
+            fits = length <= free
+            assert port.write(frame) == (length if fits else 0), (turn, length, free)
+            taken += frame if fits else b""
+            dropped += not fits
+            assert not fits or free < size or len(stream.sent) - before == min(length, stream.part or 0), (
+                "it is offered"
+            )
+        assert stream.sent == taken[: len(stream.sent)], turn
+        assert port.sent == len(stream.sent) + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+        assert port.dropped == dropped + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+    assert min(dropped, len(stream.sent) // size) > 20, (dropped, len(stream.sent))
+    arrived = 0
+    for part, count in ((None, 0), (0, 0), (-1, 0), (9, 9), (10, 10), (11, 10), (1, 1)):
+        stream.part = part
+        assert port.readinto(bytearray(10)) == count, part
+        arrived += count
+    assert port.received == arrived + 0x3FFFFFFF - 20 & 0x3FFFFFFF
+
+
 CHECKS = (
+    (a_stream_that_raises_takes_nothing, "services.links"),
+    (what_waits_goes_out_in_its_order, "services.links"),
     (uarts_are_opened_with_their_settings, "services.links"),
     (usb_takes_and_gives_what_is_ready, "services.links"),
     (streams_are_asked_without_waiting, "services.links"),

@@ -34,6 +34,7 @@ from program_facts import (  # noqa: E402
     SHARED,
     PARAMETERS,
     SENT,
+    STREAMS,
     SYSTEM_ID,
 )
 from texts import Texts  # noqa: E402
@@ -53,6 +54,7 @@ TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
 OTHER_SYSTEM = SYSTEM_ID % 255 + 1  # somebody else's ids
 OTHER_COMPONENT = COMPONENT_ID % 255 + 1
+MOST_STEPS = 70000  # of a save, whose largest has 65535 bytes, in chunks of one at least
 
 
 class NotHereError(Exception):
@@ -331,6 +333,14 @@ def silent(_text):
     """Show nothing."""
 
 
+def beats(seconds):
+    """Return how many HEARTBEATs come at least in so many seconds."""
+    for stream in STREAMS:
+        if stream["parameter"] is None and stream["messages"] and stream["messages"][0][0] == messages.Heartbeat.ID:
+            return seconds * 1000 * stream["period_denominator"] // stream["period_numerator"] - 1
+    return 0
+
+
 def know(state):
     """Set everything without which a message is withheld, for ever."""
     for component, instance, attribute, value, expires in KNOWN:
@@ -413,11 +423,18 @@ def run(vehicle, duration_us, step_us=None):
         advance_us(wait_us if step_us is None else step_us)
 
 
+def finish(storage):
+    """Do the steps of a save, up to its end."""
+    for _ in range(MOST_STEPS):
+        if not storage.step():
+            return
+    raise AssertionError("a save does not end")
+
+
 def save(vehicle):
     """Save the parameters at once, without the vehicle's own task."""
     vehicle.storage.begin(vehicle.parameters.dump())
-    while vehicle.storage.step():
-        pass
+    finish(vehicle.storage)
 
 
 def run_passes(vehicle, count):

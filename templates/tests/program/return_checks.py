@@ -16,7 +16,7 @@ from program_bench import (
     new_craft,
     run,
 )
-from program_facts import MEASURED, MESSAGES
+from program_facts import GENERATIONS, MEASURED, MESSAGES
 
 import dialect
 
@@ -207,20 +207,28 @@ def its_info_is_sent_at_once():
         watched = (measured["component"], measured["returns"]["count"])
         numbers = [number for number, facts in MESSAGES.items() if facts["watched"] == watched]
         needs(numbers, "a message that is sent when something comes back")
-        start, inputs = _inputs(measured)
-        craft = start()
-        numbers = [number for number in numbers if is_chosen(craft, number)]
-        run(craft, SECOND_US)
-        inputs[0].source = 0
-        run(craft, SECOND_US)
-        craft.port.frames = []
-        run(craft, SECOND_US // 2)
-        before = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
-        inputs[0].source = good_count(measured)
-        craft.port.frames = []
-        run(craft, SECOND_US // 2)
-        after = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
-        assert (before, sorted(after)) == ([], sorted(numbers)), (before, after)
+        for choice in range(3 if GENERATIONS and GENERATIONS[0]["attribute"] else 1):
+            _info_is_sent(measured, numbers, choice)
+
+
+def _info_is_sent(measured, numbers, choice):
+    """Look at one of the choices of the first generation."""
+    start, inputs = _inputs(measured)
+    craft = start()
+    if GENERATIONS and GENERATIONS[0]["attribute"]:
+        setattr(craft.parameters, GENERATIONS[0]["attribute"], choice)
+    numbers = [number for number in numbers if is_chosen(craft, number)]
+    run(craft, SECOND_US)
+    inputs[0].source = 0
+    run(craft, SECOND_US)
+    craft.port.frames = []
+    run(craft, SECOND_US // 2)
+    before = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
+    inputs[0].source = good_count(measured)
+    craft.port.frames = []
+    run(craft, SECOND_US // 2)
+    after = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
+    assert (before, sorted(after)) == ([], sorted(numbers)), (before, after)
 
 
 def _id(frame):

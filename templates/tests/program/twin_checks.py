@@ -1,18 +1,25 @@
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
+from binascii import hexlify
+
 from mavlink import Link
 from program_bench import (
-    OTHER_SYSTEM,
-    OTHER_COMPONENT,
     COMPONENT_ID,
+    OTHER_COMPONENT,
+    OTHER_SYSTEM,
     SECOND_US,
     SYSTEM_ID,
     GroundStation,
+    machine,
     main,
     messages,
+    mock_time,
     new_craft,
     run,
 )
+from stand_ins import Texts, Thing
+
+import twins
 
 _TOLD = f" {COMPONENT_ID} is in use by another: change one"
 
@@ -68,7 +75,70 @@ def frames_that_come_back_are_not():
     assert returned[0] > 0
 
 
+def twins_are_known_by_chips_and_numbers():
+    """Who tells of another chip under the same ids, or has a number of this vehicle, is told of, twice a minute."""
+    chip = hexlify(machine.unique_id())
+    size = len(chip) + 2
+    for places in ((4, 0), (4, None)):
+        told = Texts()
+        at_hand = Thing(component_id=7, link=Thing(sequence=9), stations=[], station=None)
+        watch = twins.TwinWatch(at_hand, told, "COMPONENT", ((77, 3, size, places[1]), (78, 1, 2, 0)), "NUMBER", (2, 5))
+        mock_time.set_ticks_us(0)
+
+        def heard(number, component, wire):
+            before = len(told.told)  # noqa: B023
+            watch.look_at(Thing(ID=number, wire=wire, source_sequence=0), component)  # noqa: B023
+            return [text for _, text in told.told[before:]]  # noqa: B023
+
+        own = bytes(3) + chip + bytes(2)
+        assert heard(77, 7, own) == []
+        assert heard(78, 7, b"\x00" + chip[:2]) == []
+        assert heard(79, 7, bytes(99)) == []
+        expected = ["warning: COMPONENT 7 is in use by another: change one"]
+        for place in range(3, 3 + size):
+            mock_time.advance_us(30000000)
+            other = own[:place] + bytes([own[place] ^ 1]) + own[place + 1 :]
+            assert heard(77, 7, other) == expected, place
+            mock_time.advance_us(29999000)
+            assert heard(77, 7, other) == [], "it was told just now"
+        for number, texts in ((2, 1), (3, 0), (5, 1), (0, 0)):
+            mock_time.advance_us(30000000)
+            found = heard(77, 9, bytes([number]) + bytes(99))
+            is_told = texts if places[1] is not None else 0
+            assert found == [f"warning: NUMBER {number} is in use by component 9: change one"] * is_told, (
+                number,
+                found,
+            )
+    mock_time.set_ticks_us(0)
+
+
+def frames_that_come_back_are_own():
+    """A HEARTBEAT with a number that one of the links has sent of late is its own: two others in a row are told."""
+    at_hand = Thing(component_id=7, link=Thing(sequence=70), stations=[], station=Thing(sequence=0))
+    at_hand.stations = [at_hand.station, Thing(sequence=200)]
+    for sequence, is_own in (
+        (69, True),
+        (6, True),
+        (5, False),
+        (70, False),
+        (199, True),
+        (136, True),
+        (135, False),
+        (200, False),
+    ):
+        told = Texts()
+        watch = twins.TwinWatch(at_hand, told, "COMPONENT", ())
+        own, other = (Thing(ID=messages.Heartbeat.ID, wire=b"", source_sequence=each) for each in (69, sequence))
+        counts = []
+        for each, component in ((other, 8), (other, 7), (own, 7), (other, 7), (other, 8), (other, 7)):
+            watch.look_at(each, component)
+            counts.append(len(told.told))
+        assert counts == [0, 0, 0, 0, 0, 0 if is_own else 1], (sequence, counts)
+
+
 CHECKS = (
+    (twins_are_known_by_chips_and_numbers, "services.twins"),
+    (frames_that_come_back_are_own, "services.twins"),
     (who_has_its_ids_is_told, "services.twins"),
     (others_are_not, "services.twins"),
     (frames_that_come_back_are_not, "services.twins"),

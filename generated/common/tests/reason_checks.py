@@ -1,0 +1,87 @@
+# Generated from templates/tests/program/reason_checks.py: do not edit.
+# Inputs: bee32179e8c37a3f
+"""What failsafes say: why the vehicle is not armed, level by level, and that a level is over."""
+
+from program_bench import GroundStation, main, messages
+from program_facts import WATCHED
+from watched_checks import ATTRIBUTE, GCS, HIGH, LEVEL, LIMIT, SENSE, Bench, _each, _on
+
+import dialect
+
+
+def _reasons(bench, condition):
+    """Return the reasons that the firmware may have for a condition: one where a parameter has its limit."""
+    own = [each for each in bench.failsafe._conditions if condition[LEVEL] in each]
+    if condition[LIMIT] is not None:
+        own = [each for each in own if condition[LIMIT] in each]
+    found = [part for each in own for part in each if isinstance(part, str) and " " in part]
+    assert found, condition
+    assert len(found) == 1 or condition[LIMIT] is None
+    return found
+
+
+def each_condition_has_its_reason():
+    """What holds alone is the reason, whichever condition it is; nothing is while nothing holds, or it is off."""
+    for facts, condition in _each():
+        bench, at, beyond = _on(facts, condition, is_armed=False)
+        for value, is_free in ((at, True), (beyond, False)):
+            bench.values[condition[ATTRIBUTE]] = value
+            bench._set()
+            expected = [None] if is_free else _reasons(bench, condition)
+            assert bench.failsafe.problem() in expected, (condition, value, bench.failsafe.problem())
+        if facts["enabled_by"]:
+            setattr(bench.craft.parameters, facts["enabled_by"], 0)
+            assert bench.failsafe.problem() is None
+
+
+def a_level_is_a_reason():
+    """One that is reached is, until it is over: of what is unknown, and of stations that are not heard."""
+    for facts, condition in _each(("unknown", "silent")):
+        bench = Bench(facts)
+        if facts["enabled_by"]:
+            setattr(bench.craft.parameters, facts["enabled_by"], 1)
+        due = bench.delay(condition)
+        bench.rests(condition)
+        if condition[SENSE] == "silent":
+            station = GroundStation(bench.craft.port)
+            station.send(messages.Heartbeat, type=GCS)
+        else:
+            bench.values[condition[ATTRIBUTE]] = condition[HIGH]
+        assert bench.run(passes=2) == []
+        assert bench.failsafe.problem() is None, condition
+        if condition[SENSE] != "silent":
+            bench.values[condition[ATTRIBUTE]] = None
+        bench.run(passes=due + 3)
+        assert bench.failsafe.level >= condition[LEVEL], condition
+        reached = [each for each in facts["conditions"] if each[LEVEL] == bench.failsafe.level]
+        found = bench.failsafe.problem()
+        assert found in [reason for each in reached for reason in _reasons(bench, each)] + ["unhealthy"], found
+        if facts["enabled_by"]:
+            setattr(bench.craft.parameters, facts["enabled_by"], 0)
+            assert bench.failsafe.problem() is None
+            setattr(bench.craft.parameters, facts["enabled_by"], 1)
+        if facts["is_latched"]:
+            continue
+        said = bench.craft.texts.last
+        if condition[SENSE] == "silent":
+            station.send(messages.Heartbeat, type=GCS)
+        else:
+            bench.values[condition[ATTRIBUTE]] = condition[HIGH]
+        bench.run(passes=2)
+        assert (bench.failsafe.level, bench.failsafe.problem()) == (0, None), condition
+        assert bench.craft.texts.last == said + 1, "it is told that it is over"
+        severity, text = bench.craft.texts.get(said + 1)
+        assert severity == dialect.MAV_SEVERITY_NOTICE
+        reached = [bench.craft.texts.get(number)[1] for number in range(1, said + 1)]
+        assert 0 < len(text) <= 50, text
+        assert text not in reached, "it says something else than that it is reached"
+
+
+CHECKS = (
+    (each_condition_has_its_reason, "arming.reasons"),
+    (a_level_is_a_reason, "arming.reasons"),
+)
+SUBJECT = WATCHED
+
+if __name__ == "__main__":
+    main(CHECKS, SUBJECT)
