@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/reason_checks.py: do not edit.
-# Inputs: bee32179e8c37a3f
+# Inputs: 33c06dcbc0aba8f2
 """What failsafes say: why the vehicle is not armed, level by level, and that a level is over."""
 
 from program_bench import GroundStation, main, messages
@@ -79,7 +79,7 @@ def a_level_is_a_reason():
 
 CHECKS = (
     (each_condition_has_its_reason, "arming.reasons"),
-    (a_level_is_a_reason, "arming.reasons"),
+    (a_level_is_a_reason,),
 )
 SUBJECT = WATCHED
 

@@ -77,7 +77,7 @@ def a_level_is_a_reason():
 
 CHECKS = (
     (each_condition_has_its_reason, "arming.reasons"),
-    (a_level_is_a_reason, "arming.reasons"),
+    (a_level_is_a_reason,),
 )
 SUBJECT = WATCHED
 
