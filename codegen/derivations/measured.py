@@ -276,8 +276,8 @@ def _check_zero(multiplier: Factor, kept: Kept, around: Surroundings) -> None:
     way = None if made is None else conversion(made, kept.unit)
     if way is not None and way.offset:
         unit = kept.unit.name
-        message = f"{multiplier.name} makes {top} of a voltage, and from those to {unit} leads an offset"
-        hint = f"give it in {unit}/V, and as offset the voltage at 0 {unit}"
+        message = f"{multiplier.name} makes {top} of a {VOLT.kind}, and from those to {unit} leads an offset"
+        hint = f"give it in {unit}/V, and as offset the {VOLT.kind} at 0 {unit}"
         around.bad("multiplier", message, UNCARRIED_CONVERSION, hint)
 
 
