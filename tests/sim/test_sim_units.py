@@ -5,13 +5,17 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from in_process import build
 
 from codegen.derivations.set_by_code import set_by_code
 from codegen.diagnostics import Report
+from codegen.model.scenario import Expectation
 from codegen.project.systems import read_system
+from codegen.sim.expected import unmet
 
 MINIMAL = Path(__file__).resolve().parents[1] / "projects" / "minimal" / "specs"
 DIALECT = """\
@@ -94,3 +98,16 @@ def test_a_course_sets_the_unit_of_its_quantity(interpreter: str, tmp_path: Path
     told, found = json.loads(done.stdout)
     assert told == []
     assert found == pytest.approx(TRUE, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("found", "unit", "said"),
+    [(117600, "mJ", "it is 117600 mJ."), (1.5, "V", "it is 1.5 V."), (4, "", "it is 4."), (True, "", "it is true.")],
+)
+def test_what_was_found_has_its_unit(found: Any, unit: str, said: str) -> None:
+    """Whole numbers, too, which are amounts where their quantity has a unit."""
+    expectation = Expectation(label="a.b", written="state a.b is 7", at_ms=None, value=7)
+    program = SimpleNamespace(lines=[SimpleNamespace(label="a.b", unit=unit)])
+    scenario = SimpleNamespace(expected=[expectation])
+    recording: Any = SimpleNamespace(at_ms=1000, program=program, scenario=scenario, state=lambda *_: found)
+    assert unmet(recording) == [f"Expected state a.b is 7: {said}"]
