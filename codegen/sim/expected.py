@@ -31,8 +31,9 @@ def _problem(expectation: Expectation, recording: Recording) -> str | None:
     if _holds(expectation, found):
         return None
     unit = next((line.unit for line in recording.program.lines if line.label == expectation.label), "")
-    is_amount = isinstance(found, float) or (unit and isinstance(found, int))
-    return f"it is {amount(float(found), unit) if is_amount else _shown(found)}."
+    if isinstance(found, float) or (unit and isinstance(found, int)):
+        return f"it is {amount(float(found), unit)}."
+    return f"it is {_shown(found)}."
 
 
 def _said(expectation: Expectation, recording: Recording, at_ms: int) -> str | None:
