@@ -74,11 +74,27 @@ class Answer:
 
     @cached_property
     def whole_ends(self) -> tuple[int, int]:
-        """The same with all limits that are written; of one that lies between two steps of the field the one inside."""
+        """The same with all limits that are written.
+
+        One of the quantity is rounded as its values are; of one of the table that lies between two steps of the field
+        it is the step inside.
+        """
         low, high = self.ends
-        lows = [-(-end * self.factor // 1) for end in (self.low, self.least) if end is not None]
-        highs = [end * self.factor // 1 for end in (self.high, self.most) if end is not None]
+        lows = [-(-end * self.factor // 1) for end in (self.least,) if end is not None]
+        highs = [end * self.factor // 1 for end in (self.most,) if end is not None]
+        lows += [self.rounded(end) for end in (self.low,) if end is not None]
+        highs += [self.rounded(end) for end in (self.high,) if end is not None]
         return int(max(low, *lows)) if lows else int(low), int(min(high, *highs)) if highs else int(high)
+
+    def rounded(self, steps: Fraction) -> int:
+        """Return the steps on the wire, rounded as the table says."""
+        over, under = steps.numerator * self.factor.numerator, steps.denominator * self.factor.denominator
+        if self.rounding == "down":
+            return over // under
+        if self.rounding == "up":
+            return -(-over // under)
+        size = abs(over) // under if self.rounding == "toward_zero" else (2 * abs(over) + under) // (2 * under)
+        return size if over >= 0 else -size
 
     @property
     def unknown(self) -> int | float | None:

@@ -68,21 +68,10 @@ def _exactly(number: int, answer: Answer | None = None) -> Carried:
 def _whole(answer: Answer, steps: Fraction) -> int:
     """Rounded and limited, and never the sentinel, but the step beside it that is further from zero."""
     low, high = answer.whole_ends
-    number = max(low, min(high, _rounded(answer, steps)))
+    number = max(low, min(high, answer.rounded(steps)))
     if answer.kind == "number" and number == answer.unknown:
         number += 1 if number >= 0 else -1
     return number
-
-
-def _rounded(answer: Answer, steps: Fraction) -> int:
-    """Return the steps on the wire, rounded as the table says."""
-    over, under = steps.numerator * answer.factor.numerator, steps.denominator * answer.factor.denominator
-    if answer.rounding == "down":
-        return over // under
-    if answer.rounding == "up":
-        return -(-over // under)
-    size = abs(over) // under if answer.rounding == "toward_zero" else (2 * abs(over) + under) // (2 * under)
-    return size if over >= 0 else -size
 
 
 def _float(answer: Answer, value: Fraction | float) -> Carried:

@@ -26,8 +26,9 @@ nothing did. {differences}
 
 {unsaid}
 
-A limit of a quantity between two steps of a field is the step inside. A number that would read as the sentinel goes out
-as the step beside it; the entry of an enum that is the sentinel goes out as it is.
+A limit of a quantity between two steps of a field is rounded as the values are, one of the table is the step inside. A
+number that would read as the sentinel goes out as the step beside it; the entry of an enum that is the sentinel goes
+out as it is.
 """
 
 

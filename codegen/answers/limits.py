@@ -11,7 +11,7 @@ from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import Scaling, rounded
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import exact_number
-from codegen.model.spec.population import FieldAnswer
+from codegen.model.spec.population import FieldAnswer, Rounding
 from codegen.model.units.unit import Unit, shortly
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
@@ -50,6 +50,11 @@ class Bounds:
         lows = [low for low in (self.low, other.low) if low is not None]
         highs = [high for high in (self.high, other.high) if high is not None]
         return Bounds(max(lows, default=None), min(highs, default=None))
+
+    def rounded(self, rounding: Rounding) -> "Bounds":
+        """Return what values at the bounds become in an integer field: no value between them goes out as any beyond."""
+        low, high = (None if end is None else Fraction(rounded(end, rounding)) for end in (self.low, self.high))
+        return Bounds(low, high)
 
     def whole(self) -> tuple[Fraction, Fraction]:
         """The smallest and the largest whole number within; both bounds are there."""
@@ -134,10 +139,6 @@ def check_reach(
             report.add(LIMIT_BEYOND_FIELD, covers.written.at(key), message)
 
 
-def _inside(limit: Fraction, key: str) -> int:
-    return math.ceil(limit) if key == "min" else math.floor(limit)
-
-
 def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Report) -> None:
     """Report what the source says that it reaches, where the field, which carries ``carried``, ends before.
 
@@ -160,10 +161,7 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
     ):
         if declared is None or end is None or stated is not None:
             continue
-        value = declared
-        if covers.field.type.is_integer:  # a limit between two steps of the field is the step inside
-            inside = rounded(declared, written.rounding) if declared is initial else _inside(declared, key)
-            value = Fraction(inside)
+        value = Fraction(rounded(declared, written.rounding)) if covers.field.type.is_integer else declared
         if value not in sentinels and (value < end if key == "min" else value > end):
             what = "is initially" if declared is initial else "goes down to" if key == "min" else "goes up to"
             report.add(

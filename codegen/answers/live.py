@@ -30,7 +30,7 @@ from codegen.model.answers.scaling import FLOAT_DIVISOR_MAX, Scaling, float_part
 from codegen.model.answers.step import Step
 from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.code.reading import Reading, plausible, scaled
-from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.code.storage import SMALL_INT_MAX, Storage
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
@@ -236,9 +236,19 @@ class LiveAnswer(KindOfAnswer):
         )
         enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
         if source.kind is QuantityKind.NUMBER:
-            expression, judged = plausible(expression, source.spec.min, source.spec.max)
+            expression, judged = plausible(expression, *self._told_ends(source))
             used = (*used, *judged)
         yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, (*used, *uses))
+
+    def _told_ends(self, source: Quantity) -> tuple[Fraction | None, Fraction | None]:
+        """The limits of the quantity, as wide as what the field tells of a value at them, in the receiver's floats."""
+        low, high = source.spec.min, source.spec.max
+        wire = self.covers.field.type
+        ends = self.scaling.low, self.scaling.high
+        sent = [int(end) if wire.is_integer else float(Storage(wire.code).nearest(end)) for end in ends]
+        factor = to_unit(source, self.scaling)
+        told = [Fraction(end * factor.numerator / factor.denominator) for end in sent]
+        return None if low is None else min(low, told[0]), None if high is None else max(high, told[1])
 
     def read_back(self) -> Iterator[ReadBack]:
         """The quantity."""

@@ -21,9 +21,9 @@ from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 class Taken:
     """A source that fits: the key of the table that names it, and what one stored step is on the wire.
 
-    ``bounds`` are those of source, dialect and table in wire units; ``written`` those of the table alone, and
-    ``declared`` those that the source states. ``in_wire`` is one unit of the source in wire units, ``initial`` its
-    initial value in these.
+    ``bounds`` are those of source, dialect and table in wire units, and in an integer field those of the source are
+    rounded as its values are; ``written`` are those of the table alone, and ``declared`` those that the source states.
+    ``in_wire`` is one unit of the source in wire units, ``initial`` its initial value in these.
     """
 
     source: Quantity | Parameter
@@ -60,7 +60,8 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
         in_wire = factor * source.steps
     written = written_bounds(covers.written, source.unit, in_wire, report)
     own = Bounds(source.minimum * factor, source.maximum * factor)
-    bounds = own.within(dialect_bounds(covers.field)).within(written)
+    sent = own.rounded(covers.written.rounding) if covers.field.type.is_integer else own
+    bounds = sent.within(dialect_bounds(covers.field)).within(written)
     declared = Bounds(None if source.spec.min is None else own.low, None if source.spec.max is None else own.high)
     initial = source.initial if isinstance(source, Quantity) else None
     assert not isinstance(initial, str)

@@ -12,14 +12,14 @@ from codegen.derivations.set_by_code import set_by_code
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.measure import BAD_AMOUNT, UNIT_MISMATCH
+from codegen.measure import BAD_AMOUNT, UNCARRIED_CONVERSION, UNIT_MISMATCH
 from codegen.model.answers.step import Step
 from codegen.model.quantities.conversion import Constant, Conversion, Factor, factors_by_instance
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.quantities.trust import Threshold
 from codegen.model.spec.derivation import MeasuredSpec
-from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
+from codegen.model.units.unit import NUMBER, Unit, conversion, decimal, ratio, read_measure, unit_named
 from codegen.model.vehicle import Parameter, Quantity, Represented, by_instance
 
 if TYPE_CHECKING:
@@ -246,6 +246,7 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
         hint = "a pure number" if ratio(VOLT, stored) else f"give it a unit per volt, such as {stored.name}/V"
         around.bad("multiplier", message, UNIT_MISMATCH, hint)
         return None
+    _check_zero(multiplier, kept, around)
     away = Fraction(0) if offset is None else ratio(offset.unit, VOLT)
     if away is None:
         assert offset is not None
@@ -266,6 +267,18 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
         low=math.ceil(kept.minimum) if around.spec.min is not None and low < kept.minimum else None,
         high=math.floor(kept.maximum) if around.spec.max is not None and high > kept.maximum else None,
     )
+
+
+def _check_zero(multiplier: Factor, kept: Kept, around: Surroundings) -> None:
+    """Report a multiplier that counts from another zero than the quantity: 100 K/V makes kelvins, not degC."""
+    top, _, _ = multiplier.unit.name.rpartition("/")
+    made = Unit.parse(top) if top else None
+    way = None if made is None else conversion(made, kept.unit)
+    if way is not None and way.offset:
+        unit = kept.unit.name
+        message = f"{multiplier.name} makes {top} of a {VOLT.kind}, and from those to {unit} leads an offset"
+        hint = f"give it in {unit}/V, and as offset the {VOLT.kind} at 0 {unit}"
+        around.bad("multiplier", message, UNCARRIED_CONVERSION, hint)
 
 
 def _is_whole(written: MeasuredSpec, around: Surroundings) -> bool:

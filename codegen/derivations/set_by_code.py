@@ -52,15 +52,19 @@ class SetByCode(Derivation):
 
 
 def set_by_code(quantity: Quantity, instance: int) -> SimulatedInput:
-    """Return how true values of what code sets reach an instance in a simulation."""
+    """Return how true values of what code sets reach an instance in a simulation.
+
+    A float is set in the unit of the quantity, whatever unit it is kept in: the attribute that is called so converts.
+    """
+    is_float = quantity.storage.is_float
     return SimulatedInput(
         "state",
         {
             "component": quantity.component,
             "instance": instance,
-            "attribute": quantity.attribute,
+            "attribute": quantity.name if is_float else quantity.attribute,
             "steps": float(quantity.steps),
-            "is_whole": quantity.kind is QuantityKind.NUMBER and not quantity.storage.is_float,
+            "is_whole": quantity.kind is QuantityKind.NUMBER and not is_float,
         },
         {"fail": "nothing sets it", "stuck": "it is set to what it was"},
     )

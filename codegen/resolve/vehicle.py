@@ -13,6 +13,7 @@ from codegen.model.spec.board import AdcSpec, BoardSpec
 from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
 from codegen.model.units.unit import decimal, unit_named
 from codegen.model.vehicle import AdcChannel, Citation, Parameter, Stream
+from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
 from codegen.source import Place
@@ -174,6 +175,7 @@ def resolve_parameters(
             if member.name in parameters or (member.instance and member.name in spec.parameters):
                 message = f"{member.name} is also the name of {name} for another instance"
                 report.add(BAD_PARAMETER, written.place, message)
+            check_carried(member, report)
             parameters[member.name] = parameter
     families.check_defaults()
     _check_earlier_names(parameters, report)
@@ -242,9 +244,7 @@ def _resolve_parameter(member: Member, citation: Citation | None, report: Report
 
 
 def _type_problems(name: str, spec: ParameterSpec) -> list[tuple[str, str]]:
-    """Return whether a whole type carries every value; a float carries 24 bits
-    exactly, which is enough for all others.
-    """
+    """Return what a whole type does not carry of the values, by the key that says so."""
     if spec.type is ParameterType.REAL32:
         return []
     if spec.step.denominator != 1:

@@ -31,7 +31,9 @@ def _problem(expectation: Expectation, recording: Recording) -> str | None:
     if _holds(expectation, found):
         return None
     unit = next((line.unit for line in recording.program.lines if line.label == expectation.label), "")
-    return f"it is {amount(found, unit) if isinstance(found, float) else _shown(found)}."
+    if isinstance(found, float) or (unit and isinstance(found, int)):
+        return f"it is {amount(float(found), unit)}."
+    return f"it is {_shown(found)}."
 
 
 def _said(expectation: Expectation, recording: Recording, at_ms: int) -> str | None:

@@ -10,7 +10,7 @@ from codegen.answers.limits import EMPTY_LIMITS, Bounds, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.diagnostics import Report
 from codegen.model.answers.answer import Elements
-from codegen.model.answers.scaling import rounded
+from codegen.model.answers.scaling import Scaling, rounded
 from codegen.model.dialect.dialect import FieldDefinition, WireField
 from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.spec.population import FieldAnswer, Rounding
@@ -71,6 +71,20 @@ def test_nothing_left_is_reported():
     found, report = limits("int8_t", -1, -1, -1)
     assert found is None
     assert [diagnostic.rule for diagnostic in report] == [EMPTY_LIMITS]
+
+
+@given(
+    st.integers(-50, 50),
+    st.integers(0, 50),
+    st.fractions(min_value=Fraction(1, 20), max_value=20, max_denominator=40),
+    st.sampled_from(Rounding),
+)
+def test_the_ends_of_what_is_carried(low, more, factor, rounding):
+    """The stored values between them are those that are rounded to a number within the limits, and no others."""
+    found = Scaling(factor, rounding, Fraction(low), Fraction(low + more))
+    within = [each for each in range(-2100, 2101) if low <= rounded(each * factor, rounding) <= low + more]
+    smallest, largest = found.carried
+    assert within == list(range(smallest, largest + 1))
 
 
 @given(st.fractions(), st.sampled_from(Rounding))

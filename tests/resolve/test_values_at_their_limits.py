@@ -61,7 +61,7 @@ def found(specs: Path, *, parameters: str = "parameters: {}\n", quantities: str 
         ("A", "default: 2, min: 0, max: 4, step: -1", ["the step of A is not above 0"]),
         ("A", "default: 0.5, min: 0, max: 4, step: 0.5", []),
         ("A", "default: 1, min: 0, max: 4.5, step: 1", ["max of A is not a whole number of steps"]),
-        ("A", f"default: 0, min: -{LARGEST}, max: {LARGEST}, step: 1", []),
+        ("A", f"default: 0, min: 0, max: {LARGEST}, step: 1", None),
         ("A", f"default: 0, min: 0, max: {LARGEST + 1}, step: 1",
          [f"max of A is {LARGEST + 1} steps, more than a small integer holds"]),
         ("A", f"default: 1, min: -128, max: 127, {INT8}", []),

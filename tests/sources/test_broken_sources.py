@@ -35,6 +35,9 @@ outputs:
 AMPERES = "amperes: {driver: user, class: a.A, unit: A, stored: mA, min: -20, max: 20, rate: 10 Hz}"
 VOLTS = "\n  volts: {driver: adc, gpio: 26, multiplier: 1, samples: 1, rate: 10 Hz}"
 CURRENT = "current: {doc: d, unit: A, stored: mA, source: amperes, stale_after: 2 s}"
+KELVINS = "water: {driver: adc, gpio: 26, multiplier: 100 K/V, offset: 0 V, samples: 1, rate: 10 Hz}"
+WATER = "water: {doc: d, unit: degC, stored: cdegC, source: water, stale_after: 2 s}"
+IN_KELVINS = WATER.replace("unit: degC, stored: cdegC", "unit: K, stored: cK")
 MEASURED = "\n      voltage: {doc: d, unit: V, stored: mV, source: volts, stale_after: 2 s}"
 CONSUMED = "\n      consumed: {doc: d, unit: mAh, integral_of: current}"
 ENERGY = "\n      energy: {doc: d, unit: hJ, integral_of: current, times: voltage}"
@@ -49,6 +52,15 @@ parameters:
 # What board.yaml says under sources, what the component boat of state.yaml has, and what is found.
 CASES = [
     ("nothing is wrong", SONAR, DEPTH, []),
+    ("kelvins for degC", PICO + KELVINS, WATER,
+     ["error uncarried-conversion: 100 K/V makes K of a voltage, and from those to degC leads an offset",
+      "hint: give it in degC/V, and as offset the voltage at 0 degC"]),
+    ("degC for kelvins", PICO + KELVINS.replace("K/V", "degC/V"), IN_KELVINS,
+     ["error uncarried-conversion: 100 degC/V makes degC of a voltage", "hint: give it in K/V"]),
+    ("thousandths for degC", PICO + KELVINS.replace("100 K/V", "100000 mK/V"), WATER,
+     ["100000 mK/V makes mK of a voltage"]),
+    ("degC from their zero", PICO + KELVINS.replace("100 K/V, offset: 0 V", "100 degC/V, offset: 2.7315 V"), WATER, []),
+    ("kelvins for K", PICO + KELVINS, IN_KELVINS, []),
     ("a driver", SONAR.replace("user", "usr"), DEPTH, ["2:19: error unknown-driver: there is no driver usr", "user"]),
     ("a key", SONAR.replace("min", "mni"), "", ["error unknown-key: unknown key 'mni'", "did you mean min"]),
     ("a class", SONAR.replace("sonar.Sonar", "Sonar"), DEPTH, ["bad-source-driver: Sonar is no class of a module"]),

@@ -45,6 +45,16 @@ def _quotient(numerator: int, denominator: int, rounding: Rounding) -> int:
     return size if numerator >= 0 else -size
 
 
+def _last(high: Fraction, factor: Fraction, rounding: Rounding) -> int:
+    """Return the largest whole number that, times ``factor``, is rounded to ``high`` or less."""
+    above = {Rounding.NEAREST: Fraction(1, 2), Rounding.UP: Fraction(0)}.get(rounding, Fraction(1))
+    if rounding is Rounding.TOWARD_ZERO and high < 0:
+        above = Fraction(0)
+    is_within = not above or (rounding is Rounding.NEAREST and high < 0)  # whether the end itself is rounded to high
+    end = (high + above) / factor
+    return math.floor(end) if is_within else math.ceil(end) - 1
+
+
 @dataclass(frozen=True, slots=True)
 class Scaling:
     """wire = ``stored * factor``, rounded, and limited to ``low``..``high`` (wire units, sentinel excluded).
@@ -62,8 +72,14 @@ class Scaling:
 
     @property
     def steps(self) -> tuple[int, int]:
-        """The smallest and the largest stored value that goes out as it is."""
+        """The smallest and the largest stored value that goes out as it is, without the rounding of a field."""
         return math.ceil(self.low / self.factor), math.floor(self.high / self.factor)
+
+    @property
+    def carried(self) -> tuple[int, int]:
+        """The smallest and the largest stored value that an integer field carries: once rounded it is in the limits."""
+        turned = {Rounding.DOWN: Rounding.UP, Rounding.UP: Rounding.DOWN}.get(self.rounding, self.rounding)
+        return -_last(-self.low, self.factor, turned), _last(self.high, self.factor, self.rounding)
 
     @property
     def worst(self) -> int:

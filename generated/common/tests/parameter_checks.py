@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 9283ef57d0b87aac
+# Inputs: 234629ab0db7e633
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -20,6 +20,14 @@ def _sent(value):
 
 def _worth(facts, steps):
     return _sent(steps * facts["numerator"] / facts["denominator"])
+
+
+def _beyond(facts, end, way):
+    """Return the first number beyond a limit that is another one as a float of 32 bits."""
+    steps = end + way
+    while _worth(facts, steps) == _worth(facts, end):
+        steps += way
+    return _worth(facts, steps)
 
 
 def _set(craft, station, name, value):
@@ -55,7 +63,7 @@ def refused_values_change_nothing():
     craft = new_craft()
     station = craft.ground_station()
     for facts in PARAMETERS:
-        outside = [_worth(facts, facts["minimum"] - 1), _worth(facts, facts["maximum"] + 1)]
+        outside = [_beyond(facts, facts["minimum"], -1), _beyond(facts, facts["maximum"], 1)]
         outside += [float("nan"), float("inf"), -float("inf"), 3e38]
         if facts["choices"]:
             gaps = [steps for steps in range(facts["minimum"], facts["maximum"]) if steps not in facts["choices"]]

@@ -20,6 +20,14 @@ def _worth(facts, steps):
     return _sent(steps * facts["numerator"] / facts["denominator"])
 
 
+def _beyond(facts, end, way):
+    """Return the first number beyond a limit that is another one as a float of 32 bits."""
+    steps = end + way
+    while _worth(facts, steps) == _worth(facts, end):
+        steps += way
+    return _worth(facts, steps)
+
+
 def _set(craft, station, name, value):
     station.send(messages.ParamSet, param_id=name, param_value=value)
     run_passes(craft, 4)
@@ -53,7 +61,7 @@ def refused_values_change_nothing():
     craft = new_craft()
     station = craft.ground_station()
     for facts in PARAMETERS:
-        outside = [_worth(facts, facts["minimum"] - 1), _worth(facts, facts["maximum"] + 1)]
+        outside = [_beyond(facts, facts["minimum"], -1), _beyond(facts, facts["maximum"], 1)]
         outside += [float("nan"), float("inf"), -float("inf"), 3e38]
         if facts["choices"]:
             gaps = [steps for steps in range(facts["minimum"], facts["maximum"]) if steps not in facts["choices"]]
