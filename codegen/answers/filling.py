@@ -3,6 +3,7 @@
 import math
 
 from codegen.model.answers.answer import Elements
+from codegen.model.answers.known import shown_value
 from codegen.model.answers.scaling import Scaling, rounded
 from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.code.statements import scaled
@@ -51,6 +52,16 @@ def fitted(scaling: Scaling, unknown: int | None, why: str = "unknown") -> list[
     if unknown is None:
         return lines
     return [f"if value == {UNKNOWN}:", f"    value = {unknown}  # {why}", "else:", *indented(lines)]
+
+
+def apart(unknown: int | float, store: list[str], lines: list[str]) -> list[str]:
+    """Return the lines that ``store`` an unknown value as a whole, and else what ``lines`` do."""
+    return [
+        f"if value == {UNKNOWN}:  # goes out as {shown_value(unknown)}",
+        *indented(store),
+        "else:",
+        *indented(lines),
+    ]
 
 
 def _limited(scaling: Scaling, unknown: int | None, why: str) -> list[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.answers.filling import comment, fitted, origin, read, stand_in
+from codegen.answers.filling import apart, comment, fitted, origin, read, stand_in
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, no_sentinel
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
@@ -28,9 +28,9 @@ from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Known, Value, shown_value, stored_value
 from codegen.model.answers.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
 from codegen.model.answers.step import Step
-from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.payload_code import PayloadCode
 from codegen.model.code.reading import Reading, plausible, scaled
-from codegen.model.code.storage import SMALL_INT_MAX, Storage
+from codegen.model.code.storage import SMALL_INT_MAX, Storage, is_small
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
@@ -169,7 +169,11 @@ class LiveAnswer(KindOfAnswer):
         if not self.covers.field.type.is_integer:
             return lines + self._float(code, element)
         assert instead is None or isinstance(instead, int)
-        return [*lines, *fitted(self.scaling, instead, why), *code.store(self.covers, "value", element=element)]
+        store = code.store(self.covers, "value", element=element)
+        if instead is None or is_small(instead):
+            return [*lines, *fitted(self.scaling, instead, why), *store]
+        unknown = code.store(self.covers, instead, element=element, over=True)
+        return [*lines, *apart(instead, unknown, [*fitted(self.scaling, None), *store])]
 
     def _float(self, code: PayloadCode, element: str) -> list[str]:
         factor = self.scaling.factor
@@ -183,12 +187,7 @@ class LiveAnswer(KindOfAnswer):
             return lines
         # The float beside it is written as a whole.
         unknown = code.store(self.covers, self.unknown, element=element, over=True)
-        return [
-            f"if value == {UNKNOWN}:  # goes out as {shown_value(self.unknown)}",
-            *indented(unknown),
-            "else:",
-            *indented(lines),
-        ]
+        return apart(self.unknown, unknown, lines)
 
     @property
     def _in_steps(self) -> Scaling:

@@ -27,6 +27,7 @@ from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
 from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.code.reading import Reading, scaled
+from codegen.model.code.storage import is_small
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component, Parameter, Quantity
@@ -124,11 +125,14 @@ class SplitAnswer(KindOfAnswer):
     def spilled(self, code: PayloadCode) -> list[str]:
         """The statements without their comment."""
         covers, most, last = self.covers, self.element_high, self.covers.first + self.covers.count - 1
+        full = [
+            f"while value > {most} and place < {last}:",
+            *indented([*code.store_at(covers, "place", str(most)), f"value -= {most}", "place += 1"]),
+        ]
         spread = [
             *fitted(self.scaling, None),
             f"place = {covers.first}",
-            f"while value > {most} and place < {last}:",
-            *indented([*code.store_at(covers, "place", str(most)), f"value -= {most}", "place += 1"]),
+            *(full if is_small(most) else []),  # what is kept is smaller than all that one element holds
             *code.store_at(covers, "place", "value"),
         ]
         lines = [f"value = {read(code, self.source)}", *stand_in(self.source), *code.fill(covers, self.unused, 1)]

@@ -173,7 +173,7 @@ class Streams:
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
         self._is_waiting = False  # whether any announcement is to be sent
         self._seen = [state.words[_BATTERY_SWAPS_NUMBER[0]], state.words[_BATTERY_SWAPS_NUMBER[1]]]
-        self._looked_ms = self._next_ms
+        self._looked_ms = ticks_add(self._next_ms, -_LOOK_MS)  # before anything is announced
         self.connect()
 
     def wait_ms(self, now_ms):

@@ -29,6 +29,7 @@ def announced(*messages: tuple[str, WayView, int, int, bool, Any]) -> Any:
     populated = [
         SimpleNamespace(
             name=name,
+            withheld_for=(),
             is_announced=on_connection or watched is not None,
             on_connection=on_connection,
             on_change=watched,

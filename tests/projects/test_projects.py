@@ -7,11 +7,11 @@ cable for links, a charge that is estimated, a system id that no parameter sets,
 float_fields has a message of floats that small whole numbers make, and one of those that take several words.
 three_cameras says how many there are. texts has texts in fields of many sizes, and a list that withholds its message.
 rows has arrays of every type that lists fill. wide_values has numbers of more than 30 bits and floats, in fields of
-every type, and clocks that pass the sentinels of theirs; boat is a boat with a receiver of satellites, without battery,
-converter or program. angles has quantities in degrees that fields have in radians, and the other way, sent and
-received. own_dialect is written for a dialect of its own, in two files, and has the last system id that there is.
-sensors has a sensor of every kind, and one with a driver of its own; power_monitor has two channels of an ADC in one
-component, and a level.
+every type, sentinels that machine code cannot have as literals, and clocks that pass the sentinels of theirs; boat is a
+boat with a receiver of satellites, without battery, converter or program. angles has quantities in degrees that fields
+have in radians, and the other way, sent and received. own_dialect is written for a dialect of its own, in two files,
+and has the last system id that there is. sensors has a sensor of every kind, and one with a driver of its own;
+power_monitor has two channels of an ADC in one component, and a level.
 """
 
 import subprocess

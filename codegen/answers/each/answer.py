@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from codegen.answers.each.elements import BAD_EACH, can_take, has_all, room_of, unknown_of
 from codegen.answers.each.reading import element_readings
-from codegen.answers.filling import comment, fitted, origin
+from codegen.answers.filling import apart, comment, fitted, origin
 from codegen.answers.fitting import WITHHELD
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
 from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
@@ -20,6 +20,7 @@ from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
 from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.code.reading import Reading
+from codegen.model.code.storage import is_small
 from codegen.model.spec.population import FieldAnswer, Send
 from codegen.model.vehicle import Quantity
 
@@ -194,8 +195,15 @@ class EachAnswer(KindOfAnswer):
         bounds = [f"{source} < {count}"] if varies and not self.withholds else []
         end = last if bounds else min(last, most - shift)
         place = "place < " + str(end)
+        store = code.store_at(covers, "place", "value")
         element = [f"value = {code.read(self.source, source)}"]
-        element += [*fitted(self.scaling, self.unknown), *code.store_at(covers, "place", "value"), "place += 1"]
+        if self.unknown is None or is_small(self.unknown):
+            element += [*fitted(self.scaling, self.unknown), *store]
+        else:
+            turn = f"(place - {covers.first})" if covers.first else "place"
+            unknown = code.store(covers, self.unknown, element=turn, over=True)
+            element += apart(self.unknown, unknown, [*fitted(self.scaling, None), *store])
+        element.append("place += 1")
         return [
             f"place = {covers.first}",
             f"while {' and '.join([place, *bounds])}:",

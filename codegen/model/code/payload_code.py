@@ -8,6 +8,8 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING
 
 from codegen.model.answers.scaling import FloatParts
+from codegen.model.code.storage import is_small
+from codegen.model.dialect.dialect import Kind
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:
@@ -163,14 +165,27 @@ class PayloadCode(ABC):
         left = covers.count - first
         if left <= LONGEST_RUN:
             return [line for index in range(first, covers.count) for line in self.store(covers, value, index)]
+        if not self.is_plain(covers, value) and repr(value) not in {"0", "0.0"}:
+            return each_element(first, covers.count, self.store(covers, value, element=ELEMENT))
         return [
             f"place = {covers.first + first}",
             f"while place < {covers.first + covers.count}:",
-            *indented([*self.store_at(covers, "place", str(value)), "place += 1"]),
+            *indented([*self.store_at(covers, "place", str(int(value))), "place += 1"]),
         ]
+
+    @staticmethod
+    def is_plain(covers: "Elements", value: float) -> bool:
+        """Return whether an element is written with a number as a literal: others go out half by half."""
+        return covers.field.type.kind is not Kind.FLOAT and is_small(value)
 
     def rest(self, covers: "Elements", value: int) -> list[str]:
         """Write the same number into the elements from the place ``place`` on, which nothing else has written."""
+        if not self.is_plain(covers, value):
+            element = f"({ELEMENT} - {covers.first})" if covers.first else ELEMENT
+            return [
+                f"while {ELEMENT} < {covers.first + covers.count}:",
+                *indented([*self.store(covers, value, element=element), f"{ELEMENT} += 1"]),
+            ]
         return [
             f"while place < {covers.first + covers.count}:",
             *indented([*self.store_at(covers, "place", str(value)), "place += 1"]),

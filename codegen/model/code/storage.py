@@ -8,6 +8,7 @@ While a value is unknown, its first word is -2 ** 30, which no half is.
 import struct
 from enum import Enum
 from fractions import Fraction
+from math import isfinite
 
 from codegen.model.dialect.dialect import Kind, WireType
 
@@ -81,6 +82,14 @@ def _largest_float(code: str) -> float:
     data = b"\xff\xff\x7f\x7f" if code == "f" else b"\xff" * 6 + b"\xef\x7f"
     largest: float = struct.unpack(f"<{code}", data)[0]
     return largest
+
+
+def is_small(number: float) -> bool:
+    """Return whether a board's small integers hold a number: in machine code a larger literal is an object, no number.
+
+    Compiled it is the address of that, and from a source the module cannot be imported at all.
+    """
+    return number == int(number) and -SMALL_INT_MAX - 1 <= number <= SMALL_INT_MAX if isfinite(number) else False
 
 
 def storage_of(low: int, high: int) -> Storage | None:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 418f2d3fb21a7a62
+# Inputs: d6a447ecb7f9ac2f
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -167,9 +167,15 @@ def unknown_counts_from_when_it_is_unknown():
         bench = Bench(facts)
         due = bench.delay(condition)
         bench.rests(condition)
-        for known in (condition[LOW], condition[HIGH]):
-            bench.values[condition[ATTRIBUTE]] = known
-            assert bench.run(passes=due + 3) == [], condition
+        others = [
+            other[SENSE]
+            for other in facts["conditions"]
+            if other[ATTRIBUTE] == condition[ATTRIBUTE] and not (other[LIMIT] and other[IS_OFF_AT_ZERO])
+        ]
+        for end, sense in ((LOW, "below"), (HIGH, "above")):
+            if sense not in others:  # such a condition of the same value holds there
+                bench.values[condition[ATTRIBUTE]] = condition[end]
+                assert bench.run(passes=due + 3) == [], condition
         bench.values[condition[ATTRIBUTE]] = None
         assert bench.run(passes=due) == [], condition
         assert _first(condition[LEVEL], bench.run(passes=1)) == 0, condition

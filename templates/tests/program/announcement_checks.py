@@ -16,7 +16,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import CONTROL_US, GENERATIONS, LINKS_US, MESSAGES, SILENCE_MS
+from program_facts import CONTROL_US, GENERATIONS, LINKS_US, MESSAGES, SILENCE_MS, WITHHELD
 
 import dialect
 
@@ -226,6 +226,8 @@ def told_of_a_change():
             for value in (5, 6, None):
                 setattr(owner, attribute, value)
                 is_told = is_chosen(craft, number) and place in reporting(craft, number)
+                if value is None and facts["watched"] in WITHHELD.get(number, ()):
+                    is_told = False  # it cannot say so
                 for port in ports:
                     port.frames = []
                 run_passes(craft, 20)

@@ -15,7 +15,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS
+from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, MESSAGES, PARAMETERS
 
 import board
 from serial_port import open_uart
@@ -188,6 +188,11 @@ def one_message_in_a_pass():
         craft = new_craft()
     finally:
         Craft.MESSAGES = most
+    streamed = {number: each["rate"] * each["instances"] * each["pages"] for number, each in MESSAGES.items()}
+    if sum(streamed.values()) * LINKS_US > SECOND_US // 4:  # more than the port below has room for
+        for number, rate in streamed.items():
+            if rate and number != messages.Heartbeat.ID:
+                craft.connections[0].streams.set_interval(number, 10 * SECOND_US)
     craft.port.room = 1  # before it is polled again, which a pass does that has sent nothing
     station = GroundStation(craft.port)
     run_passes(craft, 20)

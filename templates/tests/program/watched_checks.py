@@ -165,9 +165,15 @@ def unknown_counts_from_when_it_is_unknown():
         bench = Bench(facts)
         due = bench.delay(condition)
         bench.rests(condition)
-        for known in (condition[LOW], condition[HIGH]):
-            bench.values[condition[ATTRIBUTE]] = known
-            assert bench.run(passes=due + 3) == [], condition
+        others = [
+            other[SENSE]
+            for other in facts["conditions"]
+            if other[ATTRIBUTE] == condition[ATTRIBUTE] and not (other[LIMIT] and other[IS_OFF_AT_ZERO])
+        ]
+        for end, sense in ((LOW, "below"), (HIGH, "above")):
+            if sense not in others:  # such a condition of the same value holds there
+                bench.values[condition[ATTRIBUTE]] = condition[end]
+                assert bench.run(passes=due + 3) == [], condition
         bench.values[condition[ATTRIBUTE]] = None
         assert bench.run(passes=due) == [], condition
         assert _first(condition[LEVEL], bench.run(passes=1)) == 0, condition

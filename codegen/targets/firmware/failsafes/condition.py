@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from codegen.model.code.payload_code import UNKNOWN
 from codegen.targets.firmware.failsafes.table import Columns
 
 _SENSE_UNKNOWN = "2  # unknown"
@@ -91,7 +92,8 @@ def follow_lines(columns: Columns, *, has_silence: bool, has_unknown: bool) -> I
     yield "limit = self._limit(condition)"
     yield f"rows[at + _ROW_SENSE] = 0 if limit is None else {next(iter(signs)) if len(signs) == 1 else columns('SIGN')}"
     yield "rows[at + _ROW_LIMIT] = limit or 0"
-    yield f"rows[at + _ROW_FLOOR] = {columns('FLOOR')}"
+    # Conditions for arming alone, which no time is counted of, have none.
+    yield f"rows[at + _ROW_FLOOR] = {columns('FLOOR') if columns.values('FLOOR') else UNKNOWN}"
 
 
 def row_constants(statements: Iterable[str]) -> Iterable[str]:

@@ -114,12 +114,20 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     conditions = [condition for failsafe in failsafes for condition in failsafe.conditions]
     has_values = any(condition.quantity for condition in conditions)
     has_silence = not all(condition.quantity for condition in conditions)
-    has_unknown = any(condition.sense is Sense.UNKNOWN for condition in conditions)
+    looked_at = [*conditions, *(condition for failsafe in failsafes for condition in failsafe.to_arm)]
+    has_unknown = any(condition.sense is Sense.UNKNOWN for condition in looked_at)
     rows = [row for one in failsafes for at in range(one.instances) for row in condition_rows(one, layout, at)]
     columns = Columns.of(rows)
     pair = _only_pair(failsafes)
     has_recovery = found.has("is_latched")
     follow = tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown))
+    limit = tuple(limit_lines(columns)) if columns.values("LIMIT") else ()
+    after = tuple(after_lines(columns))
+    level, level_of_due = columns("LEVEL"), columns("LEVEL", "due")
+    is_inverted = f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns)
+    milder = of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder")
+    worse = of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse")
+    compared = (is_inverted, milder, worse) if found.has("inverted") else ()
     measured = {name for name, _, _ in system.measured()}
     armed = layout.blocks["vehicle"].offsets["armed"]
     watching = _watching(found)
@@ -131,7 +139,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
         imports=either_import("scan", ["holding", "watch"], machine_code=system.spec.project.machine_code),
-        columns=tuple(columns.constants),
+        columns=tuple(columns.constants([*follow, *limit, *after, level, level_of_due, *compared])),
         constants=(
             *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
             *found.constants,
@@ -152,16 +160,16 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             f"self._words[{found('watched_at')}] == _UNKNOWN",
         ),
         last_problem="self._mixed" if found.has("inverted") else "None",
-        limit=tuple(limit_lines(columns)) if columns.values("LIMIT") else (),
+        limit=limit,
         follow=follow,
         row_constants=tuple(row_constants(follow)),
         words='array("i", [0]) if component is None else component.words' if has_silence else "component.words",
-        level=columns("LEVEL"),
-        level_of_due=columns("LEVEL", "due"),
-        after=tuple(after_lines(columns)),
-        is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
-        milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
-        worse=of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
+        level=level,
+        level_of_due=level_of_due,
+        after=after,
+        is_inverted=is_inverted,
+        milder=milder,
+        worse=worse,
         has_pairs=not pair,
         text=found("text"),
         set_level=_set_level(found),

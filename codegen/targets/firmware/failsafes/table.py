@@ -1,5 +1,6 @@
 """Tables of failsafe.py: the conditions, levels and pairs of levels of each failsafe, as lines of tuples."""
 
+import re
 from collections.abc import Iterable, Sequence
 
 from codegen.frozen import dataclass
@@ -18,6 +19,9 @@ Row = dict[str, str]
 
 _LOOKED_UP = ("LEVEL", "WHY", "ACTION")
 """The columns that a row always has: they are looked for by the level."""
+
+_NAME = re.compile(r"\b_[A-Z]+\b")
+"""A constant in a statement."""
 
 _SIGNS = {Sense.BELOW: -1, Sense.ABOVE: 1, Sense.UNKNOWN: 0, Sense.SILENT: 0}
 
@@ -68,18 +72,15 @@ class Columns:
         """The columns of a row."""
         return [column for column in COLUMNS if column not in self.same and any(column in row for row in self.rows)]
 
-    @property
-    def constants(self) -> list[str]:
-        """Return the constants: the position of each column in a row, and the values that all rows have in common."""
+    def constants(self, statements: Iterable[str]) -> list[str]:
+        """Return the constants: the position of each column in a row, and of the values that all rows have in common
+        those that the statements name."""
+        said = set(_NAME.findall("\n".join(statements)))
         places = [f"_{column} = const({place})" for place, column in enumerate(self.kept)]
-        unused = {column for column in ("SLACK", "FACTOR", "OFF") if len(self.values(column)) == 1}
-        unused -= {column for column, value in self.same.items() if value not in ("0" if column == "SLACK" else "1",)}
-        if self.values("SIGN") <= {"-1"} or self.values("SIGN") <= {"1"}:
-            unused.add("SIGN")
         same = [
             f"_{column} = const({value})  # of all"
             for column, value in self.same.items()
-            if _is_number(value) and column not in unused
+            if _is_number(value) and f"_{column}" in said
         ]
         return [*places, *same]
 

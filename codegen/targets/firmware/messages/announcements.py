@@ -32,7 +32,8 @@ class AnnouncementView:
     """The messages sent at once: literals of frames, (message, what sends it, instance, page), and ways to send one.
 
     The first ``on_connection`` of the frames are for who appears on the link. ``unchanged`` says whether everything
-    that is watched is as it was when it was ``seen``; empty where that is more than a line.
+    that is watched is as it was when it was ``seen``; empty where that is more than a line. ``withholds``: one of them
+    may be withheld, and goes out as soon as it is known.
     """
 
     frames: tuple[str, ...]
@@ -40,6 +41,12 @@ class AnnouncementView:
     ways: tuple[WayView, ...]
     watches: tuple[WatchView, ...]
     seen: tuple[str, ...]
+    withholds: bool
+
+    @property
+    def looks(self) -> bool:
+        """Return whether there is something to look for all the time: a change, or that it is known by now."""
+        return bool(self.watches) or self.withholds
 
     @property
     def unchanged(self) -> str:
@@ -68,6 +75,7 @@ def announcements(messages: tuple[SentView, ...], system: System) -> Announcemen
         ways=ways(view for _, view in announced),
         watches=watches,
         seen=seen,
+        withholds=any(populated[view.name].withheld_for for _, view in announced),
     )
 
 

@@ -131,7 +131,7 @@ class SpelledCode(PayloadCode):
             return self._put_halves(offset, min(size, 2), list(map(_hex, _halves(covers, value))), turns)
         if isinstance(value, str):
             return self.put(offset, size, value, always=always, turns=turns)
-        if covers.field.type.kind is not Kind.FLOAT and -(1 << 30) <= value < 1 << 30:
+        if self.is_plain(covers, value):
             return self.put(offset, size, int(value), always=always, turns=turns)
         halves = _halves(covers, value)
         return [

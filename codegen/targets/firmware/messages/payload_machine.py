@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import FloatParts
 from codegen.model.code.payload_code import indented
+from codegen.model.code.storage import is_small
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.messages.payload import SpelledCode, byte_of, escaped, literal, real_about
 from codegen.targets.firmware.messages.turns import Turns, placed
@@ -74,7 +75,7 @@ class MachineCode(SpelledCode):
         every = mask
         for value, _ in conditional:
             every |= value
-        width = bits if bits < 32 or every < 1 << 30 else 16
+        width = bits if bits < 32 or is_small(every) else 16
         lines: list[str] = []
         for shift in range(0, bits, width):
             part = (1 << width) - 1

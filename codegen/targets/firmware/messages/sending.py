@@ -40,8 +40,8 @@ class SentView:
 class WayView:
     """A way of sending that messages share: ``sending`` are the statements that send all instances and pages.
 
-    ``announcing`` are those for one. ``suffix`` is what the names of both functions end in, ``instances`` and ``pages``
-    say whether the second one takes them.
+    ``announcing`` are those for one, which return whether it is withheld where it may be. ``suffix`` is what the names
+    of both functions end in, ``instances`` and ``pages`` say whether the second one takes them.
     """
 
     suffix: str
@@ -104,7 +104,7 @@ def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]
     return WayView(
         suffix=f"{about}{page}{'_while_known' if message.withheld_for else ''}",
         sending=_nested(each, send),
-        announcing=_nested(is_measured, send),
+        announcing=_nested(is_measured, [*send, "return frame is None"] if message.withheld_for else send),
         instances=message.instances > 1,
         pages=message.pages > 1,
     )
