@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/attribute_checks.py: do not edit.
-# Inputs: bcf2c6ae1f224d61
-"""What objects of the firmware have, they have from their beginning: one that gets more later takes heap then."""
+# Inputs: 4b9c1db865781d6c
+"""Objects of the firmware have all attributes from their beginning: one that gets more later takes heap then."""
 
 import sys
 

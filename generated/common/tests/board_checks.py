@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/board_checks.py: do not edit.
-# Inputs: fe5e73b72b6ac2a8
+# Inputs: 85c48a86f0cbb094
 """The board under a program: inputs that raise, a meter, the start, files, and saves that take long."""
 
 import errno
@@ -90,7 +90,7 @@ def boards_that_raise_are_survived():
 
 
 def a_meter_calibrates():
-    """What is set is the multiplier with which the reading would be that of the meter; nothing without a reading."""
+    """A calibration sets the multiplier with which the reading is that of the meter; nothing without a reading."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         needs(measured["multiplier_name"], "a parameter that is calibrated")

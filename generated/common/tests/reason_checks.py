@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/reason_checks.py: do not edit.
-# Inputs: 33c06dcbc0aba8f2
-"""What failsafes say: why the vehicle is not armed, level by level, and that a level is over."""
+# Inputs: 4ffde25c41aaea36
+"""Texts and reasons of failsafes: why the vehicle is not armed, level by level, and that a level is over."""
 
 from program_bench import GroundStation, main, messages
 from program_facts import WATCHED
@@ -21,7 +21,7 @@ def _reasons(bench, condition):
 
 
 def each_condition_has_its_reason():
-    """What holds alone is the reason, whichever condition it is; nothing is while nothing holds, or it is off."""
+    """A condition that holds alone is the reason, whichever it is; nothing is while nothing holds, or it is off."""
     for facts, condition in _each():
         bench, at, beyond = _on(facts, condition, is_armed=False)
         for value, is_free in ((at, True), (beyond, False)):

@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/reply_checks.py: do not edit.
-# Inputs: 5ff56cf25c542bdd
-"""What a link replies: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
+# Inputs: af5fd026fe7b3a00
+"""Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
     SECOND_US,
@@ -23,7 +23,7 @@ from stand_ins import Thing
 
 
 def what_a_table_takes_is_told():
-    """What a table that takes a message finds wrong is told, and code that waits for it is called; each for itself."""
+    """A table that takes a message tells what is wrong in it, and code that waits for it is called; each for itself."""
     opened, message = vehicle_module.open_link, messages.Ping(unknown=False)
 
     def open_link(port, known=(), *more, **named):
@@ -161,7 +161,7 @@ def absences_say_what_is_true():
 
 
 def answers_are_for_who_asks():
-    """What has a target has the ids of who asked, of whatever system and component that is."""
+    """A reply with a target has the ids of who asked, of whatever system and component that is."""
     craft = new_craft()
     run_passes(craft, 20)
     for system, component in ((201, 45), (255, 190), (7, 1)):

@@ -1,6 +1,6 @@
 # Generated from templates/tests/program/stand_ins.py: do not edit.
-# Inputs: 2daf048a9cdff2c0
-"""What stands in for parts of a vehicle around a part that is looked at by itself."""
+# Inputs: 8a7eca75ceaf231f
+"""Stand-ins for the parts of a vehicle around a part that is looked at by itself."""
 
 
 class Thing:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 4c79d004e19982e0
+# Inputs: 83cfcaf6f5d102e7
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -432,7 +432,7 @@ def streams_go_on_after_standing_still():
 
 
 def what_waits_for_room_is_noted():
-    """What is due and has no room waits, until there is room; what has waited for a period or more is counted."""
+    """A message that is due waits until there is room; one that has waited for a period or more is counted."""
     craft = new_craft()
     own = craft.connections[0].streams
     run(craft, 2 * SECOND_US)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/twin_checks.py: do not edit.
-# Inputs: 36c2df241a056473
+# Inputs: 42db6bd882bd7bf8
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
 from binascii import hexlify
@@ -78,7 +78,7 @@ def frames_that_come_back_are_not():
 
 
 def twins_are_known_by_chips_and_numbers():
-    """Who tells of another chip under the same ids, or has a number of this vehicle, is told of, twice a minute."""
+    """Another chip under the same ids, or with a number of this vehicle, is told of, twice a minute."""
     chip = hexlify(machine.unique_id())
     size = len(chip) + 2
     for places in ((4, 0), (4, None)):

@@ -1,4 +1,4 @@
-"""What objects of the firmware have, they have from their beginning: one that gets more later takes heap then."""
+"""Objects of the firmware have all attributes from their beginning: one that gets more later takes heap then."""
 
 import sys
 

@@ -88,7 +88,7 @@ def boards_that_raise_are_survived():
 
 
 def a_meter_calibrates():
-    """What is set is the multiplier with which the reading would be that of the meter; nothing without a reading."""
+    """A calibration sets the multiplier with which the reading is that of the meter; nothing without a reading."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         needs(measured["multiplier_name"], "a parameter that is calibrated")

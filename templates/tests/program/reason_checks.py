@@ -1,4 +1,4 @@
-"""What failsafes say: why the vehicle is not armed, level by level, and that a level is over."""
+"""Texts and reasons of failsafes: why the vehicle is not armed, level by level, and that a level is over."""
 
 from program_bench import GroundStation, main, messages
 from program_facts import WATCHED
@@ -19,7 +19,7 @@ def _reasons(bench, condition):
 
 
 def each_condition_has_its_reason():
-    """What holds alone is the reason, whichever condition it is; nothing is while nothing holds, or it is off."""
+    """A condition that holds alone is the reason, whichever it is; nothing is while nothing holds, or it is off."""
     for facts, condition in _each():
         bench, at, beyond = _on(facts, condition, is_armed=False)
         for value, is_free in ((at, True), (beyond, False)):

@@ -1,4 +1,4 @@
-"""What a link replies: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
+"""Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
     SECOND_US,
@@ -21,7 +21,7 @@ from stand_ins import Thing
 
 
 def what_a_table_takes_is_told():
-    """What a table that takes a message finds wrong is told, and code that waits for it is called; each for itself."""
+    """A table that takes a message tells what is wrong in it, and code that waits for it is called; each for itself."""
     opened, message = vehicle_module.open_link, messages.Ping(unknown=False)
 
     def open_link(port, known=(), *more, **named):
@@ -159,7 +159,7 @@ def absences_say_what_is_true():
 
 
 def answers_are_for_who_asks():
-    """What has a target has the ids of who asked, of whatever system and component that is."""
+    """A reply with a target has the ids of who asked, of whatever system and component that is."""
     craft = new_craft()
     run_passes(craft, 20)
     for system, component in ((201, 45), (255, 190), (7, 1)):

@@ -1,4 +1,4 @@
-"""What stands in for parts of a vehicle around a part that is looked at by itself."""
+"""Stand-ins for the parts of a vehicle around a part that is looked at by itself."""
 
 
 class Thing:

@@ -430,7 +430,7 @@ def streams_go_on_after_standing_still():
 
 
 def what_waits_for_room_is_noted():
-    """What is due and has no room waits, until there is room; what has waited for a period or more is counted."""
+    """A message that is due waits until there is room; one that has waited for a period or more is counted."""
     craft = new_craft()
     own = craft.connections[0].streams
     run(craft, 2 * SECOND_US)

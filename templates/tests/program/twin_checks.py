@@ -76,7 +76,7 @@ def frames_that_come_back_are_not():
 
 
 def twins_are_known_by_chips_and_numbers():
-    """Who tells of another chip under the same ids, or has a number of this vehicle, is told of, twice a minute."""
+    """Another chip under the same ids, or with a number of this vehicle, is told of, twice a minute."""
     chip = hexlify(machine.unique_id())
     size = len(chip) + 2
     for places in ((4, 0), (4, None)):

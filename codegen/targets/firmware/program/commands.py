@@ -90,7 +90,7 @@ def _row(command: Command) -> CommandRow:
 
 
 def _frame_words(command: Command) -> str:
-    """What a text says of another frame, as Python writes it."""
+    """Return the text about another frame, as Python writes it."""
     if not command.spec.frames:
         return '"positions have to be global"' if command.frames else "None"
     return quoted(f"the frame must be {' or '.join(dict.fromkeys(command.spec.frames))}")
