@@ -92,7 +92,7 @@ def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Mea
         report.add(
             UNIT_MISMATCH,
             place,
-            f"{text} is a {measure.unit.kind}, but a {unit.kind} is needed",
+            f"{text} is {measure.unit.a_kind}, but {unit.a_kind} is needed",
             f"give it in {unit.name}" if unit.name else "give a number without a unit",
         )
         return None

@@ -179,6 +179,11 @@ class FlagsAnswer(KindOfAnswer):
 
 def condition_of(path: str, place: Place, scope: Scope) -> Quantity | None:
     """The boolean that a path names; None after a finding."""
+    negated, _, denied = path.partition(" ")
+    if negated == "not" and denied:
+        message = f"a flag cannot be set while {denied.strip()} is false"
+        scope.report.add(NOT_A_BOOLEAN, place, message, "name a boolean that is true then: code or a limit can set one")
+        return None
     quantity = scope.quantity(path, place)
     if quantity is not None and quantity.kind is not QuantityKind.BOOLEAN:
         scope.report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")

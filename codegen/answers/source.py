@@ -109,8 +109,8 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
         message, hint = f"{source.path} cannot go into {covers.field.name}: {why}", f"keep it in {unit.name}"
     else:
         message = (
-            f"{source.path} is a {source.unit.kind} ({source.unit.name or 'no unit'}), "
-            f"{covers.field.name} is a {unit.kind} ({unit.name or 'no unit'})"
+            f"{source.path} is {source.unit.a_kind} ({source.unit.name or 'no unit'}), "
+            f"{covers.field.name} is {unit.a_kind} ({unit.name or 'no unit'})"
         )
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, covers.written.at(key), message, hint, related)
     return None

@@ -241,7 +241,7 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
     factor = None if per_volt is None else ratio(multiplier.unit, per_volt)
     if factor is None:
         message = (
-            f"{multiplier.name} makes no {stored.kind} of a {VOLT.kind}: it is in {multiplier.unit.name or 'no unit'}"
+            f"{multiplier.name} makes no {stored.kind} of {VOLT.a_kind}: it is in {multiplier.unit.name or 'no unit'}"
         )
         hint = "a pure number" if ratio(VOLT, stored) else f"give it a unit per volt, such as {stored.name}/V"
         around.bad("multiplier", message, UNIT_MISMATCH, hint)
@@ -250,7 +250,7 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
     away = Fraction(0) if offset is None else ratio(offset.unit, VOLT)
     if away is None:
         assert offset is not None
-        around.bad("offset", f"{offset.name} is a {offset.unit.kind}, but a {VOLT.kind} is needed", UNIT_MISMATCH)
+        around.bad("offset", f"{offset.name} is {offset.unit.a_kind}, but {VOLT.a_kind} is needed", UNIT_MISMATCH)
         return None
     if offset is None and multiplier.minimum < 0:
         around.bad("multiplier", f"{multiplier.name} can be negative, and what is measured never is", UNIT_MISMATCH)
@@ -276,7 +276,7 @@ def _check_zero(multiplier: Factor, kept: Kept, around: Surroundings) -> None:
     way = None if made is None else conversion(made, kept.unit)
     if way is not None and way.offset:
         unit = kept.unit.name
-        message = f"{multiplier.name} makes {top} of a {VOLT.kind}, and from those to {unit} leads an offset"
+        message = f"{multiplier.name} makes {top} of {VOLT.a_kind}, and from those to {unit} leads an offset"
         hint = f"give it in {unit}/V, and as offset the {VOLT.kind} at 0 {unit}"
         around.bad("multiplier", message, UNCARRIED_CONVERSION, hint)
 

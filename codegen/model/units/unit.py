@@ -46,6 +46,11 @@ class Unit:
         """Return what it measures, in a word: voltage, speed; else its dimension in base units."""
         return _kinds().get(self.dimension) or _spelled(self.dimension)
 
+    @property
+    def a_kind(self) -> str:
+        """Return the kind with its article: "a length", "an angle"."""
+        return f"{'an' if self.kind[:1] in 'aeio' else 'a'} {self.kind}"
+
 
 NUMBER = Unit("", (), Fraction(1))
 """The unit of pure numbers, in fields and quantities that state none."""

@@ -144,8 +144,8 @@ def _factor(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, re
     if why is not None:
         message, hint = f"{field.name} cannot go into {quantity.path}: {why}", f"keep it in {unit.name}"
     else:
-        own, other = quantity.unit, f"{field.name} is a {unit.kind} ({unit.name or 'no unit'})"
-        message = f"{other}, {quantity.path} is a {own.kind} ({own.name or 'no unit'})"
+        own, other = quantity.unit, f"{field.name} is {unit.a_kind} ({unit.name or 'no unit'})"
+        message = f"{other}, {quantity.path} is {own.a_kind} ({own.name or 'no unit'})"
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, written.at("state"), message, hint, related)
     return None
 
