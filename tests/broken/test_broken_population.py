@@ -51,6 +51,13 @@ CASES = [
         f"one_of: §[{CHARGING} if battery.current, {UNDEFINED}]",
         "not a boolean",
     ),
+    Case(
+        "not-a-boolean",
+        STATUS,
+        STATE_OF_CHARGE,
+        f"one_of: §[{CHARGING} if not battery.charging, {UNDEFINED}]",
+        "cannot be set while battery.charging is false",
+    ),
     Case("bad-following", "state.yaml", "follows: current", "follows: §curent", "did you mean current"),
     Case("bad-following", "state.yaml", "follows: current", "follows: §cells", "not a single number"),
     Case("bad-following", "state.yaml", "follows: current", "follows: §monitored", "not a single number"),

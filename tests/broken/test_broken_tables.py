@@ -106,13 +106,6 @@ CASES = [
         "MAV_SYS_STATUS_SENSOR_BATTERY if vehicle.mode",
     ),
     Case(
-        "not-a-boolean",
-        SYS,
-        "MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy",
-        "MAV_SYS_STATUS_SENSOR_BATTERY if not battery.healthy",
-        "cannot be set while battery.healthy is false",
-    ),
-    Case(
         "empty-limits",
         BATTERY,
         "battery_remaining: {state: battery.remaining, min: 0, max: 100",
