@@ -43,7 +43,7 @@ _WITH_FAULTS = frozenset(("claims.md",))
 """Documents that quote what is wrong."""
 RECENT = tuple(f"seen-{number}" for number in range(16, 24))
 THRESHOLDS = (0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.4, 0.3)
-THRESHOLD = 0.55
+THRESHOLD = 0.6
 """The least likelihood of a candidate that is told, from 0 to 1."""
 LEAST = 0.1
 """The least likelihood of what a rule reads as likely."""
@@ -78,7 +78,7 @@ _RIGHT_AND_TOLD = 0.5
 """The weight of a candidate that is right and that a rule tells of: there are many, and they are the easy ones."""
 _OF_OWN_DOCUMENTS = 0.2
 """The weight of a candidate of this repository's documents, which are of one kind."""
-_PENALTY = 4.0
+_PENALTY = 3.0
 """The penalty for large weights."""
 _ROUNDS = 80
 _SMALLEST = 0.01

@@ -5,10 +5,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.rules import SCALING
-from codegen.claims.statements.fields import number
 from codegen.claims.statements.scaling.field_units import on_the_wire
 from codegen.claims.weighed.comparison import Comparison, traits
-from codegen.claims.weighed.pairs import Pair
+from codegen.claims.weighed.pairs import Pair, whole_number
 from codegen.model.units.unit import Unit, unit_named
 from codegen.pattern import pattern
 
@@ -16,14 +15,16 @@ _LINK = pattern(
     r"\b(?:goes?|sent|send|is|reads?|becomes?|as|i\.e|means?|for|gives?|=|->|encoded|written|put)\b|[=:\u2192(|]"
 )
 _BASES = ("deg", "degC", "m", "m/s", "V", "A", "rad", "s", "%", "gauss", "Pa", "hPa", "rad/s", "deg/s")
+_ROUGHLY = 50
+"""The share of a number by which it may differ, being rounded."""
 _LEAST = 2
 """Digits that two numbers have to have in common."""
 
 
 def of_encoded(pair: Pair) -> Iterator[Comparison]:
     """Yield what a whole number in the reach of a field says of an amount in the same sentence."""
-    value, field = number(pair.term), pair.one.field
-    if value is None or isinstance(value, float) or value != int(value) or not field.type.is_integer or not value:
+    value, field = whole_number(pair.term), pair.one.field
+    if not value or not field.type.is_integer:
         return
     own = Unit.parse(field.definition.units)
     digits = _digits(value)
@@ -46,7 +47,7 @@ def of_encoded(pair: Pair) -> Iterator[Comparison]:
             true = [wire for each in units if (wire := on_the_wire(field, amount, each, own)) is not None]
         if not true:
             continue
-        is_right = any(abs(each - value) <= max(1, abs(each) / 50) for each in true)
+        is_right = any(abs(each - value) <= max(Fraction(1), abs(each) / _ROUGHLY) for each in true)
         shown = (
             f"{term.written} is {float(true[0]):.10g} in {pair.one.name} ({field.unit_text}), not {pair.term.written}"
         )
@@ -73,7 +74,7 @@ def _described(pair: Pair, amount: Fraction) -> list[Fraction]:
 def _amount(value: object) -> tuple[Fraction | None, Unit | None]:
     if isinstance(value, tuple) and isinstance(value[0], Fraction | int) and isinstance(value[1], Unit):
         return Fraction(value[0]), value[1]
-    return (Fraction(value), None) if isinstance(value, int | Fraction) else (None, None)
+    return (Fraction(value), None) if isinstance(value, Fraction) else (None, None)
 
 
 def _digits(value: int | Fraction) -> str:

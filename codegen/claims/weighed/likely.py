@@ -38,7 +38,7 @@ def chosen(those: Iterable[tuple[float, Candidate]], told: Iterable[Diagnostic])
 def is_kept(those: Weighed, finding: Diagnostic, least: float) -> bool:
     """Return whether a finding of a rule is told: a likely one is not where all that stands around it is against it.
 
-    Compared are candidates for the same statement, first of all at its place; where there is none, the rule is believed.
+    Compared are candidates for the same statement, first of all at its place; if there is none, the rule is believed.
     """
     if finding.is_error:
         return True

@@ -50,7 +50,8 @@ def of_limit(pair: Pair) -> Iterator[Comparison]:
             for low, high in _ranges(pair)
         )
         if known is None or float(value) not in known[0]:
-            text = f"{pair.one.name} goes from {described[0]:g} to {described[1]:g}, not from {first} to {pair.term.written}"
+            own = f"{pair.one.name} goes from {described[0]:g} to {described[1]:g}"
+            text = f"{own}, not from {first} to {pair.term.written}"
             more = traits(
                 same_end=float(value) == described[1],
                 same_start=float(first) == described[0],

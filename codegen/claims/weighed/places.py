@@ -2,12 +2,11 @@
 
 from collections.abc import Iterator
 
-from codegen.claims.rules import OFFSET
-from codegen.claims.statements.fields import number
-from codegen.claims.weighed.comparison import Comparison, traits
-from codegen.claims.weighed.pairs import Pair
-from codegen.load.prose import PassageKind
 from codegen.claims.parts.span import head_of
+from codegen.claims.rules import OFFSET
+from codegen.claims.weighed.comparison import Comparison, traits
+from codegen.claims.weighed.pairs import Pair, whole_number
+from codegen.load.prose import PassageKind
 from codegen.pattern import pattern
 
 _CUE = pattern(r"(?:\boffsets?|\bbytes?|\bposition|\bat|\bfrom|\bbegins|\[)[^.;N]{0,12}$|F \($|F at $")
@@ -23,8 +22,8 @@ _MOST_BYTES = 255
 
 def of_place(pair: Pair) -> Iterator[Comparison]:
     """Yield what a number says of the place of a field."""
-    value, field = number(pair.term), pair.one.field
-    if value is None or isinstance(value, float) or value != int(value) or not 0 <= value < _MOST_BYTES:
+    value, field = whole_number(pair.term), pair.one.field
+    if value is None or not 0 <= value < _MOST_BYTES:
         return
     before = pair.span.source_text(max(pair.low, pair.at - 40), pair.at).lower()
     head = head_of(pair.span, pair.at).lower() if pair.span.kind is PassageKind.ROW else ""

@@ -23,8 +23,8 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import traits
-from codegen.claims.weighed.pairs import Pair, is_line
 from codegen.claims.weighed.entities.statement import Statement
+from codegen.claims.weighed.pairs import Pair, is_line
 from codegen.load.prose import PassageKind
 from codegen.once import once
 from codegen.pattern import pattern

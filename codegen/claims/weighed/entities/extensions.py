@@ -7,13 +7,14 @@ from codegen.claims.reading import Reading
 from codegen.claims.rules import EXTENSION
 from codegen.claims.statements.fields import said_of_fields
 from codegen.claims.weighed.comparison import traits
-from codegen.claims.weighed.pairs import field_at
 from codegen.claims.weighed.entities.statement import Statement, piece
+from codegen.claims.weighed.pairs import field_at
 from codegen.load.prose import PassageKind
 from codegen.pattern import pattern
 
 _WORD = pattern(
-    r"\b(?P<extension>extensions?(?: fields?)?|mavlink ?2 only|v2 only)\b|\b(?P<base>base(?: field| part| payload)?s?|no extensions?|not an extension)\b"
+    r"\b(?P<extension>extensions?(?: fields?)?|mavlink ?2 only|v2 only)\b"
+    r"|\b(?P<base>base(?: field| part| payload)?s?|no extensions?|not an extension)\b"
 )
 _OTHER = pattern(r"\b(?:without|with|file|before|after|behind|all|no|only|the other|rest|of the) $")
 

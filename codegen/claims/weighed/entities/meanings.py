@@ -11,7 +11,7 @@ from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import traits
 from codegen.claims.weighed.entities.statement import Statement, piece, whole
 from codegen.frozen import dataclass
-from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, WireMessage
+from codegen.model.dialect.dialect import EnumDefinition, WireMessage
 from codegen.once import once
 from codegen.pattern import pattern
 
@@ -63,7 +63,7 @@ def meant(reading: Reading, span: Span) -> Iterator[Statement]:
 def _scopes(reading: Reading, span: Span, low: int, high: int) -> Iterator[_Scope]:
     """Yield the enums that may be meant: those named, those of fields, those of messages around."""
     named = [str(term.value) for _, term in span.sentence.within(low, high, "E")]
-    done = set()
+    done: set[object] = set()
     for name in named:
         if name in reading.enums and name not in done:
             done.add(name)
@@ -75,15 +75,14 @@ def _scopes(reading: Reading, span: Span, low: int, high: int) -> Iterator[_Scop
     near = [*own, *(each.name for those in (topic.above, topic.headings, topic.document) for each in those[:_NEAR])]
     only = len(topic.document) == 1
     for name in dict.fromkeys(near):
-        message = reading.messages[name]
-        for field, called in _enums_of(message):
+        for field, called in _enums_of(reading.messages[name]):
             enum = reading.enums.get(called)
-            if enum is None or len(enum.entries) > _MOST_ENTRIES or (message.name, field) in done:
+            if enum is None or len(enum.entries) > _MOST_ENTRIES or (name, field) in done:
                 continue
-            done.add((message.name, field))
+            done.add((name, field))
             yield _Scope(
                 enum,
-                message.name,
+                name,
                 field,
                 traits(
                     message_named=name in own,

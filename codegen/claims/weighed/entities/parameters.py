@@ -46,7 +46,7 @@ def of_parameters(reading: Reading, span: Span) -> Iterator[Statement]:
         own = next((each for each in command.parameters if each.number == str(value)), None) if command else None
         if command is None or own is None:
             continue
-        low, high = piece(span, found.start())
+        _, high = piece(span, found.start())
         following = marks[index + 1].start() if index + 1 < len(marks) else high
         end = min(high, following)
         bar = span.text.find(" | ", found.end(), end)
@@ -124,7 +124,7 @@ def _in_reach(
 
 
 def _meant(reading: Reading, own: CommandParameter, value: int, words: str) -> tuple[bool, str] | None:
-    """Return whether words beside a number mean what the description of a parameter says of it, and the number meant."""
+    """Return whether words beside a number mean what is told of it, and the number that they mean; None if neither."""
     enum = reading.enums.get(dict(own.attributes).get("enum", ""))
     if enum is not None:
         if meaning(enum).is_named(value, words):

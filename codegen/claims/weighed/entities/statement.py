@@ -1,10 +1,7 @@
 """What may be said at one place of a part: of a message, an entry or a field, compared with the dialect."""
 
-from fractions import Fraction
-
 from codegen.claims.parts.span import Span, is_data
-from codegen.claims.statements.fields import number
-from codegen.claims.weighed.pairs import is_line
+from codegen.claims.weighed.pairs import is_line, whole_number
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 
@@ -62,21 +59,21 @@ def piece(span: Span, at: int) -> tuple[int, int]:
 
 def whole(span: Span, at: int) -> int | None:
     """Return the whole number that stands at an offset; None for a part of a name or of another number."""
-    value = number(span.sentence.term(at))
-    if value is None or isinstance(value, float) or value != int(value):
+    value = whole_number(span.sentence.term(at))
+    if value is None:
         return None
     text = span.text
     is_part = at > 1 and text[at - 1] in "-." and text[at - 2].isalnum()
-    return None if is_part or text[at + 1 : at + 3].startswith(("-N", "/N", ".N")) else int(value)
+    return None if is_part or text[at + 1 : at + 3].startswith(("-N", "/N", ".N")) else value
 
 
-def is_alike(written: int | Fraction, true: int | Fraction) -> bool:
+def is_alike(written: int, true: int) -> bool:
     """Return whether a number looks like another one: its digits in another order, one of them changed, or near it."""
     one, other = str(written), str(true)
     if len(one) == len(other) and len(one) > 1:
         changed = sum(a != b for a, b in zip(one, other, strict=True))
-        return changed == 1 or (len(one) > _PAIR and sorted(one) == sorted(other)) or sorted(one) == sorted(other)
+        return changed == 1 or sorted(one) == sorted(other)
     return abs(written - true) <= _NEAR < true
 
 
-_PAIR, _NEAR = 2, 3
+_NEAR = 3

@@ -1,20 +1,20 @@
 """Units, types and values for unknown that no field of a message has, where the words around them name no field."""
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 from codegen.claims.parts.sentence import StatedType
 from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.rules import SENTINEL, TYPE, UNIT
-from codegen.claims.statements.fields import number
-from codegen.claims.statements.scaling.field_units import described_units, has_unit, is_same_unit, of_field
+from codegen.claims.statements.scaling.field_units import described_units, has_unit, of_field
 from codegen.claims.statements.subjects import subjects
 from codegen.claims.statements.types import has_type
 from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.claims.weighed.comparison import traits
-from codegen.claims.weighed.numbers import ABSENT
 from codegen.claims.weighed.entities.statement import Statement, piece
+from codegen.claims.weighed.numbers import ABSENT
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.units.unit import Unit
@@ -95,10 +95,9 @@ def _alike(message: WireMessage, letter: str, value: object) -> tuple[str, list[
     if letter == "T" and isinstance(value, StatedType) and value.name is not None:
         same = [field for field in message.fields if _is_near_type(field, value)]
         return "type", same, any(has_type(field, value) for field in message.fields)
-    number_ = value if isinstance(value, int | float) or hasattr(value, "numerator") else None
-    if letter in "NS" and number_ is not None:
+    if letter in "NS" and isinstance(value, int | float | Fraction):
         known = _with_unknown(message)
-        return "sentinel", known, any(is_unknown(field, float(number_)) for field in known)
+        return "sentinel", known, any(is_unknown(field, float(value)) for field in known)
     return "unit", [], True
 
 

@@ -10,8 +10,8 @@ from codegen.claims.statements.senses.stated import told_of
 from codegen.claims.statements.senses.words import Sense, levels, loose_signs, signs
 from codegen.claims.statements.subjects import subjects
 from codegen.claims.weighed.comparison import traits
-from codegen.claims.weighed.pairs import field_at
 from codegen.claims.weighed.entities.statement import Statement, piece
+from codegen.claims.weighed.pairs import field_at
 from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.once import once
 from codegen.pattern import pattern
@@ -49,9 +49,10 @@ _SAID = {
     for axis, poles in _FURTHER.items()
 }
 _NEEDED = (
-    "positive", "negative", "plus", "minus", "clockwise", "count", "ned", "enu", "frd", "flu", "body", "corner", "top", "bottom",
-    "boot", "unix", "epoch", " pi", "N to N", "N..", "N-N", "N, N", "msl", "sea", "ellips", "wgs", "home", "ground", "terrain", "first",
-    "based", "start", "remaining", "used", "in use", "north", "airspeed", "whole", "total", "per", "y z", "y, z", "comes", "blow", "hae",
+    "positive", "negative", "plus", "minus", "clockwise", "count", "ned", "enu", "frd", "flu", "body", "corner",
+    "top", "bottom", "boot", "unix", "epoch", " pi", "N to N", "N..", "N-N", "N, N", "msl", "sea", "ellips",
+    "wgs", "home", "ground", "terrain", "first", "based", "start", "remaining", "used", "in use", "north",
+    "airspeed", "whole", "total", "per", "y z", "y, z", "comes", "blow", "hae",
 )  # fmt: skip
 """Words one of which is in every part that tells of a way, a frame or a level."""
 _FAR = 400
