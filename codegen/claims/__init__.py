@@ -25,7 +25,7 @@ def of_dialect(reading: Reading, *, with_weighed: bool = True) -> tuple[Diagnost
     """
     found = [finding for check in checks_in(__name__) for finding in check(reading)]
     kept = tuple(_borne_out(reading, found)) if found else ()
-    if with_weighed and reading.sightings:
+    if with_weighed:
         kept = _weighed(reading, found, kept)
     if not kept:
         return ()
@@ -36,6 +36,10 @@ def of_dialect(reading: Reading, *, with_weighed: bool = True) -> tuple[Diagnost
 
 def _weighed(reading: Reading, found: Iterable[Diagnostic], kept: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """The findings that are kept, without those that weigh too little, and others at places of which no rule speaks."""
+    from codegen.claims.parts.spans import spans
+
+    if not spans(reading):
+        return tuple(kept)
     from codegen.claims.weighed.likely import is_kept, likely, weighed
     from codegen.claims.weighed.weights import stored_weights
 

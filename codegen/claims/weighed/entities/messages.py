@@ -53,7 +53,7 @@ def of_messages(reading: Reading, span: Span) -> Iterator[Statement]:
 def _of_number(reading: Reading, span: Span, at: int, value: int, bounds: tuple[int, int]) -> Iterator[Statement]:
     low, high = bounds
     text = span.source_text(max(low, at - _LEAD), at).lower()
-    marked, behind = span.text[max(low, at - _LEAD) : at], span.text[at + 1 : at + 20]
+    marked, behind = span.text[max(low, at - _LEAD) : at], span.text[at + 1 : min(high, at + 20)]
     head = head_of(span, at).lower() if span.kind is PassageKind.ROW else ""
     is_beside = _BESIDE.search(marked) is not None
     is_before = _BESIDE_BEHIND.match(behind) is not None

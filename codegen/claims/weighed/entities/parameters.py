@@ -22,6 +22,8 @@ _PARAM = pattern(
 _PAIR = pattern(r"(?<![\w.])(?P<value>-?\d{1,5}) ?(?:[:=]|for|means) ?(?P<words>[a-z][a-z _-]{1,40})")
 _WORD = pattern(r"[a-z]{2,}")
 _IDLE = frozenset(("the", "for", "is", "of", "to", "in", "and", "or", "on", "if", "as", "by", "at", "it"))
+_LINK = pattern(r"^[\s,:=(]*(?:for|means|is|to)?\b")
+"""Between a value and the words for it."""
 _LEAST = 2
 
 
@@ -100,7 +102,7 @@ def _in_reach(
     for index, at in enumerate(numbers):
         value = whole(span, at)
         until = numbers[index + 1] if index + 1 < len(numbers) else end
-        words = span.source_text(at + 1, until).lower().strip(" ,;.")
+        words = _LINK.sub("", span.source_text(at + 1, until).lower()).strip(" ,;.|")
         low, high = piece(span, at)
         said = _meant(reading, own, value, words) if value is not None else None
         if said is not None:
