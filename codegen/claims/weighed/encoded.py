@@ -79,4 +79,4 @@ def _amount(value: object) -> tuple[Fraction | None, Unit | None]:
 
 def _digits(value: int | Fraction) -> str:
     """The digits of a number without zeros at either end."""
-    return f"{float(abs(value)):.10f}".replace(".", "").strip("0")
+    return f"{abs(float(value)):.10f}".replace(".", "").strip("0")

@@ -22,7 +22,7 @@ _DEVICE = pattern(r"\b(?:sensor|device|servo|motor|camera|vehicle|pilot|we|our|y
 
 
 _ENDS, _SMALL = 1, 2
-"""How far an end may be from the one of the description, which may leave it out: 0 to 359. Not so of small ranges."""
+"""The distance that an end may have from that of the description, 359 for 360; none in ranges that are small."""
 
 
 def of_limit(pair: Pair) -> Iterator[Comparison]:

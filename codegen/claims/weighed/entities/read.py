@@ -25,7 +25,7 @@ _READ: Sequence[tuple[Callable[[Reading, Span], Iterator[Statement]], str]] = (
     (strange_messages, "C"),
     (ways, ""),
 )
-"""What reads the statements of a part, each with the letters of which the part has to have one."""
+"""The readers of the statements of a part, each with the letters of which the part has to have one."""
 
 
 def statements(reading: Reading) -> Iterator[tuple[Statement, int, int]]:

@@ -1,4 +1,4 @@
-"""What may be said at one place of a part: of a message, an entry or a field, compared with the dialect."""
+"""A statement that may stand at one place of a part: of a message, an entry or a field, compared with the dialect."""
 
 from codegen.claims.parts.span import Span, is_data
 from codegen.claims.weighed.pairs import is_line, whole_number
