@@ -96,6 +96,11 @@ UNLIKELY = {
     "a denied type": "`param_value` of PARAM_EXT_SET is no float here.\n",
     "two numbers for two entries": "EXTENDED_SYS_STATE.landed_state has 3 and 4 for taking off and landing.\n",
     "a variable with the unit in its name": "`heading_deg` has two sources, VFR_HUD.heading and a hundredth of GLOBAL_POSITION_INT.hdg.\n",
+    "the id of a component": "HIL_CONTROLS comes from component id 92.\n",
+    "an id of one's own": "Our own id for WHEEL_DISTANCE is 9001.\n",
+    "a number that is denied": "The CRC_EXTRA of LOCAL_POSITION_NED_COV is not 198.\n",
+    "a number that was": "MISSION_COUNT was message 54 before.\n",
+    "a macro": "The macro FOLLOW_TARGT sends HEARTBEAT.\n",
     "some of the elements": "`voltages` of BATTERY_STATUS: six cells, the other four elements are UINT16_MAX.\n",
 }
 

@@ -36,6 +36,10 @@ _ID_HEAD = pattern(r"#|(?:message |msg )?(?:ids?|no\.?|nr\.?|numbers?)|message|m
 _PARTLY = pattern(
     r"\b(?:without|except|of which|header|frame|head|first|last|each|every|per|more|fewer|up to|about|rest)\b"
 )
+_ELSEWHERE = pattern(r"\b(?:component|system) ids?\b|\bown\b|\bprivate\b|\bused to\b|\bno longer\b")
+"""Words of a sentence about other numbers than those of the dialect."""
+_DENIED = pattern(r"\b(?:not|never|n't|was|were)(?: an?| the)?(?: message| id| number)* $")
+"""Before a number that is not that of the message, or that was."""
 _LEAD = 50
 """Characters before a number in which words say what it is."""
 
@@ -57,6 +61,8 @@ def _of_number(reading: Reading, span: Span, at: int, value: int, bounds: tuple[
     head = head_of(span, at).lower() if span.kind is PassageKind.ROW else ""
     is_beside = _BESIDE.search(marked) is not None
     is_before = _BESIDE_BEHIND.match(behind) is not None
+    if _ELSEWHERE.search(span.text, low, high) or _DENIED.search(text):
+        return
     roles = []
     if _CRC.search(text) or _CRC.search(head):
         roles.append("crc")

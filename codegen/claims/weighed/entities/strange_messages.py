@@ -22,6 +22,11 @@ _SENT = pattern(
 _ELSE = pattern(
     r"\b(?:param\w*|macro|constant|define|topic|enum|entry|flag|bit|option|setting|variable|command|register)s?\b"
 )
+_BESIDE = pattern(
+    r"\b(?:macro|constant|define|topic|enum|entry|flag|bit|option|setting|variable|command|parameter|param|function)s? $"
+)
+"""Before the name of something else."""
+_LEAD = 14
 _LEAST = 2
 
 
@@ -41,6 +46,8 @@ def strange_messages(reading: Reading, span: Span) -> Iterator[Statement]:
         if not kin:
             continue
         low, high = piece(span, at)
+        if _BESIDE.search(span.text, max(low, at - _LEAD), at):
+            continue
         near = max(kin, key=lambda each: len(set(each.split("_")) & set(words)) - abs(len(each) - len(name)) / 100)
         text = span.text[low:high]
         found = traits(
