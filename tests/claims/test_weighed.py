@@ -64,9 +64,9 @@ LIKELY = {
         "WIND_COV has the id 231, not 213",
     ),
     "an enum of code with a name of its own": (
-        "```rust\n//! EXTENDED_SYS_STATE (245)\n#[repr(u8)]\npub enum Landed {\n    OnGround = 1,\n    InAir = 2,\n"
-        "    Takeoff = 4,\n}\n```\n",
-        "EXTENDED_SYS_STATE.landed_state: MAV_LANDED_STATE_TAKEOFF is 3, not 4",
+        "```rust\n//! OPEN_DRONE_ID_SYSTEM (12904)\n#[repr(u8)]\npub enum OperatorLocation {\n    TakeOff = 0,\n"
+        "    LiveGnss = 1,\n    Fixed = 3,\n}\n```\n",
+        "OPEN_DRONE_ID_SYSTEM.operator_location_type: MAV_ODID_OPERATOR_LOCATION_TYPE_FIXED is 2, not 3",
     ),
     "a way with other words between": (
         "```c\n/* WINCH_STATUS */\nfloat speed;   /* m/s, negative while the motor is paying out, zero at rest */\n```\n",
@@ -78,10 +78,10 @@ LIKELY = {
         "| hdop | 1.4 | `eph` | 14 |\n",
         "1.4 is 140 in GPS_RAW_INT.eph (steps of 1E-2), not 14",
     ),
-    "the unit of a parameter, without a message": (
-        "| Command | No. | What to put in |\n|---|---|---|\n| `MAV_CMD_DO_REPEAT_RELAY` | 182 | param 1 relay, param 2 "
-        "count, param 3 cycle time in ms |\n",
-        "MAV_CMD_DO_REPEAT_RELAY: param 3 (Time) is in s, not ms",
+    "the value of a parameter, without a message": (
+        "| Command | No. | What to put in |\n|---|---|---|\n| `MAV_CMD_CONDITION_YAW` | 115 | param 1 target angle, "
+        "param 2 deg/s, param 3 -1 for clockwise, 1 for counter-clockwise |\n",
+        "MAV_CMD_CONDITION_YAW: param 3 (Direction): 1 for clockwise, not -1",
     ),
     "a message that there is not": (
         "```c\n#define ID_LOG_DATA 120\n/* a LOG_REQUEST_DATA is answered with LOG_DATA_REPLY (123) */\n```\n",

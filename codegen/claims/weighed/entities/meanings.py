@@ -57,6 +57,9 @@ def meant(reading: Reading, span: Span) -> Iterator[Statement]:
             continue
         scopes = list(_scopes(reading, span, low, high)) if scopes is None else scopes
         is_bit = _BIT.search(before) is not None and value < _BITS
+        entries = {str(term.value) for _, term in span.sentence.within(low, high, "V")}
+        if any(entry.value == value and entry.name in entries for scope in scopes for entry in scope.enum.entries):
+            continue  # its own entry is named beside it
         yield from _of_number(span, at, value, (low, high), is_bit, scopes, numbers)
 
 

@@ -64,7 +64,7 @@ def _of_number(reading: Reading, span: Span, at: int, value: int, bounds: tuple[
     if _ELSEWHERE.search(span.text, low, high) or _DENIED.search(text):
         return
     roles = []
-    if _CRC.search(text) or _CRC.search(head):
+    if (_CRC.search(text) or _CRC.search(head)) and not _BYTES.match(behind):
         roles.append("crc")
     elif _BYTES.match(behind) or _SIZE_BEFORE.search(text) or "byte" in head or "size" in head or "length" in head:
         roles.append("size")
@@ -187,6 +187,8 @@ def _compared(
     if message.id < 0:
         return
     true = _true(message, role)
+    if role != "size" and value not in true and value in (*_true(message, "size"), message.id, message.crc_extra):
+        return  # another number of it
     is_right = value in true
     properties = {message.id, message.crc_extra, *_true(message, "size")}
     named = [reading.messages[name] for name in dict.fromkeys(name for _, name in reading.sightings)]

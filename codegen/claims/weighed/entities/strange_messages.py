@@ -23,7 +23,7 @@ _ELSE = pattern(
     r"\b(?:param\w*|macro|constant|define|topic|enum|entry|flag|bit|option|setting|variable|command|register)s?\b"
 )
 _BESIDE = pattern(
-    r"\b(?:macro|constant|define|topic|enum|entry|flag|bit|option|setting|variable|command|parameter|param|function)s? $"
+    r"\b(?:macro|constant|define|topic|enum|entry|flag|bit|option|setting|variable|command|param\w*|function)s? $"
 )
 """Before the name of something else."""
 _LEAD = 14
