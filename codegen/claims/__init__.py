@@ -20,22 +20,31 @@ LIKELY = "likely, not certain"
 def of_dialect(reading: Reading, *, with_weighed: bool = True) -> tuple[Diagnostic, ...]:
     """Return the findings for claims about messages, fields and entries against the dialect; some occur repeatedly.
 
-    Besides what rules find there is what weighs enough by all that stands around it, which is likely only.
+    Besides what rules find there is what weighs enough by all that stands around it, which is likely only; and what a
+    rule reads as likely is left out where that weighs too little.
     """
     found = [finding for check in checks_in(__name__) for finding in check(reading)]
-    further = _weighed(reading, found) if with_weighed and reading.sightings else ()
-    if not found and not further:
+    kept = tuple(_borne_out(reading, found)) if found else ()
+    if with_weighed:
+        kept = _weighed(reading, found, kept)
+    if not kept:
         return ()
     from codegen.claims.doubted import told
 
-    return tuple(told(reading, (*_borne_out(reading, found), *further)))
+    return tuple(told(reading, kept))
 
 
-def _weighed(reading: Reading, found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings at places of which no rule says anything."""
-    from codegen.claims.weighed.likely import likely
+def _weighed(reading: Reading, found: Iterable[Diagnostic], kept: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The findings that are kept, without those that weigh too little, and others at places of which no rule speaks."""
+    from codegen.claims.parts.spans import spans
 
-    return tuple(likely(reading, found))
+    if not spans(reading):
+        return tuple(kept)
+    from codegen.claims.weighed.likely import is_kept, likely, weighed
+    from codegen.claims.weighed.weights import stored_weights
+
+    those, least = weighed(reading), stored_weights().least
+    return (*(each for each in kept if is_kept(those, each, least)), *likely(those, found))
 
 
 def _borne_out(reading: Reading, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:

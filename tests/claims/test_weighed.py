@@ -1,6 +1,7 @@
 """Statements that no rule reads are weighed by what stands around them, and are told where that is enough."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import claims_weights
@@ -9,10 +10,13 @@ import pytest
 from codegen.claims import of_dialect
 from codegen.claims.reading import Reading
 from codegen.claims.weighed import likely as weighing
+from codegen.claims.weighed import weights as stored
 from codegen.claims.weighed.candidates import Candidate, candidates
-from codegen.claims.weighed.likely import chosen, likely
+from codegen.claims.weighed.entities.statement import is_alike
+from codegen.claims.weighed.likely import chosen, is_kept, weighed
+from codegen.claims.weighed.likely import likely as likely_of
 from codegen.claims.weighed.weights import Weights, likelihood, stored_weights
-from codegen.diagnostics import Diagnostic
+from codegen.diagnostics import Diagnostic, Severity
 
 Read = Callable[[str], Reading]
 Check = Callable[[str], list[Diagnostic]]
@@ -46,6 +50,43 @@ LIKELY = {
         "- `q` was garbled; we now send it as x, y, z, w like ROS does\n",
         'LANDING_TARGET.q: the dialect says "w, x, y, z", not "x, y, z, w"',
     ),
+    "the CRC_EXTRA of the second of two messages": (
+        "| 1 | Compare the seed of the CRC | `HIL_SENSOR` has CRC_EXTRA 108, `HIL_GPS` has 142 |\n",
+        "HIL_GPS has the CRC_EXTRA 124, not 142",
+    ),
+    "an id in a comment beside a constant": (
+        "```python\nFIRST = 12900      # OPEN_DRONE_ID_BASIC_ID\nSECOND = 12909     # OPEN_DRONE_ID_LOCATION\n```\n",
+        "OPEN_DRONE_ID_LOCATION has the id 12901, not 12909",
+    ),
+    "an id in a comment of data": (
+        "```yaml\n- message: VIBRATION    # id 241\n  field: clipping_0\n- message: WIND_COV       # id 213\n"
+        "  field: var_horiz\n```\n",
+        "WIND_COV has the id 231, not 213",
+    ),
+    "an enum of code with a name of its own": (
+        "```rust\n//! OPEN_DRONE_ID_SYSTEM (12904)\n#[repr(u8)]\npub enum OperatorLocation {\n    TakeOff = 0,\n"
+        "    LiveGnss = 1,\n    Fixed = 3,\n}\n```\n",
+        "OPEN_DRONE_ID_SYSTEM.operator_location_type: MAV_ODID_OPERATOR_LOCATION_TYPE_FIXED is 2, not 3",
+    ),
+    "a way with other words between": (
+        "```c\n/* WINCH_STATUS */\nfloat speed;   /* m/s, negative while the motor is paying out, zero at rest */\n```\n",
+        'WINCH_STATUS.speed: the dialect says "positive values if being released", not "negative while the motor is '
+        'paying out"',
+    ),
+    "a number with the digits of an amount": (
+        "GPS_RAW_INT (24) is filled.\n\n| GGA | Example | Field | Value |\n|---|---|---|---|\n"
+        "| hdop | 1.4 | `eph` | 14 |\n",
+        "1.4 is 140 in GPS_RAW_INT.eph (steps of 1E-2), not 14",
+    ),
+    "the value of a parameter, without a message": (
+        "| Command | No. | What to put in |\n|---|---|---|\n| `MAV_CMD_CONDITION_YAW` | 115 | param 1 target angle, "
+        "param 2 deg/s, param 3 -1 for clockwise, 1 for counter-clockwise |\n",
+        "MAV_CMD_CONDITION_YAW: param 3 (Direction): 1 for clockwise, not -1",
+    ),
+    "a message that there is not": (
+        "```c\n#define ID_LOG_DATA 120\n/* a LOG_REQUEST_DATA is answered with LOG_DATA_REPLY (123) */\n```\n",
+        "there is no message LOG_DATA_REPLY",
+    ),
 }
 """Statements of which no rule says anything."""
 UNLIKELY = {
@@ -55,6 +96,11 @@ UNLIKELY = {
     "a denied type": "`param_value` of PARAM_EXT_SET is no float here.\n",
     "two numbers for two entries": "EXTENDED_SYS_STATE.landed_state has 3 and 4 for taking off and landing.\n",
     "a variable with the unit in its name": "`heading_deg` has two sources, VFR_HUD.heading and a hundredth of GLOBAL_POSITION_INT.hdg.\n",
+    "the id of a component": "HIL_CONTROLS comes from component id 92.\n",
+    "an id of one's own": "Our own id for WHEEL_DISTANCE is 9001.\n",
+    "a number that is denied": "The CRC_EXTRA of LOCAL_POSITION_NED_COV is not 198.\n",
+    "a number that was": "MISSION_COUNT was message 54 before.\n",
+    "a macro": "The macro FOLLOW_TARGT sends HEARTBEAT.\n",
     "some of the elements": "`voltages` of BATTERY_STATUS: six cells, the other four elements are UINT16_MAX.\n",
 }
 
@@ -77,17 +123,17 @@ def test_what_weighs_too_little_is_no_finding(check: Check, text: str) -> None:
 def test_weights_decide(read: Read, monkeypatch: pytest.MonkeyPatch) -> None:
     """The same candidates are all told, or none, with other weights."""
     reading = read("".join(text for text, _ in LIKELY.values()))
-    monkeypatch.setattr(weighing, "stored_weights", lambda: Weights({}, 0.51))
-    assert list(likely(reading, ())) == []
-    monkeypatch.setattr(weighing, "stored_weights", lambda: Weights({"unit": 3.0}, 0.51))
-    assert {each.rule.id for each in likely(reading, ())} == {"claim-unit"}
+    monkeypatch.setattr(weighing, "stored_weights", lambda: Weights({}, 0.51, 0.0))
+    assert list(likely_of(weighed(reading), ())) == []
+    monkeypatch.setattr(weighing, "stored_weights", lambda: Weights({"unit": 3.0}, 0.51, 0.0))
+    assert {each.rule.id for each in likely_of(weighed(reading), ())} == {"claim-unit"}
 
 
 def test_a_place_that_is_told_is_not_told_again(read: Read) -> None:
     """Nor is a field whose finding of a rule is in the same line, whatever the rule says of it."""
     reading = read(LIKELY["a unit behind words that other rules stop at"][0])
-    first, *_ = likely(reading, ())
-    assert list(likely(reading, [first])) == []
+    first, *_ = likely_of(weighed(reading), ())
+    assert list(likely_of(weighed(reading), [first])) == []
     (each,) = [each for each in candidates(reading) if each.kind == "unit"]
     elsewhere = reading.found(first.rule, first.place._replace(column=1), "other", "`image_interval` is something else")
     assert list(chosen([(1.0, each)], [elsewhere])) == []
@@ -117,9 +163,53 @@ def test_what_is_stored_are_weights_of_traits(read: Read) -> None:
     """A trait that got another name would count for nothing."""
     reading = read("".join(text for text, _ in LIKELY.values()))
     known = {trait for each in candidates(reading) for trait in each.traits}
-    stored = stored_weights()
-    assert 0.5 < stored.threshold < 1
-    assert len(known & set(stored.of)) > len(known) * 0.9
+    kept = stored_weights()
+    assert 0 < kept.least < 0.5 < kept.threshold < 1
+    assert len(known & set(kept.of)) > len(known) * 0.9
+
+
+def test_what_a_rule_reads_as_likely_is_left_out_where_it_weighs_too_little(read: Read) -> None:
+    """Only a likely finding, only by a candidate of its own rule, thing and line, and first of all by that at its place."""
+    reading = read("# ATTITUDE\n\n- `roll`, `pitch`: both are written by the logger, as it is, in deg\n")
+    each = next(one for one in candidates(reading) if one.field == "roll")
+    finding = each.finding
+    assert not is_kept([(0.04, each)], finding, 0.05)
+    assert is_kept([(0.06, each)], finding, 0.05)
+    assert is_kept([], finding, 0.05)
+    assert is_kept([(0.04, each)], replace(finding, rule=replace(finding.rule, severity=Severity.ERROR)), 0.05)
+    assert is_kept([(0.04, each)], replace(finding, rule=replace(finding.rule, id="claim-struct")), 0.05)
+    assert is_kept([(0.04, each)], replace(finding, message="ATTITUDE.yaw is in rad, not deg"), 0.05)
+    assert is_kept([(0.04, each)], replace(finding, place=finding.place._replace(line=1)), 0.05)
+    other = replace(each, finding=replace(finding, place=finding.place._replace(column=1)))
+    assert not is_kept([(0.04, each), (0.9, other)], finding, 0.05)
+    assert is_kept([(0.9, other)], finding, 0.05)
+
+
+def test_a_document_is_told_without_what_weighs_too_little(read: Read, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same likely finding of a rule is told or not, as the weights say."""
+    reading = read("HIGHRES_IMU (105): the gyros of the message are in deg/s.\n")
+    (told,) = of_dialect(reading, with_weighed=False)
+    assert not told.is_error
+    those = [each for each in candidates(reading) if each.finding.rule.id == told.rule.id]
+    assert those
+    for least, found in ((0.0, [told]), (0.99, [])):
+        monkeypatch.setattr(stored, "stored_weights", lambda least=least: Weights({}, 1.0, least))
+        monkeypatch.setattr(weighing, "stored_weights", lambda least=least: Weights({}, 1.0, least))
+        assert list(of_dialect(reading)) == found
+
+
+def test_numbers_that_look_alike() -> None:
+    """Digits in another order, one of them changed, or a number beside it: what a slip of the pen makes of a number."""
+    assert is_alike(142, 124)
+    assert is_alike(11034, 11031)
+    assert is_alike(9, 10)
+    assert not is_alike(142, 97)
+    assert not is_alike(20, 133)
+
+
+def test_a_denied_type_is_not_said(read: Read) -> None:
+    assert [each.kind for each in candidates(read("`param_value` of PARAM_EXT_SET is no float here.\n"))] == []
+    assert [each.kind for each in candidates(read("`param_value` of PARAM_EXT_SET is a float here.\n"))] == ["type"]
 
 
 def _example(read: Read, *traits: str, is_right: bool) -> claims_weights.Example:
@@ -135,4 +225,4 @@ def test_traits_of_what_is_right_get_weights_above_zero(read: Read) -> None:
     assert weights["good"] > 0.5
     assert weights["bad"] < -0.5
     assert abs(weights["both"]) < 0.1
-    assert likelihood(weights, "unit", ["good", "both"]) > 0.9
+    assert likelihood(weights, "unit", ["good", "both"]) > 0.8

@@ -1,4 +1,4 @@
-"""Candidates: what may be said of a field and contradicts the dialect, each with what speaks for that it is said."""
+"""Candidates: what may be said and contradicts the dialect, each with what speaks for that it is said."""
 
 from collections import defaultdict
 from collections.abc import Iterator
@@ -11,20 +11,27 @@ from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside, is_denial, is_excepted, is_own_column
 from codegen.claims.rules import NO_FIELD, as_sure
+from codegen.claims.weighed.blocks import numbered_blocks
 from codegen.claims.weighed.compared import compared
 from codegen.claims.weighed.comparison import Comparison, traits
+from codegen.claims.weighed.entities.read import statements
+from codegen.claims.weighed.entities.statement import Statement
 from codegen.claims.weighed.names import strangers
 from codegen.claims.weighed.pairs import ATOMS, Pair, pairs
 from codegen.claims.weighed.senses import senses
-from codegen.claims.weighed.traits import around
+from codegen.claims.weighed.traits import around, around_statement
 from codegen.diagnostics import Diagnostic, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
+from codegen.once import once
 
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A finding that is not said yet: of which kind, about which field, and what speaks for it or against it."""
+    """A finding that is not said yet: of which kind, about which field, and what speaks for it or against it.
+
+    ``field`` is empty where it is about the message as a whole, or about a command.
+    """
 
     kind: str
     message: str
@@ -56,14 +63,11 @@ def candidates(reading: Reading) -> Iterator[Candidate]:
             key = each.block, each.comparison.kind
             yield from _candidate(reading, each, len(agreeing[key]), len(differing[key]))
     yield from _names(reading)
+    yield from _statements(reading)
 
 
 def _met(reading: Reading) -> Iterator[_Met]:
-    block, last = 0, None
-    for span in spans(reading):
-        is_text = span.kind is PassageKind.TEXT and not span.is_code
-        block += span.kind is PassageKind.HEADING or (is_text and last is not PassageKind.TEXT)
-        last = span.kind
+    for block, span in numbered_blocks(spans(reading)):
         if any(letter in span.text for letter in "FP"):
             for pair, comparison in _compared(reading, span):
                 yield _Met(block, pair, comparison)
@@ -89,17 +93,10 @@ def _candidate(reading: Reading, met: _Met, agreeing: int, differing: int) -> It
     )
     rule = as_sure(compared_with.rule, is_sure=False)
     finding = reading.found(rule, place, f"{one.name} {written} weighed", compared_with.text)
-    if place.line in reading.quoted_as_wrong or is_elsewhere(reading, finding):
+    if place.line in _called_wrong(reading) or is_elsewhere(reading, finding):
         return
     tied = evidence_of(reading, finding)
-    others = traits(
-        others_agree=agreeing,
-        several_agree=agreeing >= 3,
-        several_differ=differing >= 3,
-        most_agree=agreeing >= differing,
-        nearly_all_agree=agreeing >= 4 * differing,
-        tied=tied in FIRM,
-    )
+    others = (*_agreement(agreeing, differing), *traits(tied=tied in FIRM))
     found = around(reading, pair, compared_with.kind) | {*compared_with.traits, *others, f"by {tied.value}"}
     yield Candidate(compared_with.kind, one.message.name, one.field.name, written, finding, found)
 
@@ -121,6 +118,43 @@ def _names(reading: Reading) -> Iterator[Candidate]:
         text = f"{each.message.name} has no field {each.name}"
         hint = did_you_mean(each.name, [field.name for field in each.message.fields])
         finding = reading.found(rule, each.place, f"{each.message.name} {each.name}", text, hint)
-        if each.place.line not in reading.quoted_as_wrong and not is_elsewhere(reading, finding):
+        if each.place.line not in _called_wrong(reading) and not is_elsewhere(reading, finding):
             near = near_fields(each.name, each.message)
             yield Candidate("no field", each.message.name, each.name, near[0] if near else "", finding, each.traits)
+
+
+def _statements(reading: Reading) -> Iterator[Candidate]:
+    """The candidates of numbers of messages, of entries, parameters and the like."""
+    for each, agreeing, differing in statements(reading):
+        yield from _of_statement(reading, each, agreeing, differing)
+
+
+def _of_statement(reading: Reading, each: Statement, agreeing: int, differing: int) -> Iterator[Candidate]:
+    """The candidate of a statement; none of what is said elsewhere, or called wrong."""
+    span, place = each.span, each.span.place(each.at)
+    is_own = span.kind is PassageKind.ROW and is_own_column(head_of(span, each.at))
+    if is_own or is_excepted(span.text, each.at):
+        return
+    rule = as_sure(each.rule, is_sure=False)
+    finding = reading.found(rule, place, f"{each.message} {each.field} {each.written} weighed", each.text)
+    if place.line in _called_wrong(reading) or is_elsewhere(reading, finding):
+        return
+    found = around_statement(each) | {*each.traits, *_agreement(agreeing, differing)}
+    yield Candidate(each.kind, each.message, each.field, each.written, finding, found)
+
+
+@once
+def _called_wrong(reading: Reading) -> frozenset[int]:
+    """The lines of what the document itself calls wrong."""
+    return reading.quoted_as_wrong
+
+
+def _agreement(agreeing: int, differing: int) -> tuple[str, ...]:
+    """The traits of how many in the same block agree with the dialect, and how many do not."""
+    return traits(
+        others_agree=agreeing,
+        several_agree=agreeing >= 3,
+        several_differ=differing >= 3,
+        most_agree=agreeing >= differing,
+        nearly_all_agree=agreeing >= 4 * differing,
+    )

@@ -14,8 +14,11 @@ from codegen.claims.statements.unknown import is_unknown
 from codegen.claims.unknown_value import unknown_values
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import Comparison, traits
+from codegen.claims.weighed.encoded import of_encoded
 from codegen.claims.weighed.entries import of_entry
+from codegen.claims.weighed.limits import of_limit
 from codegen.claims.weighed.pairs import Pair, is_line
+from codegen.claims.weighed.places import of_place
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
@@ -46,6 +49,10 @@ def of_number(reading: Reading, pair: Pair) -> Iterator[Comparison]:
         yield from _factor(pair, value)
     if pair.term.letter == "N" and value == int(value) and pair.one.field.definition.enum:
         yield from of_entry(reading, pair, int(value))
+    if pair.term.letter == "N":
+        yield from of_limit(pair)
+        yield from of_encoded(pair)
+        yield from of_place(pair)
 
 
 _LEAST = 10

@@ -1,11 +1,12 @@
 """Names of fields, each with what stands in its reach: pairs of which some are statements, and most are none."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.claims.parts.sentence import NamedField, Term
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
-from codegen.claims.statements.fields import Said, said_of_fields
+from codegen.claims.statements.fields import Said, number, said_of_fields
 from codegen.claims.statements.subjects import About, about
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
@@ -122,6 +123,12 @@ def _in_reach(
         start, _ = span.bounds(max(low - 2, 0))
         earlier = [name for name in names if start <= name < low]
         yield from ((name, "sentence before", 1) for name in earlier[-1:])
+
+
+def whole_number(term: Term) -> int | None:
+    """Return the whole number that a term is."""
+    value = number(term)
+    return int(value) if isinstance(value, int | Fraction) and value == int(value) else None
 
 
 def field_at(reading: Reading, span: Span, offset: int) -> tuple[About, bool] | None:

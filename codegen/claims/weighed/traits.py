@@ -23,6 +23,7 @@ from codegen.claims.ruled_out import (
 )
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import traits
+from codegen.claims.weighed.entities.statement import Statement
 from codegen.claims.weighed.pairs import Pair, is_line
 from codegen.load.prose import PassageKind
 from codegen.once import once
@@ -77,25 +78,28 @@ _DENYING = ("denied", "conditional")
 def around(reading: Reading, pair: Pair, kind: str) -> frozenset[str]:
     """Return the traits of a pair by all that stands around it, for a statement of some kind."""
     found = [*_form(pair), *_tie(reading, pair), *_between(pair), *_said(pair, kind)]
-    return frozenset([*found, *(_column(pair) if pair.span.kind is PassageKind.ROW else ())])
+    return frozenset([pair.side, *found, *(_column(pair) if pair.span.kind is PassageKind.ROW else ())])
 
 
-def _form(pair: Pair) -> tuple[str, ...]:
+def around_statement(statement: Statement) -> frozenset[str]:
+    """Return the traits of a statement by the form of its part and the sense of the words around it."""
+    found = [*_form(statement), *_said(statement, statement.kind)]
+    return frozenset([*found, *(_column(statement) if statement.span.kind is PassageKind.ROW else ())])
+
+
+def _form(pair: Pair | Statement) -> tuple[str, ...]:
     """The form of the part."""
     span, length = pair.span, pair.high - pair.low
-    return (
-        pair.side,
-        *traits(
-            code=span.is_code and not span.is_comment,
-            comment=span.is_comment,
-            row=span.kind is PassageKind.ROW,
-            item=span.kind is PassageKind.ITEM,
-            paragraph=span.kind is PassageKind.TEXT and not span.is_code,
-            data=span.language in _DATA,
-            short=length < 60,
-            long=length > 160,
-            message_first=_MESSAGE_FIRST.match(span.text),
-        ),
+    return traits(
+        code=span.is_code and not span.is_comment,
+        comment=span.is_comment,
+        row=span.kind is PassageKind.ROW,
+        item=span.kind is PassageKind.ITEM,
+        paragraph=span.kind is PassageKind.TEXT and not span.is_code,
+        data=span.language in _DATA,
+        short=length < 60,
+        long=length > 160,
+        message_first=_MESSAGE_FIRST.match(span.text),
     )
 
 
@@ -169,7 +173,7 @@ def _between(pair: Pair) -> tuple[str, ...]:
     )
 
 
-def _said(pair: Pair, kind: str) -> tuple[str, ...]:
+def _said(pair: Pair | Statement, kind: str) -> tuple[str, ...]:
     """The sense of the words of the sentence, and of those of the clause."""
     span, sentence = pair.span, pair.sentence
     low, high = clause(span.text, pair.at, pair.low, pair.high)
@@ -193,7 +197,7 @@ def _said(pair: Pair, kind: str) -> tuple[str, ...]:
     )
 
 
-def _column(pair: Pair) -> tuple[str, ...]:
+def _column(pair: Pair | Statement) -> tuple[str, ...]:
     """The sense of the heading of a column."""
     head = head_of(pair.span, pair.at).lower()
     return traits(

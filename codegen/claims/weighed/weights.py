@@ -13,10 +13,14 @@ FILE = os.path.join(os.path.dirname(__file__), "weights.json")
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """The logarithm of the odds that each trait adds, and the least likelihood of a finding."""
+    """The logarithm of the odds that each trait adds, and the least likelihood of a finding.
+
+    ``least`` is the least likelihood of what a rule reads as likely.
+    """
 
     of: Mapping[str, float]
     threshold: float
+    least: float
 
 
 @cache
@@ -24,7 +28,7 @@ def stored_weights() -> Weights:
     """Return the weights that were computed."""
     with open(FILE, encoding="utf-8") as file:
         content = json.load(file)
-    return Weights(content["weights"], content["threshold"])
+    return Weights(content["weights"], content["threshold"], content["least"])
 
 
 def named(kind: str, traits: Collection[str]) -> list[str]:

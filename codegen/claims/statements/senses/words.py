@@ -152,6 +152,24 @@ def signs(text: str) -> Iterator[Sense]:
             yield Sense(axis, "+" if is_first == is_positive else "-", found[0].strip(" :=,(|*`"), *found.span())
 
 
+_LOOSE = pattern(
+    rf"(?P<sign>positive|negative)(?:[^\w.;|]+(?!(?:positive|negative)\b)\w+){{0,7}}?[^\w.;|]+{_WAY}"
+    rf"|{_WAY.replace('(?P<', '(?P<z_')}(?:[^\w.;|]+\w+){{0,3}}?[^\w.;|]+(?P<then>positive|negative)",
+    needs="positive|negative",
+)
+
+
+def loose_signs(text: str) -> Iterator[Sense]:
+    """Yield the ways that stand near "positive" or "negative" in a text in small letters, with any words between."""
+    for found in _LOOSE.finditer(text):
+        given = found.groupdict()
+        axis = next(axis for axis in _WAYS if given[axis] or given[f"z_{axis}"])
+        word = given[axis] or given[f"z_{axis}"]
+        is_first = _ONE_WAY[axis].fullmatch(word) is not None
+        is_positive = (given["sign"] or given["then"]) == "positive"
+        yield Sense(axis, "+" if is_first == is_positive else "-", found[0].strip(" :=,(|*`"), *found.span())
+
+
 def has_other_way(sense: Sense, text: str) -> bool:
     """Return whether a text tells of the other way of an axis too: "north/east/down, shown with up positive"."""
     if sense.axis not in _WAYS:
