@@ -8,6 +8,7 @@ from codegen.model.price import HEAD_V1, HEAD_V2
 from codegen.pattern import pattern
 
 _CLAIMED = pattern(r", not (\d+)\b")
+_UNIT = pattern(r"\b(?:bytes?|octets?|B)\b|CRC|LEN|[Ll]en(?:gth)? ?[=:]")
 _BYTES = pattern(r"\b(?:bytes?|octets?|long|length|size)\b")
 _LINES = 4
 """Lines of code above a number in which the name of its type or constant may stand."""
@@ -16,9 +17,9 @@ _LINES = 4
 def is_right_for_another(reading: Reading, finding: Diagnostic) -> bool:
     """Return whether the number of a finding is about another message than the one that was taken for its subject.
 
-    It is where neither its line nor the heading above names that one, and the number is right for another that the
-    document names; or where a number taken for the id, or for the length of a field, is the length of the message, and
-    bytes are spoken of.
+    It is where a length without a unit stands in a section that does not name the message; where neither its line nor
+    the heading above names that one, and the number is right for another that the document names; or where a number
+    taken for the id, or for the length of a field, is the length of the message, and bytes are spoken of.
     """
     claimed = _CLAIMED.search(finding.message)
     name, _, field = finding.message.partition(" ")[0].partition(".")
@@ -26,6 +27,12 @@ def is_right_for_another(reading: Reading, finding: Diagnostic) -> bool:
     if claimed is None or message is None:
         return False
     number, line = int(claimed[1]), _words_at(reading, finding)
+    if (
+        finding.rule.id == "claim-message-size"
+        and _UNIT.search(line) is None
+        and not _is_in_section(reading, name, finding)
+    ):
+        return True
     if field:
         return "bytes" in finding.message and number in (message.base_length, message.length)
     if finding.rule.id == "claim-message-id" and number in (message.base_length, message.length):
@@ -39,6 +46,16 @@ def is_right_for_another(reading: Reading, finding: Diagnostic) -> bool:
 def _heading_above(reading: Reading, line: int) -> str:
     headings = [each for each in reading.prose.passages if each.kind is PassageKind.HEADING]
     return next((each.text for each in reversed(headings) if each.place.line < line), "")
+
+
+def _is_in_section(reading: Reading, name: str, finding: Diagnostic) -> bool:
+    """Return whether a heading names a message, or the text since the last one does."""
+    line = finding.place.line
+    headings = [each for each in reading.prose.passages if each.kind is PassageKind.HEADING and each.place.line < line]
+    since = headings[-1].place.line if headings else 0
+    return any(since <= at <= line for at, each in reading.sightings if each == name) or any(
+        name in each.text for each in headings
+    )
 
 
 def _is_right(rule: str, message: WireMessage, number: int) -> bool:

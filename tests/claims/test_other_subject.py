@@ -21,6 +21,7 @@ KNOWN = 1
 ```
 '''
 RIGHT = {
+    "a number of a button": "## One\n\n- `WINCH_STATUS` (9005, 34 bytes).\n\n## Two\n\n- Buttons:\n  - relax 0\n  - length 1\n",
     "a length of the first message, behind another one": ELSEWHERE.format(claim="# 63 payload bytes without yaw"),
     "a length in parentheses": "- PARAM_EXT_SET has 147 bytes, one more than PARAM_EXT_ACK (146).\n",
     "the length of the message, not of the array": "PLAY_TUNE has `tune`, and 200 more in `tune2`: 32 bytes grow to 232.\n",
