@@ -10,6 +10,10 @@ from mutants import mutants_of
 from mutation import PROGRAMS, firmware_of
 from results import ROOT
 
+from codegen.commands.build import render_systems
+from codegen.diagnostics import Report
+from codegen.project.systems import read_systems
+
 ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
 
 
@@ -25,8 +29,12 @@ def test_every_entry_of_a_firmware_is_a_fault_there(program: str) -> None:
 
 
 def test_every_form_of_a_line_is_that_of_a_fault() -> None:
-    """In some firmware: not every program has all of them."""
-    texts = [firmware_of(program) for program in PROGRAMS]
+    """In some firmware: not every program has all of them. That of the boat is not committed, and made for this."""
+    systems = read_systems(str(ROOT / "examples" / "boat" / "specs" / "codegen.yaml"), Report())
+    assert systems
+    made = render_systems(systems).files
+    boat = {Path(path).name: text for path, text in dict(made).items() if path.startswith("firmware/")}
+    texts = [boat, *(firmware_of(program) for program in PROGRAMS if program != "boat")]
     forms = [entry for entry in ENTRIES if "like" in entry]
     assert [entry["like"] for entry in forms if not any(any(equivalents._alike(entry, each)) for each in texts)] == []
 

@@ -15,7 +15,7 @@ from rover_alone import without_programs
 from test_interpreter import MICROPYTHON32
 
 ROOT = Path(__file__).resolve().parents[2]
-LEFT_OUT = ("day", "heap", "station", "generation", "announcement", "return", "link", "stop")
+LEFT_OUT = ("day", "heap", "station", "generation", "announcement", "return", "link", "network", "stop")
 """Simulated days, for which it would take minutes, and what counts nothing that 32 bits would not hold."""
 NO_NETWORK = "datagrams_over_the_loopback"  # this MicroPython has none
 CHECKS = scripts_of(ROOT / "generated" / "tests").files("tests/*_checks.py")

@@ -52,6 +52,7 @@ def _param(param: CommandParam) -> Iterator[Fact]:
     yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"))
     unit = param.wire_unit.name or "a number"
     position = f", {param.axis.name.lower()}" if param.axis else ""
+    position += ", an altitude" if param.is_altitude else ""
     yield Fact(f"{at} in", f"{unit}{position}", rules.COMMAND_UNIT, spec.at("unit"))
     yield Fact(
         f"{at} is given as", f"{param.name} {map_words(param.scale)} {param.unit.name}", rules.COMMAND, spec.place

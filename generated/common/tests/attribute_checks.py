@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/attribute_checks.py: do not edit.
-# Inputs: 4b9c1db865781d6c
+# Inputs: 9bab0f78ecd9e05a
 """Objects of the firmware have all attributes from their beginning: one that gets more later takes heap then."""
 
 import sys
@@ -125,6 +125,7 @@ def _live_through_all(beginnings):
 
 
 CHECKS = ((nothing_is_added_later,),)
+LONG = (nothing_is_added_later,)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: c08b3b2461298bca
+# Inputs: 86f344548cd5bfbf
 """Checks of returns, such as of a pack that is exchanged: each counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
@@ -271,6 +271,7 @@ LONG = (
     what_wavers_comes_back_once,
     a_failed_reading_says_nothing,
     counting_begins_anew,
+    its_info_is_sent_at_once,
     one_that_is_gone_allocates_nothing,
 )
 

@@ -123,6 +123,7 @@ def _live_through_all(beginnings):
 
 
 CHECKS = ((nothing_is_added_later,),)
+LONG = (nothing_is_added_later,)
 
 if __name__ == "__main__":
     main(CHECKS)

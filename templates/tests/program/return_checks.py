@@ -269,6 +269,7 @@ LONG = (
     what_wavers_comes_back_once,
     a_failed_reading_says_nothing,
     counting_begins_anew,
+    its_info_is_sent_at_once,
     one_that_is_gone_allocates_nothing,
 )
 
