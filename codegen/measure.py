@@ -60,12 +60,14 @@ def obstacle(unit: Unit, other: Unit) -> str | None:
     return f"the firmware's whole numbers do not carry out {unit.name} {map_words(found)} = {other.name}"
 
 
-def read_amount(text: str, unit: Unit, place: Place, report: Report) -> Fraction | None:
-    """The number of ``text`` (an amount) in ``unit``, exactly."""
+def read_amount(text: str, unit: Unit, place: Place, report: Report, *, is_difference: bool = False) -> Fraction | None:
+    """The number of ``text`` (an amount) in ``unit``, exactly; of a difference, 5 degC are 5 K, wherever 0 is."""
     found = _converted(text, unit, place, report)
     if found is None:
         return None
     measure, way = found
+    if is_difference:
+        way = AffineMap(way.factor, way.pi)
     value = way.exact(measure.value)
     if value is None:
         message = f"{text} is no exact number of {unit.name}: {measure.unit.name} is {map_words(way)}"

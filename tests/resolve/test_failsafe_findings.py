@@ -70,6 +70,7 @@ CASES = [
     ("above: 40 A", "above: §-10737418.24 A", "is nothing to compare motor.current with"),
     (SLACK, "    hysteresis: §-5 degC\n", "-5 degC is nothing to compare motor.temperature with"),
     (SLACK, "    hysteresis: 0 degC\n", ""),
+    (SLACK, "    hysteresis: 5 K\n", ""),  # a difference, wherever the 0 of the unit is
     ("after: 500 ms", "after: 0 ms", ""),
     ("after: 500 ms", "after: 14400 s", ""),
     ("after: 500 ms", "after: §14400.001 s", "14400.001 s is not a time of whole ms, at most four hours"),

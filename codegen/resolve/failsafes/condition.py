@@ -62,7 +62,7 @@ def _conditions(
         whose = each if each.hysteresis or not is_level else spec
         slack = 0
         if whose.hysteresis is not None:
-            slack = scope.settings.amount(whose.hysteresis, whose.at("hysteresis"), quantity, least=0) or 0
+            slack = scope.settings.difference(whose.hysteresis, whose.at("hysteresis"), quantity) or 0
         found.append(Condition(sense, quantity, limit, after, slack, each))
     return tuple(found)
 

@@ -56,11 +56,15 @@ class SettingReader:
             return None
         return Setting(parameter, int(steps), quantity.stored)
 
-    def amount(self, text: str, place: Place, quantity: Quantity, least: int | None = None) -> int | None:
+    def difference(self, text: str, place: Place, quantity: Quantity) -> int | None:
+        """A difference of at least 0 between two values of a quantity, in its stored units; None after a finding."""
+        return self.amount(text, place, quantity, is_difference=True)
+
+    def amount(self, text: str, place: Place, quantity: Quantity, *, is_difference: bool = False) -> int | None:
         """An amount in whole stored units of a quantity; None after a finding."""
         value = exact_number(text) if quantity.unit.dimension == NUMBER.dimension else None
         if value is None:
-            value = read_amount(text, quantity.unit, place, self._report)
+            value = read_amount(text, quantity.unit, place, self._report, is_difference=is_difference)
         if value is None:
             return None
         steps: Fraction = value * quantity.steps
@@ -68,7 +72,7 @@ class SettingReader:
             message = f"{text} is not in whole {quantity.stored.name or 'numbers'}, in which {quantity.path} is kept"
             self._report.add(BAD_FAILSAFE, place, message, "give stored: a finer unit in state.yaml")
             return None
-        if abs(steps) > SMALL_INT_MAX or (least is not None and steps < least):
+        if abs(steps) > SMALL_INT_MAX or (is_difference and steps < 0):
             self._report.add(BAD_FAILSAFE, place, f"{text} is nothing to compare {quantity.path} with")
             return None
         return int(steps)
