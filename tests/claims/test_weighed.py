@@ -45,34 +45,15 @@ LIKELY = {
         "| `status` | 1 when the card is ready, 0 without card |\n",
         "STORAGE_INFORMATION.status: STORAGE_STATUS_READY is 2, not 1",
     ),
-    "the CRC_EXTRA of the second of two messages": (
-        "| 1 | Compare the seed of the CRC | `HIL_SENSOR` has CRC_EXTRA 108, `HIL_GPS` has 142 |\n",
-        "HIL_GPS has the CRC_EXTRA 124, not 142",
-    ),
     "an id in a comment of data": (
         "```yaml\n- message: VIBRATION    # id 241\n  field: clipping_0\n- message: WIND_COV       # id 213\n"
         "  field: var_horiz\n```\n",
         "WIND_COV has the id 231, not 213",
     ),
-    "an enum of code with a name of its own": (
-        "```rust\n//! OPEN_DRONE_ID_SYSTEM (12904)\n#[repr(u8)]\npub enum OperatorLocation {\n    TakeOff = 0,\n"
-        "    LiveGnss = 1,\n    Fixed = 3,\n}\n```\n",
-        "OPEN_DRONE_ID_SYSTEM.operator_location_type: MAV_ODID_OPERATOR_LOCATION_TYPE_FIXED is 2, not 3",
-    ),
-    "a way with other words between": (
-        "```c\n/* WINCH_STATUS */\nfloat speed;   /* m/s, negative while the motor is paying out, zero at rest */\n```\n",
-        'WINCH_STATUS.speed: the dialect says "positive values if being released", not "negative while the motor is '
-        'paying out"',
-    ),
     "a number with the digits of an amount": (
         "GPS_RAW_INT (24) is filled.\n\n| GGA | Example | Field | Value |\n|---|---|---|---|\n"
         "| hdop | 1.4 | `eph` | 14 |\n",
         "1.4 is 140 in GPS_RAW_INT.eph (steps of 1E-2), not 14",
-    ),
-    "the value of a parameter, without a message": (
-        "| Command | No. | What to put in |\n|---|---|---|\n| `MAV_CMD_CONDITION_YAW` | 115 | param 1 target angle, "
-        "param 2 deg/s, param 3 -1 for clockwise, 1 for counter-clockwise |\n",
-        "MAV_CMD_CONDITION_YAW: param 3 (Direction): 1 for clockwise, not -1",
     ),
     "a message that there is not": (
         "```c\n#define ID_LOG_DATA 120\n/* a LOG_REQUEST_DATA is answered with LOG_DATA_REPLY (123) */\n```\n",
