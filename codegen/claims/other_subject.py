@@ -37,24 +37,24 @@ def is_right_for_another(reading: Reading, finding: Diagnostic) -> bool:
         return "bytes" in finding.message and number in (message.base_length, message.length)
     if finding.rule.id == "claim-message-id" and number in (message.base_length, message.length):
         return _BYTES.search(line) is not None
-    if name in line or name in _heading_above(reading, finding.place.line):
+    if any(name in words for words in (line, *list(_headings_above(reading, finding.place.line).values())[-1:])):
         return False
     others = dict.fromkeys(each for _, each in reading.sightings if each != name)
     return any(_is_right(finding.rule.id, reading.messages[each], number) for each in others)
 
 
-def _heading_above(reading: Reading, line: int) -> str:
-    headings = [each for each in reading.prose.passages if each.kind is PassageKind.HEADING]
-    return next((each.text for each in reversed(headings) if each.place.line < line), "")
+def _headings_above(reading: Reading, line: int) -> dict[int, str]:
+    headings = (each for each in reading.prose.passages if each.kind is PassageKind.HEADING and each.place.line < line)
+    return {each.place.line: each.text for each in headings}
 
 
 def _is_in_section(reading: Reading, name: str, finding: Diagnostic) -> bool:
     """Return whether a heading names a message, or the text since the last one does."""
     line = finding.place.line
-    headings = [each for each in reading.prose.passages if each.kind is PassageKind.HEADING and each.place.line < line]
-    since = headings[-1].place.line if headings else 0
+    headings = _headings_above(reading, line)
+    since = max(headings, default=0)
     return any(since <= at <= line for at, each in reading.sightings if each == name) or any(
-        name in each.text for each in headings
+        name in text for text in headings.values()
     )
 
 

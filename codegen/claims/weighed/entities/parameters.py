@@ -76,53 +76,29 @@ def _in_reach(
     given = dict(own.attributes)
     units = Unit.parse(given.get("units"))
     label = f"{command.name}: param {own.number} ({given.get('label', '')})"
-    field = f"param{own.number}"
+
+    def told(kind: str, at: int, text: str, found: tuple[str, ...], *, is_right: bool) -> Statement:
+        low, high = piece(span, at)
+        names = command.name, f"param{own.number}"
+        return Statement(kind, PARAMETER, span, at, low, high, *names, is_right, text, "", (*more, *found))
+
     for at, term in span.sentence.within(start, end, "UQ"):
         unit = term.value[1] if isinstance(term.value, tuple) else term.value
         if units is not None and isinstance(unit, Unit) and unit.dimension:
-            low, high = piece(span, at)
             found = traits(alike=unit.dimension == units.dimension, amount=term.letter == "Q", near=at - start < 30)
             text = f"{label} is in {given['units']}, not {term.written}"
-            is_right = is_same_unit(unit, units)
-            yield Statement(
-                "parameter unit",
-                PARAMETER,
-                span,
-                at,
-                low,
-                high,
-                command.name,
-                field,
-                is_right,
-                text,
-                "",
-                (*more, *found),
-            )
+            yield told("parameter unit", at, text, found, is_right=is_same_unit(unit, units))
     numbers = [at for at, _ in span.sentence.within(start, end, "N")]
     for index, at in enumerate(numbers):
         value = whole(span, at)
         until = numbers[index + 1] if index + 1 < len(numbers) else end
         words = _LINK.sub("", span.source_text(at + 1, until).lower()).strip(" ,;.|")
-        low, high = piece(span, at)
         said = _meant(reading, own, value, words) if value is not None else None
         if said is not None:
             is_right, true = said
             text = f"{label}: {true} for {words}, not {span.sentence.term(at).written}"
             found = traits(near=at - start < 12, several_values=len(numbers) > 1, negative=(value or 0) < 0)
-            yield Statement(
-                "parameter value",
-                PARAMETER,
-                span,
-                at,
-                low,
-                high,
-                command.name,
-                field,
-                is_right,
-                text,
-                "",
-                (*more, *found),
-            )
+            yield told("parameter value", at, text, found, is_right=is_right)
 
 
 def _meant(reading: Reading, own: CommandParameter, value: int, words: str) -> tuple[bool, str] | None:
