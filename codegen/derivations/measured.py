@@ -153,7 +153,7 @@ class Measured(Derivation):
             f"ADC, GPIO {self._pins(quantity, system)}{chosen}",
             (
                 f"mean of {channel.samples} samples of {channel.bits} bits, 0..{channel.full_scale}",
-                f"every {system.components[quantity.component].period_ms or 100} ms",
+                f"every {system.components[quantity.component].read_every_ms} ms",
             ),
             tuple(dict.fromkeys((*channel.criteria("samples"), *channel.criteria()))),
         )

@@ -64,17 +64,19 @@ def _sensors(system: System, program: Program) -> Iterator[Job]:
 def _readings(system: System, program: Program) -> Iterator[Job]:
     """Return the components that are read, with the failsafes on them; behind the last what is checked beside them."""
     measured = [component for component in system.components.values() if component.readings]
+    with_readings = [each for each in program.failsafes if program.looks_with_readings(each)]
     for component in measured:
-        guards = [each for each in program.failsafes if _watches(each, component)]
+        guards = [each for each in with_readings if each.component is component]
         yield Job(
             component.name,
             f"{component.name} is read" + (", with its failsafe" if guards else ""),
-            (component.period_ms or 100) * 1000,
+            component.read_every_ms * 1000,
             _read(component, system) + _guarded(guards, system),
             _read(component, None) + _guarded(guards, None),
         )
-    beside = [each for each in program.failsafes if not any(_watches(each, component) for component in measured)]
-    if beside or (not measured and (_can_arm(program) or _tells_load(system))):
+    beside = [each for each in program.failsafes if not program.looks_with_readings(each)]
+    is_often = bool(measured) and measured[-1].read_every_ms * 1000 <= program.checks_us
+    if beside or (not is_often and (_can_arm(program) or _tells_load(system))):
         words = "failsafes look" if beside else "what the vehicle tells about itself is found out"
         yield Job("checks", words, program.checks_us, _guarded(beside, system), _guarded(beside, None))
 
@@ -82,10 +84,6 @@ def _readings(system: System, program: Program) -> Iterator[Job]:
 def _tells_load(system: System) -> bool:
     load = system.quantity("vehicle.load")
     return load is not None and load.attribute == "load_dpct" and system.components["vehicle"].instances == 1
-
-
-def _watches(failsafe: Failsafe, component: Component) -> bool:
-    return failsafe.quantity is not None and failsafe.quantity.component == component.name
 
 
 def _read(component: Component, system: System | None) -> Work:

@@ -38,7 +38,7 @@ def _periods(system: System, program: Program) -> Iterator[int]:
         yield turns_of(system, program.control_us).every_us
         yield WATCH_US
     measured = [component for component in system.components.values() if component.readings]
-    yield from ((component.period_ms or 100) * 1000 for component in measured)
+    yield from (component.read_every_ms * 1000 for component in measured)
     yield program.checks_us
     yield from [program.links_us] * max(len(system.links), 1)
     yield from (program.report_ms * 1000, REMINDER_US)

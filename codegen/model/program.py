@@ -128,6 +128,17 @@ class Program:
         has = {Needs.NOTHING: True, Needs.ARMING: self.spec.arming is not None, Needs.MODES: bool(self.modes)}
         return tuple(command for command in BUILT_IN if has[command.needs])
 
+    def looks_with_readings(self, failsafe: Failsafe) -> bool:
+        """Return whether a failsafe looks in each pass in which its component is read.
+
+        All others look every ``checks_us``, also those whose component is read less often than that: something else of
+        it may be set meanwhile, and a time may end.
+        """
+        component = failsafe.component
+        if failsafe.quantity is None or component is None or not component.readings:
+            return False
+        return component.read_every_ms * 1000 <= self.checks_us
+
     @property
     def cancels(self) -> bool:
         """Return whether COMMAND_CANCEL ends what takes long: not every dialect has it."""

@@ -129,7 +129,7 @@ class Represented:
 
     def readings(self, component: "Component") -> int:
         """The same in readings of the component."""
-        return math.ceil(self.stale_after_ms / (component.period_ms or 100))
+        return math.ceil(self.stale_after_ms / component.read_every_ms)
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,6 +285,11 @@ class Component(Cited):
     def instances(self) -> int:
         """Return the number of instances of the component."""
         return len(self.parts)
+
+    @property
+    def read_every_ms(self) -> int:
+        """Return the time between two readings: that between two updates, or 100 ms where none is stated."""
+        return self.period_ms or 100
 
     @property
     def readings(self) -> tuple["Reading", ...]:

@@ -20,7 +20,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         if message.stream is None:
             continue
         rate = message.stream.default_rate
-        for name in sorted(_components(message)):
+        for name in sorted(_components(message, system)):
             period = system.components[name].period_ms
             if period is not None and rate * period > 1000:
                 yield Diagnostic(
@@ -31,5 +31,11 @@ def check(system: System) -> Iterator[Diagnostic]:
                 )
 
 
-def _components(message: PopulatedMessage) -> set[str]:
-    return {quantity.component for answer in message.answers for quantity in answer.carried}
+def _components(message: PopulatedMessage, system: System) -> set[str]:
+    """The components at whose rate what is reported changes: code, sensors and messages have times of their own."""
+    carried = {quantity.path: quantity for answer in message.answers for quantity in answer.carried}
+    return {
+        quantity.component
+        for quantity in carried.values()
+        if not (quantity.derivation.ages_alone and system.components[quantity.component].readings)
+    }

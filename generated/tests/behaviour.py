@@ -852,20 +852,20 @@ def battery_cells_allocate_nothing():
 
 
 def battery_cells_in_their_unit():
-    battery = SystemState(log=Log()).battery[0]
-    count = len(battery.cells_mv)
-    assert told(battery.cells) == [None] * count
-    battery.cells = [None if place == 0 else place for place in range(count)]
-    assert list(battery.cells_mv) == [None if place == 0 else place * 1000 for place in range(count)]
-    assert told(battery.cells) == [None if place == 0 else place for place in range(count)]
+    component = SystemState(log=Log()).battery[0]
+    count = len(component.cells_mv)
+    assert told(component.cells) == [None] * count
+    component.cells = [None if place == 0 else place for place in range(count)]
+    assert list(component.cells_mv) == [None if place == 0 else place * 1000 for place in range(count)]
+    assert told(component.cells) == [None if place == 0 else place for place in range(count)]
     for wrong in ([], [1.0] * (count + 1)):
         try:
-            battery.cells = wrong
+            component.cells = wrong
         except ValueError:
             continue
         raise AssertionError(wrong)
-    battery.cells = None
-    assert told(battery.cells) == [None] * count
+    component.cells = None
+    assert told(component.cells) == [None] * count
 
 
 def sent_in_40_seconds(state):

@@ -15,6 +15,7 @@
 CONTROL_US = 2500
 LINKS_US = 10000
 CHECKS_US = 100000
+ARMING_US = 100000  # between two looks at what speaks against arming
 SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
@@ -264,14 +265,18 @@ FAILSAFES = (
     },
 )
 
-# All failsafes. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
+# Further inputs at which no failsafe holds: the number of the pin, and what a converter of 16 bits shows there.
+CALM = ()
+
+# All failsafes, each with the time between two readings of what it looks at in these passes; None: it looks with all
+# other checks. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
 # the threshold, whether 0 switches it off, parameter and milliseconds of the time, hysteresis, the quantity's limits.
 WATCHED = (
     {
         "list": "battery_failsafes",
         "component": "battery",
         "watched": "voltage_mv",
-        "measured": True,
+        "period_us": 100000,
         "title": "Battery 1",
         "levels": ["low", "critical"],
         "actions": ["batt_fs_low_act", "batt_fs_crt_act"],

@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: 7699d787a8c85226
+# Inputs: 2b914d9dfd8af3f8
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -134,15 +134,24 @@ def is_left_alone_where_it_is_off(facts, fresh):
 
 
 def allocates_nothing(facts, fresh):
-    """Over all of its counts, with the factors that make the largest numbers."""
+    """Over all of its counts, with the factors that make the largest numbers; what is told of one takes memory."""
     for settings in facts["extremes"]:
         board, state, _ = fresh(settings)
-        take = getattr(state, "update_" + facts["component"])
-        take(board)
-        set_count(board, facts, facts["full_scale"])
-        take(board)  # warnings are logged now, before memory is counted
+        other_board, other_state, log = fresh(settings)
+        take, take_first = (getattr(each, "update_" + facts["component"]) for each in (state, other_state))
+        for count in (0, facts["full_scale"]):  # warnings are logged now, before memory is counted
+            set_count(board, facts, count)
+            set_count(other_board, facts, count)
+            take(board)
+            take_first(other_board)
         for count in range(0, facts["full_scale"] + 1, 195):
             set_count(board, facts, count)
+            set_count(other_board, facts, count)
+            told = len(log.lines) + len(log.notes)
+            take_first(other_board)
+            if len(log.lines) + len(log.notes) > told:
+                take(board)
+                continue
             before = mem_total()
             heap_lock()
             try:

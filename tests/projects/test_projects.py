@@ -11,7 +11,8 @@ every type, sentinels that machine code cannot have as literals, and clocks that
 boat with a receiver of satellites, without battery, converter or program. angles has quantities in degrees that fields
 have in radians, and the other way, sent and received. own_dialect is written for a dialect of its own, in two files,
 and has the last system id that there is. sensors has a sensor of every kind, and one with a driver of its own;
-power_monitor has two channels of an ADC in one component, and a level.
+power_monitor has two channels of an ADC in one component, and a level. slow_readings has a thermometer that is read
+less often than failsafes look, constants for multipliers, and components with the names of functions.
 """
 
 import subprocess
@@ -24,7 +25,7 @@ from in_process import build
 
 PROJECTS = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
-WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect"}
+WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect", "slow_readings"}
 """Whose checks of the whole program run; the checks of others, whose modules are the same, are about what they have."""
 DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
 COMMON = (

@@ -45,7 +45,7 @@ def set_together(component: Component) -> SetTogether | None:
     ]
     return SetTogether(
         stale_ms,
-        math.ceil(stale_ms / (component.period_ms or 100)),
+        math.ceil(stale_ms / component.read_every_ms),
         tuple(each for each in begun if not any(each in of_reading for of_reading in given.values())),
         tuple((reading, quantities) for reading, quantities in counted if quantities),
     )

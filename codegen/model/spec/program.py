@@ -17,8 +17,7 @@ class ControlSpec(Written):
     rate: Amount = described("How often the control slot runs, such as 400 Hz.")
     links: Amount = described("How often links are served: what arrives is answered, what is due is sent.")
     checks: Amount = described(
-        "How often failsafes look at what is not measured in a period of its own, and the checks before arming are "
-        "made where nothing is measured.",
+        "How often failsafes look, and the checks before arming are made, where no reading of the ADC comes as often.",
         default="10 Hz",
     )
     report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")

@@ -145,7 +145,9 @@ class StreamSpec(Written):
     rate: Amount | None = described("Fixed rate, such as 1 Hz.", default=None)
     parameter: str | None = described("Parameter that sets the rate in Hz; 0 switches the stream off.", default=None)
     data_stream: str | None = described(
-        "Entry of MAV_DATA_STREAM by which REQUEST_DATA_STREAM asks for it.", default=None
+        "Entry of MAV_DATA_STREAM by which REQUEST_DATA_STREAM asks for it; MAV_DATA_STREAM_ALL asks for all that have "
+        "one.",
+        default=None,
     )
     fastest: Amount | None = described(
         "Highest rate that a ground station can ask for; default: the parameter's maximum, or the fixed rate.",

@@ -143,7 +143,7 @@ def program_section(system: System) -> ProgramSection | None:
     loop = [LoopRow("control", f"{program.control_us} us", str(program.cited.get("control", "")))]
     for name, quantity, _ in system.measured():
         component = system.components[name]
-        period = f"{component.period_ms or 100} ms"
+        period = f"{component.read_every_ms} ms"
         loop.append(LoopRow(f"readings of {quantity.path}", period, str(component.citation or "")))
     loop.append(LoopRow("links", f"{program.links_us} us", str(program.cited.get("services", ""))))
     loop.append(LoopRow("report of missed slots", f"{program.report_ms} ms", str(program.cited.get("control", ""))))

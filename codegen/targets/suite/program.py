@@ -17,6 +17,7 @@ from codegen.targets.imports import one_by_one, tuple_text
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 from codegen.targets.suite.criteria import check_criteria
+from codegen.targets.suite.facts.calm_inputs import CalmInput, calm_inputs
 from codegen.targets.suite.facts.commands import CommandFacts, command_facts
 from codegen.targets.suite.facts.components import ComponentFacts, component_facts
 from codegen.targets.suite.facts.failsafes import PairFacts, WatchFacts, pair_facts, watch_facts
@@ -85,6 +86,7 @@ class ProgramSuiteView:
     watched: tuple[WatchFacts, ...]
     components: tuple[ComponentFacts, ...]
     readers: tuple[ReaderView, ...]
+    calm: tuple[CalmInput, ...]
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
     sent: tuple[int, ...]
@@ -145,9 +147,10 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     view = ProgramSuiteView(
         program=program_view(system, program, failsafe_views(system, program, layout), layout),
         pairs=pair_facts(system, program),
-        watched=watch_facts(system, program),
+        watched=watch_facts(program),
         components=tuple(component for component in component_facts(system) if component.measured),
         readers=plain_readers(system),
+        calm=calm_inputs(system),
         parameters=parameter_views(system),
         streams=streams,
         sent=tuple(message.id for message in alone),

@@ -71,12 +71,14 @@ def known_words(system: System) -> tuple[KnownWord, ...]:
 
 
 def _calm(system: System) -> Iterator[KnownWord]:
-    """Yield what failsafes watch and nothing measures, with values that are beyond no threshold."""
-    measured = {component for component, _, _ in system.measured()}
+    """Yield what failsafes watch and no reading gives, with values that are beyond no threshold."""
+    read = {component for component, _, _ in system.measured()}
     layout = word_layout(system)
     for failsafe in system.program.failsafes if system.program else ():
         quantity = failsafe.quantity
-        if quantity is None or quantity.component in measured or not failsafe.spec.arming:
+        if quantity is None or not failsafe.spec.arming:
+            continue
+        if quantity.component in read and not quantity.derivation.ages_alone:
             continue
         is_below = any(condition.sense is Sense.BELOW for condition in failsafe.conditions)
         value = str(quantity.maximum if is_below else quantity.minimum)

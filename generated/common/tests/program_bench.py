@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 24c835910a1e25f2
+# Inputs: 740a6347261911bc
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -25,6 +25,7 @@ import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
 from program_facts import (  # noqa: E402
     ACCESS,
+    CALM,
     COMPONENT_ID,
     CONTROL_US,
     FAILSAFES,
@@ -354,6 +355,8 @@ def know(state):
 def new_craft(**arguments):
     """Return a vehicle whose components read a good value, each instance its own, with working converters."""
     machine.reset_analog()
+    for gpio, shown in CALM:
+        machine.analog(gpio).source = shown
     for measured in MEASURED:
         for instance in range(measured["instances"]):
             if measured["are_on"][instance]:  # the pin of an instance that is off may be another one's

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: d6a447ecb7f9ac2f
+# Inputs: f3f6f463431b0dd0
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -11,7 +11,7 @@ from program_bench import (
     needs_arming,
     new_craft,
 )
-from program_facts import ACTIONS, CHECKS_US, MEASURED, PARAMETERS, PRIORITY, WATCHED
+from program_facts import ACTIONS, CHECKS_US, PARAMETERS, PRIORITY, WATCHED
 
 import dialect
 import messages
@@ -29,15 +29,14 @@ class Bench:
         self.failsafe = getattr(self.craft, facts["list"])[0]
         check, own = self.craft._check, getattr(self.craft, facts["list"])
         self.craft._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest
-        self.period_us = CHECKS_US
+        self.period_us = facts["period_us"] or CHECKS_US
         self.component = None
         self.values = {}
         self.craft.disarm = lambda **_forced: None  # else an action hides what else there is
         if facts["component"]:
             self.component = getattr(self.craft.state, facts["component"])[0]
-        if facts["measured"]:
-            self.period_us = next(each for each in MEASURED if each["component"] == facts["component"])["period_us"]
-            name = "update_" + facts["component"]
+        name = "update_" + (facts["component"] or "")
+        if hasattr(self.craft.state, name):
             self._read = getattr(self.craft.state, name)
             setattr(self.craft.state, name, self._update)
         if is_armed:
@@ -66,7 +65,7 @@ class Bench:
         count = passes if passes is not None else int(seconds * 1000000) // self.period_us
         for number in range(count):
             before = self.failsafe.level
-            if not self.facts["measured"]:
+            if not self.facts["period_us"]:
                 self._set()
             self.craft.run_pass()
             if self.failsafe.level != before:

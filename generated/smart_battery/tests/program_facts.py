@@ -17,6 +17,7 @@
 CONTROL_US = 50000
 LINKS_US = 50000
 CHECKS_US = 100000
+ARMING_US = 100000  # between two looks at what speaks against arming
 SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
@@ -171,7 +172,11 @@ MEASURED = (
 # Failsafes of two levels below parameters; a threshold in stored steps is the parameter's steps times its scale.
 FAILSAFES = ()
 
-# All failsafes. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
+# Further inputs at which no failsafe holds: the number of the pin, and what a converter of 16 bits shows there.
+CALM = ()
+
+# All failsafes, each with the time between two readings of what it looks at in these passes; None: it looks with all
+# other checks. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
 # the threshold, whether 0 switches it off, parameter and milliseconds of the time, hysteresis, the quantity's limits.
 WATCHED = ()
 

@@ -2,7 +2,7 @@
 
 from failsafe_bench import TIMER, armed_watch, new_watch
 from program_bench import SECOND_US, main, messages, needs, needs_arming, ready_craft, run, run_passes
-from program_facts import FAILSAFES
+from program_facts import ARMING_US, FAILSAFES
 
 import dialect
 
@@ -117,12 +117,27 @@ def nothing_is_watched_without_the_monitor():
     assert watch.readings(1, 5 * watch.per_second) == []
 
 
+def no_answer_is_left_behind_a_fault():
+    """While nobody can find out what speaks against arming, the vehicle does not tell that it is ready."""
+    needs_arming()
+    craft = ready_craft()
+    craft.state.vehicle.ready = True
+
+    def fail():
+        raise ValueError("broken")
+
+    craft._is_ready = fail
+    run(craft, max(SECOND_US, ARMING_US))
+    assert not craft.state.vehicle.ready
+
+
 CHECKS = (
     (reasons_not_to_arm, "pair.reasons"),
     (latched_level_is_a_reason, "pair.reasons"),
     (users_check_comes_last, "pair.reasons"),
     (arming_calls_the_user, "pair.reasons"),
     (what_cannot_be_asked_speaks_against_arming, "arming.reasons"),
+    (no_answer_is_left_behind_a_fault, "arming.reasons"),
     (nothing_is_watched_without_the_monitor, "reading.monitor"),
 )
 

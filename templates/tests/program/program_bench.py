@@ -23,6 +23,7 @@ import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
 from program_facts import (  # noqa: E402
     ACCESS,
+    CALM,
     COMPONENT_ID,
     CONTROL_US,
     FAILSAFES,
@@ -352,6 +353,8 @@ def know(state):
 def new_craft(**arguments):
     """Return a vehicle whose components read a good value, each instance its own, with working converters."""
     machine.reset_analog()
+    for gpio, shown in CALM:
+        machine.analog(gpio).source = shown
     for measured in MEASURED:
         for instance in range(measured["instances"]):
             if measured["are_on"][instance]:  # the pin of an instance that is off may be another one's

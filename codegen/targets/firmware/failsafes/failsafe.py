@@ -128,14 +128,21 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     milder = of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder")
     worse = of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse")
     compared = (is_inverted, milder, worse) if found.has("inverted") else ()
-    measured = {name for name, _, _ in system.measured()}
     armed = layout.blocks["vehicle"].offsets["armed"]
     watching = _watching(found)
     levels = {len(one.levels) for one in failsafes}
     worst = f"len({found('names')})" if len(levels) > 1 else str(levels.pop())
     return FailsafesView(
         failsafes=tuple(
-            _failsafe(failsafe, one, found, columns, layout, measured, has_pairs=not pair)
+            _failsafe(
+                failsafe,
+                one,
+                found,
+                columns,
+                layout,
+                is_measured=program.looks_with_readings(failsafe),
+                has_pairs=not pair,
+            )
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
         imports=either_import("scan", ["holding", "watch"], machine_code=system.spec.project.machine_code),
@@ -209,8 +216,8 @@ def _failsafe(
     found: Settled,
     columns: Columns,
     layout: Layout,
-    measured: set[str],
     *,
+    is_measured: bool,
     has_pairs: bool,
 ) -> FailsafeView:
     component = failsafe.component
@@ -219,7 +226,7 @@ def _failsafe(
         name=failsafe.name,
         attribute=failsafe_function(failsafe.name),
         component=component.name if component else None,
-        is_measured=failsafe.quantity is not None and failsafe.quantity.component in measured,
+        is_measured=is_measured,
         has_arming=failsafe.spec.arming,
         variable=variable,
         watched=f"{failsafe.watched} of each" if failsafe.instances > 1 else failsafe.watched,

@@ -42,7 +42,7 @@ def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, .
             name=name,
             method=f"_watch_{name}",
             component=name,
-            period_us=(system.components[name].period_ms or 100) * 1000,
+            period_us=system.components[name].read_every_ms * 1000,
             statements=(
                 f"self.state.update_{name}(self.board)",
                 *_checks(each for each in failsafes if each.is_measured and each.component == name),
@@ -52,7 +52,7 @@ def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, .
     ]
     checked = tuple(_checks(each for each in failsafes if not each.is_measured))
     told = _about_itself(system, program)
-    if checked or (told and not jobs):
+    if checked or (told and (not jobs or jobs[-1].period_us > program.checks_us)):
         jobs.append(JobView("checks", "_watch", None, program.checks_us, checked))
     return (*jobs[:-1], *(replace(job, statements=(*job.statements, *told)) for job in jobs[-1:]))
 

@@ -22,7 +22,7 @@ def aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"# {quantity.path} is forgotten {stale_ms} ms after one was set{cited}."
         yield f"if {code.number_of(age)} != {UNKNOWN}:"
         yield f"    {age} = {age} + 1"
-        yield f"    if {age} > {math.ceil((stale_ms or 0) / (component.period_ms or 100))}:"
+        yield f"    if {age} > {math.ceil((stale_ms or 0) / component.read_every_ms)}:"
         yield f"        {age} = {UNKNOWN}"
         yield from indented(all_unknown(quantity, component, code), 2)
         if extremes := component.extremes(quantity):

@@ -80,7 +80,7 @@ class BoardView:
 
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
-    readers = _readers(system)
+    readers = reader_views(system)
     first = tuple(each for each, reading in zip(readers, system.readings(), strict=True) if reading.is_first)
     links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
@@ -153,10 +153,11 @@ def _switch(component: Component) -> Parameter | None:
 def plain_readers(system: System) -> tuple[ReaderView, ...]:
     """The readers that the tests of whole components are about, in their order: see component_facts.py."""
     plain = {reading.name for reading in system.readings() if reading.is_plain}
-    return tuple(reader for reader in _readers(system) if reader.component in plain)
+    return tuple(reader for reader in reader_views(system) if reader.component in plain)
 
 
-def _readers(system: System) -> tuple[ReaderView, ...]:
+def reader_views(system: System) -> tuple[ReaderView, ...]:
+    """The readers of all readings, in their order."""
     return tuple(reader_view(reading, place, system) for place, reading in enumerate(system.readings()))
 
 

@@ -76,11 +76,13 @@ class RepresentedFacts:
 class MeasuredFacts:
     """The conversion of an ADC count to a component's quantity: ``count * steps * numerator / denominator``.
 
-    ``warning_counts`` are, by instance, the smallest counts that are warned about; None where there is none.
+    ``period_us`` is the time between two readings. ``warning_counts`` are, by instance, the smallest counts that are
+    warned about; None where there is none.
     """
 
     name: str
     attribute: str
+    period_us: int
     full_scale: int
     citation: str
     multiplier: str
@@ -296,7 +298,7 @@ def _extremes(component: Component) -> Iterator[ExtremeFacts]:
             listed=listed.attribute,
             count=listed.elements[0],
             function="min" if quantity.derivation.is_of_lowest else "max",
-            passes=math.ceil((listed.trust.stale_after_ms or 0) / (component.period_ms or 100)),
+            passes=math.ceil((listed.trust.stale_after_ms or 0) / component.read_every_ms),
             citation=str(quantity.citation or ""),
         )
 
@@ -318,6 +320,7 @@ def _measured(quantity: Quantity, component: Component, system: System) -> Measu
     return MeasuredFacts(
         name=quantity.name,
         attribute=quantity.attribute,
+        period_us=component.read_every_ms * 1000,
         full_scale=conversion.channel.full_scale,
         citation=str(quantity.citation or ""),
         multiplier=parameter_attribute(multiplier.name),

@@ -60,12 +60,16 @@ class ConditionFacts:
 
 @dataclass(frozen=True, slots=True)
 class WatchFacts:
-    """Any failsafe, by its conditions; ``actions`` are by level: a parameter's attribute, a value, or None."""
+    """Any failsafe, by its conditions; ``actions`` are by level: a parameter's attribute, a value, or None.
+
+    ``period_us`` is the time between two readings of its component, with which it looks, or None: then it looks with
+    all other checks.
+    """
 
     attribute: str
     component: str | None
     watched: str | None
-    measured: bool
+    period_us: int | None
     title: str
     levels: tuple[str, ...]
     actions: tuple[str | int | None, ...]
@@ -87,7 +91,7 @@ def pair_facts(system: System, program: Program) -> tuple[PairFacts, ...]:
 
 def pairs(system: System, program: Program) -> tuple[Failsafe, ...]:
     """Failsafes of two levels below parameters of what is measured, which the checks of readings are about."""
-    measured = {quantity.path for _, quantity, _ in system.measured()}
+    measured = {reading.quantity.path for reading in system.readings() if reading.is_plain}
     return tuple(failsafe for failsafe in program.failsafes if _is_pair(failsafe, measured))
 
 
@@ -179,20 +183,19 @@ def _behind(text: FailsafeText, watched: Quantity, used: int | None) -> str:
     return said.removeprefix(watched.unit.name)
 
 
-def watch_facts(system: System, program: Program) -> tuple[WatchFacts, ...]:
+def watch_facts(program: Program) -> tuple[WatchFacts, ...]:
     """All failsafes."""
-    measured = {name for name, _, _ in system.measured()}
-    return tuple(_watch(failsafe, measured) for failsafe in program.failsafes)
+    return tuple(_watch(failsafe, program) for failsafe in program.failsafes)
 
 
-def _watch(failsafe: Failsafe, measured: set[str]) -> WatchFacts:
+def _watch(failsafe: Failsafe, program: Program) -> WatchFacts:
     component = failsafe.component
     numbers = {id(condition): level.number for level in failsafe.levels for condition in level.conditions}
     return WatchFacts(
         attribute=failsafe_function(failsafe.name),
         component=component.name if component else None,
         watched=failsafe.quantity.attribute if failsafe.quantity else None,
-        measured=component is not None and component.name in measured,
+        period_us=component.read_every_ms * 1000 if component and program.looks_with_readings(failsafe) else None,
         title=failsafe.title.replace("{number}", "1"),
         levels=tuple(level.name for level in failsafe.levels),
         actions=tuple(_action(level.action) for level in failsafe.levels),
