@@ -44,7 +44,7 @@ def either_import(name: str, names: list[str], *, machine_code: bool) -> tuple[s
     return (
         "try:",
         *(f"    {line}" for line in _from(f"{name}_viper", names, indent=4)),
-        "except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames",
+        "except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames",
         *(f"    {line}" for line in _from(f"{name}_plain", names, indent=4)),
     )
 
