@@ -59,7 +59,7 @@ def test_more_steps(part, told):
 
 
 def test_machine_code():
-    """An interpreter with machine code compiles all of it: otherwise the firmware would take plain Python, and be slow."""
+    """An interpreter with machine code compiles all of it: else the firmware would be in plain Python, and slow."""
     modules = [path.stem for path in files("firmware/*_viper.py")]
     assert not json.loads(run_under("micropython", "machine_code_run.py", *modules))
 

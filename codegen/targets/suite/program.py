@@ -7,6 +7,7 @@ from codegen.model.quantities.conversion import Conversion
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Reading, by_instance
 from codegen.render.rendered import rendered
+from codegen.summaries.armed_flag import armed_flag
 from codegen.targets.firmware.failsafes.failsafe import failsafe_views
 from codegen.targets.firmware.messages.streams import StreamsView, streams_view
 from codegen.targets.firmware.program.parameters import ParameterView, parameter_views
@@ -102,6 +103,7 @@ class ProgramSuiteView:
     answered: tuple[int, ...]
     absent: tuple[tuple[int, int], ...]
     links: tuple[LinkFacts, ...]
+    told_armed: tuple[bool, bool] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +167,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         answered=_answered(program),
         absent=tuple((each.question.id, each.answer.id) for each in program.absences),
         links=link_facts(system),
+        told_armed=armed_flag([message for message in system.messages if message.stream]),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 46ff37ae659a0d74
+# Inputs: 6676b83402b14c2b
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -61,7 +61,7 @@ def test_more_steps(part, told):
 
 
 def test_machine_code():
-    """An interpreter with machine code compiles all of it: otherwise the firmware would take plain Python, and be slow."""
+    """An interpreter with machine code compiles all of it: else the firmware would be in plain Python, and slow."""
     modules = [path.stem for path in files("firmware/*_viper.py")]
     assert not json.loads(run_under("micropython", "machine_code_run.py", *modules))
 
