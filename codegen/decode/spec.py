@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from codegen.decode.board_model import FOLDER, OWN, board_model_path
 from codegen.decode.decoded import decoded
+from codegen.decode.driver_modules import driver_module, user_modules
 from codegen.decode.overlays import Overlays
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
@@ -176,6 +177,7 @@ class _SpecReader:
             commands=commands,
             drivers=drivers,
             broken_drivers=broken_drivers,
+            user_modules=user_modules(board.sources.values(), self._base, self._files),
             other_overlays=tuple(sorted(self._overlays.others)),
             other_corrections=tuple(self._overlays.spare),
         )
@@ -241,7 +243,7 @@ class _SpecReader:
             module = path.removesuffix(".yaml") + ".py"
             spec, text = self._record(path, DriverSpec, Place(path)), self._text(module, Place(path))
             if spec is not None and text is not None:
-                drivers[name] = OwnDriver(spec, module, text)
+                drivers[name] = OwnDriver(spec, module, text, driver_module(module, text))
         return drivers, frozenset((names & found.keys()) - drivers.keys())
 
     def _receiver(self) -> ReceiverSpec | None:

@@ -1,4 +1,4 @@
-"""Vehicles that can be armed and whose HEARTBEAT does not tell it: a warning says so, and the generated check is green."""
+"""Vehicles that can be armed and whose HEARTBEAT does not tell it: a warning says so, and the check is green."""
 
 import shutil
 from pathlib import Path
