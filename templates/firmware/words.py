@@ -21,12 +21,14 @@ UNKNOWN = -1073741824
 class Component:
     """Base of a part of the state; `words` are its part of the array, or an array of its own.
 
-    A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values. Of several
-    instances the first can be used as a list of all of them. VIEWS has a line for attributes that are made when one of
-    them is first used: the names, a ":" behind each, the kind, which KINDS has, and what its function is called with.
+    A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values; of lists
+    LISTS has the place, the number of values and the words of each. Of several instances the first can be used as a
+    list of all of them. VIEWS has a line for attributes that are made when one of them is first used: the names, a ":"
+    behind each, the kind, which KINDS has, and what its function is called with.
     """
 
     START = ()
+    LISTS = ()
     VIEWS = ""
 
     def __init__(self, words=None, instance=0):
@@ -39,6 +41,9 @@ class Component:
         for at in range(0, len(start), 2):
             values = start[at + 1]
             self.words[start[at]] = values[instance] if isinstance(values, tuple) else values
+        for first, count, values in self.LISTS:
+            for at in range(count * len(values)):
+                self.words[first + at] = values[at % len(values)]
 
     def __len__(self):
         return len(self._all)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/lists.py: do not edit.
-# Inputs: 62f77d85a9056b35
+# Inputs: 16bec14d47a6306d
 """Attributes that are lists of whole numbers of up to 30 bits: views of several words of a component.
 
 Each number is set and read by its place, and can be None: unknown. rows has lists of numbers of more bits.
@@ -38,6 +38,25 @@ class _Elements:
         return self.first + index % self._count
 
 
+class _Shown:
+    """The same numbers in the unit of people."""
+
+    def __init__(self, steps, numerator, denominator):
+        self._steps = steps
+        self._numerator = numerator
+        self._denominator = denominator
+
+    def __len__(self):
+        return len(self._steps)
+
+    def __getitem__(self, index):
+        value = self._steps[index]
+        return None if value is None else in_unit(value, self._numerator, self._denominator)
+
+    def __setitem__(self, index, value):
+        self._steps[index] = to_steps(value, self._numerator, self._denominator)
+
+
 def elements(first, count, low, high, name, own=None, age=None):
     """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count.
 
@@ -58,7 +77,7 @@ def shown_elements(name, numerator, denominator=1):
     """Return an attribute for the list `name` in the unit of people; None makes all of them unknown."""
 
     def get(self):
-        return [None if value is None else in_unit(value, numerator, denominator) for value in getattr(self, name)]
+        return _Shown(getattr(self, name), numerator, denominator)
 
     def put(self, values):
         _fill(getattr(self, name), values, numerator, denominator)

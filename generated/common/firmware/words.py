@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 13dbeec3ae834e25
+# Inputs: a11daa7e718f6fe5
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -23,12 +23,14 @@ UNKNOWN = -1073741824
 class Component:
     """Base of a part of the state; `words` are its part of the array, or an array of its own.
 
-    A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values. Of several
-    instances the first can be used as a list of all of them. VIEWS has a line for attributes that are made when one of
-    them is first used: the names, a ":" behind each, the kind, which KINDS has, and what its function is called with.
+    A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values; of lists
+    LISTS has the place, the number of values and the words of each. Of several instances the first can be used as a
+    list of all of them. VIEWS has a line for attributes that are made when one of them is first used: the names, a ":"
+    behind each, the kind, which KINDS has, and what its function is called with.
     """
 
     START = ()
+    LISTS = ()
     VIEWS = ""
 
     def __init__(self, words=None, instance=0):
@@ -41,6 +43,9 @@ class Component:
         for at in range(0, len(start), 2):
             values = start[at + 1]
             self.words[start[at]] = values[instance] if isinstance(values, tuple) else values
+        for first, count, values in self.LISTS:
+            for at in range(count * len(values)):
+                self.words[first + at] = values[at % len(values)]
 
     def __len__(self):
         return len(self._all)

@@ -23,7 +23,7 @@ from codegen.targets.firmware.readings.reading import WAITING, expires
 from codegen.targets.firmware.readings.sum_words import fulls, rest_words
 from codegen.targets.firmware.state.attribute import VIEWS, AttributeView, LineView, attributes, initial_words
 from codegen.targets.firmware.words import TREND_WORDS, AgedWords, Block, ConstantView, Layout, aged_words, differ
-from codegen.targets.imports import either_import, import_lines
+from codegen.targets.imports import either_import, import_lines, tuple_text
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
 
@@ -60,6 +60,7 @@ class ComponentView:
     attributes: tuple[AttributeView, ...]
     lines: tuple[LineView, ...]
     start: tuple[tuple[str, str], ...]
+    lists: tuple[tuple[str, int, str], ...]
     switch: str | None
     forgotten: tuple[str, ...]
     expires: bool
@@ -177,6 +178,7 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) 
         attributes=at_once,
         lines=lines,
         start=tuple(_start(component, block)),
+        lists=tuple(_lists(component, block)),
         switch=block.constant(enabled.attribute) if enabled else None,
         forgotten=tuple(_forgotten(component, block)),
         expires=expires(component),
@@ -237,6 +239,15 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
     for word in ("number", *counted, "gone"):
         if word in block.offsets:
             yield block.constant(word), "0"
+
+
+def _lists(component: Component, block: Block) -> Iterator[tuple[str, int, str]]:
+    """The lists that are known from the start: their first place, the number of values, and the words of each."""
+    for quantity in component.quantities.values():
+        if quantity.elements is not None and quantity.initial is not None:
+            place = block.constant(quantity.attribute)
+            words = [word for _, word in initial_words(quantity, place)]
+            yield place, max(quantity.elements), tuple_text(tuple(map(int, words)))
 
 
 def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
