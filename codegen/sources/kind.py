@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 from codegen.diagnostics import Report, Rule, shortened_list
-from codegen.model.board_model import BoardModel, shown_pins
+from codegen.model.board_model import BoardModel, no_such_pin
 from codegen.model.quantities.source_kind import Polling, Source
 from codegen.model.spec.driver import DriverModule
 from codegen.model.spec.source import SourceSpec
@@ -76,8 +76,7 @@ class Around:
     def pin(self, key: str, gpio: int, choices: frozenset[int], what: str, board: BoardModel) -> int:
         """A GPIO number, which has to be one of ``choices`` that the board does not need for itself."""
         if gpio not in choices & board.free:
-            taken = f": the {board.name} needs it for {board.taken[gpio]}" if gpio in board.taken else ""
-            self.bad(key, f"{what} is GPIO {shown_pins(choices & board.free)} on the {board.name}, not {gpio}{taken}")
+            self.bad(key, *no_such_pin(what, gpio, choices, board, key.rpartition(".")[2]))
         return gpio
 
 

@@ -322,6 +322,7 @@ class Spec:
     commands: CommandsSpec | None = None
     drivers: Mapping[str, OwnDriver] = field(default_factory=dict)
     broken_drivers: frozenset[str] = frozenset()
+    own_drivers: tuple[str, ...] = ()
     user_modules: Mapping[str, DriverModule] = field(default_factory=dict)
     other_overlays: tuple[str, ...] = ()
     other_corrections: tuple[Correction, ...] = ()
