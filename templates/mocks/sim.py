@@ -173,9 +173,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(
-                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
-            )
+
+            def say(*words):
+                """Tell what the stand-in for a cable says, but for its Wi-Fi: the vehicle has none."""
+                said = " ".join(map(str, words))
+                if "Wi-Fi" not in said:
+                    hear(said)
+
+            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=say)
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way
