@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.armed_flag import ARMED, FIELD, FLAG, HEARTBEAT, armed_flag
 from codegen.model.system import System
-from codegen.summaries.armed_flag import ARMED, FIELD, FLAG, HEARTBEAT, armed_flag
 
 RULE = Rule(
     "untold-arming",

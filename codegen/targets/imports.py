@@ -30,7 +30,7 @@ def import_lines(modules: Iterable[str] = (), names: Iterable[tuple[str, str]] =
 
 
 _LACKING = "AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError"
-"""What interpreters raise that cannot run a module in machine code, or a part of it."""
+"""The exceptions of interpreters that cannot run a module in machine code, or a part of it."""
 
 
 def _from(module: str, names: list[str], indent: int = 0) -> list[str]:

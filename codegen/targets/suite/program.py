@@ -1,13 +1,13 @@
 """The generated tests of the program: facts of the specification in one module, checks that read them, and a runner."""
 
 from codegen.frozen import dataclass
+from codegen.model.armed_flag import armed_flag
 from codegen.model.command import Needs
 from codegen.model.program import Program
 from codegen.model.quantities.conversion import Conversion
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Reading, by_instance
 from codegen.render.rendered import rendered
-from codegen.summaries.armed_flag import armed_flag
 from codegen.targets.firmware.failsafes.failsafe import failsafe_views
 from codegen.targets.firmware.messages.streams import StreamsView, streams_view
 from codegen.targets.firmware.program.parameters import ParameterView, parameter_views
