@@ -87,7 +87,12 @@ def check_class(name: str, module: DriverModule | None, place: Place, around: Ar
     at = Place(module.path, *(() if module.fault is None else (module.fault[0],)))
     file = os.path.basename(module.path)
     if module.fault is not None:
-        around.report.add(BROKEN_DRIVER_MODULE, at, f"{file} is no Python: {module.fault[1]}")
+        around.report.add(
+            BROKEN_DRIVER_MODULE,
+            at,
+            f"{file} is no Python: {module.fault[1]}",
+            f"python -m py_compile {file} says more",
+        )
     elif module.names is not None and name not in module.names:
         near = get_close_matches(name, module.classes, n=1)
         has = f"; it has {shortened_list(module.classes)}" if module.classes else ""
