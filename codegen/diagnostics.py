@@ -97,6 +97,11 @@ class Report:
         return iter(sorted(set(self._diagnostics), key=lambda found: (found.place, found.rule.id, found.message)))
 
     @property
+    def count(self) -> int:
+        """Return how many findings there are, repetitions included."""
+        return len(self._diagnostics)
+
+    @property
     def has_errors(self) -> bool:
         """Return whether anything was found that must stop the build."""
         return any(found.is_error for found in self._diagnostics)

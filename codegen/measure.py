@@ -105,7 +105,7 @@ def read_rate(text: str, place: Place, report: Report) -> Fraction | None:
     """A rate in Hz that the scheduler can keep: once a day to 1000 times a second."""
     rate = read_amount(text, unit_named("Hz"), place, report)
     if rate is not None and not Fraction(1, DAY_S) <= rate <= 1000:
-        report.add(BAD_TIME, place, f"{text} is not a rate from once a day to 1000 Hz")
+        report.add(BAD_TIME, place, f"{text} is not a rate from once a day to 1000 Hz", "such as 10 Hz")
         return None
     return rate
 
@@ -118,7 +118,12 @@ def read_time(text: str, unit: Unit, place: Place, report: Report) -> int | None
     day = Measure(Fraction(DAY_S), unit_named("s")).in_unit(unit)
     assert day is not None
     if not 1 <= time <= day or time.denominator != 1:
-        report.add(BAD_TIME, place, f"{text} is not a time of whole {unit.name}, above 0 and at most a day")
+        report.add(
+            BAD_TIME,
+            place,
+            f"{text} is not a time of whole {unit.name}, above 0 and at most a day",
+            f"such as 500 {unit.name}",
+        )
         return None
     return int(time)
 

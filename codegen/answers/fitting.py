@@ -43,7 +43,7 @@ def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | Non
     if name is None:
         scope.report.add(NOT_AN_ENUM_FIELD, covers.written.at(key), f"{covers.field.name} has no enum in the dialect")
         return None
-    return scope.enum(name, covers.written.at(key))
+    return scope.enum(name)
 
 
 def field_unit(field: WireField, report: Report) -> Unit | None:

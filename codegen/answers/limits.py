@@ -73,9 +73,13 @@ def written_bounds(answer: FieldAnswer, unit: Unit, factor: Fraction, report: Re
 
 
 def dialect_bounds(field: WireField) -> Bounds:
-    """``minValue`` and ``maxValue`` of the dialect, numbers on the wire; text that is not a number is no bound."""
-    low, high = field.definition.minimum, field.definition.maximum
-    return Bounds(None if low is None else exact_number(low), None if high is None else exact_number(high))
+    """``minValue`` and ``maxValue`` of the dialect, numbers on the wire.
+
+    Text that is not a number is no bound, nor are two that leave no value: both have a finding in the dialect.
+    """
+    written = (field.definition.minimum, field.definition.maximum)
+    low, high = (None if text is None else exact_number(text) for text in written)
+    return Bounds(None, None) if low is not None and high is not None and low > high else Bounds(low, high)
 
 
 def kept_apart(source: Quantity | Parameter, sentinel: int | float | None) -> int | float | None:

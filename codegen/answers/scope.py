@@ -48,8 +48,8 @@ class Scope(ABC):
         """The parameter of a name."""
 
     @abstractmethod
-    def enum(self, name: str, place: Place) -> EnumDefinition | None:
-        """The enum of a name in the dialect."""
+    def enum(self, name: str) -> EnumDefinition | None:
+        """The enum that a field of the dialect names; None where there is none, which the dialect has a finding for."""
 
     @abstractmethod
     def entry(self, enum: EnumDefinition, name: str, place: Place) -> int | None:

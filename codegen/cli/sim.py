@@ -204,7 +204,7 @@ def _check_written(option: str, path: str | None) -> None:
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
     from codegen.cli.status import StatusLine, ended_by_signals, print_result
-    from codegen.commands.sim import problem_of, simulated, write_results
+    from codegen.commands.sim import problems_of, simulated, write_results
     from codegen.sim.expected import unmet
 
     status = StatusLine(simulation, is_quiet=arguments.quiet)
@@ -220,9 +220,8 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
     status.clear()
     write_results(simulation, recording, arguments.report, arguments.record)
     print_result(simulation, recording, arguments.report)
-    problem = problem_of(recording)
-    if problem is not None:
-        print(end="", flush=True)
+    problems = problems_of(recording)
+    print(end="", flush=True)
+    for problem in problems:
         print(f"codegen sim: error: {problem}", file=sys.stderr)
-        return 1
-    return 1 if unmet(recording) else 0
+    return 1 if problems or unmet(recording) else 0

@@ -172,12 +172,14 @@ def write_results(simulation: "Simulation", recording: "Recording", report: str 
         write_data(record, recording)
 
 
-def problem_of(recording: "Recording") -> str | None:
-    """Return what went wrong with the first program that failed; None where none has."""
+def problems_of(recording: "Recording") -> list[str]:
+    """Return what went wrong: exceptions that programs caught, and why the first one that failed did."""
+    from codegen.sim.verdict import caught
+
     failed = next((record for record in recording.all if record.problem), None)
-    if failed is None:
-        return None
-    return f"{failed.name}: {failed.problem}" if failed.name else failed.problem
+    if failed is None or failed.problem is None:
+        return caught(recording)
+    return [*caught(recording), f"{failed.name}: {failed.problem}" if failed.name else failed.problem]
 
 
 def _file_and_name(given: str) -> tuple[str | None, str | None]:

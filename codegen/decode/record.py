@@ -170,7 +170,12 @@ class _RecordDecoder(Generic[Record]):
             return False
         if not given and meant.isdisjoint(choice):
             names = ", ".join(choice)
-            self._report.add(ONE_OF_KEYS, self._place, f"exactly one of {names} is wanted, and none is given")
+            self._report.add(
+                ONE_OF_KEYS,
+                self._place,
+                f"exactly one of {names} is wanted, and none is given",
+                f"write one of {names}",
+            )
         if given:
             first, second, *_ = given
             self._report.add(

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from codegen.decode.board_model import FOLDER, OWN, board_model_path
 from codegen.decode.decoded import decoded
+from codegen.decode.driver_modules import driver_module, user_modules
 from codegen.decode.overlays import Overlays
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
@@ -120,6 +121,7 @@ class _SpecReader:
         self._overlays = Overlays(self._base, files, report)
         self._hashes: dict[str, str] = {}
         self._unused_tables: dict[str, str] = {}  # their overlays, by name
+        self._own_drivers: tuple[str, ...] = ()  # those that the project has, used or not
         self._has_broken_table = False
         self._missing: list[str] = []  # of the files that every project has
 
@@ -176,6 +178,8 @@ class _SpecReader:
             commands=commands,
             drivers=drivers,
             broken_drivers=broken_drivers,
+            own_drivers=self._own_drivers,
+            user_modules=user_modules(board.sources.values(), self._base, self._files),
             other_overlays=tuple(sorted(self._overlays.others)),
             other_corrections=tuple(self._overlays.spare),
         )
@@ -236,12 +240,14 @@ class _SpecReader:
         names = {source.driver for source in sources if isinstance(source, OwnSourceSpec)}
         drivers = {}
         found = {os.path.basename(path).removesuffix(".yaml"): path for path in self._united(DRIVERS, (".yaml",))}
+        self._own_drivers = tuple(sorted(found))
         for name in sorted(names & found.keys()):
             path = found[name]
             module = path.removesuffix(".yaml") + ".py"
+            found_before = self._report.count
             spec, text = self._record(path, DriverSpec, Place(path)), self._text(module, Place(path))
-            if spec is not None and text is not None:
-                drivers[name] = OwnDriver(spec, module, text)
+            if spec is not None and text is not None and self._report.count == found_before:
+                drivers[name] = OwnDriver(spec, module, text, driver_module(module, text))
         return drivers, frozenset((names & found.keys()) - drivers.keys())
 
     def _receiver(self) -> ReceiverSpec | None:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.derivations.surroundings import Kept, Surroundings, told_origin
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
@@ -66,7 +66,9 @@ def resolve_estimate(written: EstimateSpec, kept: Kept, around: Surroundings) ->
         around.no_quantity("estimate_from", name, BAD_ESTIMATE)
         return None
     if followed.written(MeasuredSpec) is None:
-        around.bad("estimate_from", f"{name} is not measured by an ADC", BAD_ESTIMATE)
+        message = f"{name} is {told_origin(followed)}, and an estimate follows what the ADC of the component measures"
+        hint = f"write adc and multiplier at {name}, or set {around.name} by code"
+        around.bad("estimate_from", message, BAD_ESTIMATE, hint)
         return None
     spelt = followed.stored or followed.unit
     stored = NUMBER if spelt is None else Unit.parse(spelt)

@@ -252,6 +252,10 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
         assert offset is not None
         around.bad("offset", f"{offset.name} is {offset.unit.a_kind}, but {VOLT.a_kind} is needed", UNIT_MISMATCH)
         return None
+    if isinstance(multiplier, Constant) and not multiplier.minimum:
+        message = f"{around.name} is 0 whatever is measured: its multiplier is {written.multiplier}"
+        around.bad("multiplier", message, BAD_AMOUNT, "write how much a volt at the pin stands for, or leave out adc")
+        return None
     if offset is None and multiplier.minimum < 0:
         around.bad("multiplier", f"{multiplier.name} can be negative, and what is measured never is", UNIT_MISMATCH)
     step = multiplier.step * factor

@@ -213,3 +213,11 @@ SET_TWICE = Rule(
     "A table of a received message sets a quantity that something else sets, too: another table, a reading, the clock, "
     "or another quantity from which it follows. Each quantity has one source.",
 )
+
+
+def told_origin(spec: QuantitySpec) -> str:
+    """Return where a quantity is from, for people: ``set by code``, ``given by a sensor``, ``found by its lasts``."""
+    written = next((each for each in spec.derivations if each.is_named), None)
+    if isinstance(written, SourcedSpec):
+        return "given by a sensor"
+    return "set by code" if written is None else f"found by its {written.KEY}"

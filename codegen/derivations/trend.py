@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.derivations.surroundings import Kept, Surroundings, told_origin
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
@@ -71,7 +71,8 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
         return None
     unit = followed.stored or followed.unit
     if followed.written(MeasuredSpec) is None:
-        around.bad("trend_of", f"{name} is not measured by an ADC", BAD_TREND)
+        message = f"{name} is {told_origin(followed)}, and a trend follows what the ADC of the component measures"
+        around.bad("trend_of", message, BAD_TREND, f"write adc and multiplier at {name}, or set {around.name} by code")
     elif not _is_rate_of(unit, kept.stored):
         message = f"the change of {name} is kept in {unit}/s, not {kept.stored.name}"
         around.bad("stored", message, BAD_TREND)

@@ -223,7 +223,14 @@ class _Composer:
             self._empty()
 
     def _empty(self) -> None:
-        self.findings.append(Diagnostic(Place(self._path), YAML_EMPTY, "the file is empty"))
+        self.findings.append(
+            Diagnostic(
+                Place(self._path),
+                YAML_EMPTY,
+                "the file is empty",
+                "codegen init FOLDER writes a project with an example of each",
+            )
+        )
         self.refused = True
 
     def _refuse(self, at: yaml.Event | YamlNode, message: str, hint: str) -> None:

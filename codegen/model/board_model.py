@@ -164,6 +164,15 @@ class BoardModel:
         return self.spec.i2c_pins is UartPins.CHOSEN
 
 
+def no_such_pin(what: str, gpio: int, choices: frozenset[int], board: BoardModel, key: str) -> tuple[str, str | None]:
+    """Return why a GPIO number is none of ``choices`` that the board leaves, and as a hint ``key`` with the nearest."""
+    left = choices & board.free
+    taken = f": the {board.name} needs it for {board.taken[gpio]}" if gpio in board.taken else ""
+    near = min(left, key=lambda pin: (abs(pin - gpio), pin), default=None)
+    hint = None if near is None else f"{key}: {near}"
+    return f"{what} is GPIO {shown_pins(left)} on the {board.name}, not {gpio}{taken}", hint
+
+
 def shown_pins(pins: frozenset[int]) -> str:
     """``26 to 28 and 32``, in the order of the numbers."""
     runs: list[list[int]] = []

@@ -9,7 +9,7 @@ from codegen.model.dialect.dialect import EnumDefinition
 from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.resolve.instances import known_facts
-from codegen.resolve.quantities.kept import UNKNOWN_ENTRY, UNKNOWN_ENUM
+from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 from codegen.resolve.quantities.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
@@ -30,12 +30,9 @@ class ResolvedScope(Scope):
         """The parameter of a name."""
         return find_parameter(name, place, self.spec.parameters, self.parameters, self.report)
 
-    def enum(self, name: str, place: Place) -> EnumDefinition | None:
-        """The enum of a name in the dialect."""
-        enum = self.dialect.enums.get(name)
-        if enum is None:
-            self.report.add(UNKNOWN_ENUM, place, f"the dialect has no enum {name}")
-        return enum
+    def enum(self, name: str) -> EnumDefinition | None:
+        """The enum that a field of the dialect names; None where there is none, which the dialect has a finding for."""
+        return self.dialect.enums.get(name)
 
     def entry(self, enum: EnumDefinition, name: str, place: Place) -> int | None:
         """The value of an entry of an enum."""

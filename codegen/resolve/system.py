@@ -78,7 +78,12 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             received=frozenset(reception.wire.name for reception in receptions),
         )
     elif spec.commands is not None:
-        report.add(NO_PROGRAM_FOR_COMMANDS, spec.commands.place, "there is no program that could do commands")
+        report.add(
+            NO_PROGRAM_FOR_COMMANDS,
+            spec.commands.place,
+            "there is no program that could do commands",
+            "write vehicle.yaml",
+        )
     receiver = None
     if spec.receiver is not None:
         receiver = resolve_receiver(spec.receiver, components, spec.state, messages, index, report)

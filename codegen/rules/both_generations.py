@@ -28,5 +28,6 @@ def check(system: System) -> Iterator[Diagnostic]:
             place,
             RULE,
             f"both generations of {generations.component.name} cost {both} bytes/s: {old} the old, {new} the new one",
+            "let receivers that need the old one ask for it, and send the new one alone",
             related=tuple(related),
         )

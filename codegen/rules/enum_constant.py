@@ -30,5 +30,6 @@ def check(system: System) -> Iterator[Diagnostic]:
                     answer.covers.written.place,
                     RULE,
                     f"{answer.covers.label} is {value}, which is no entry of {enum.name}",
+                    f"answer with enum: and an entry of {enum.name}, or correct the dialect",
                     related=((enum.place, f"{enum.name} is declared here"),),
                 )

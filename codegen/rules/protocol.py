@@ -21,5 +21,6 @@ def check(system: System) -> Iterator[Diagnostic]:
                 message.population.at("message"),
                 RULE,
                 f"{message.name} has the id {message.wire.id}",
+                "protocol: 2",
                 related=((system.spec.project.at("protocol"), "the protocol is chosen here"),),
             )

@@ -30,7 +30,8 @@ def check(system: System) -> Iterator[Diagnostic]:
             owner, first = owners.setdefault(port, (source.name, place))
             if first is not place:
                 message = f"{owner} and {source.name} both take {port}"
-                yield Diagnostic(place, RULE, message, related=((first, f"{owner} takes it here"),))
+                hint = f"give {source.name} another {'UART' if key == 'uart' else 'address'}"
+                yield Diagnostic(place, RULE, message, hint, ((first, f"{owner} takes it here"),))
         for pin in source.pins():
             if not pin.shared:
                 continue

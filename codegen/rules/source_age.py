@@ -29,7 +29,8 @@ def check(system: System) -> Iterator[Diagnostic]:
                     message = f"{quantity.path} is old after {trust.stale_after_ms} ms"
                     message += f", and {name} is asked every {polling.period_us // 1000} ms"
                     related = ((polling.spec.at("rate"), "the rate is stated here"),)
-                    yield Diagnostic(quantity.spec.at("stale_after"), TOO_SHORT, message, related=related)
+                    hint = f"stale_after: {3 * polling.period_us // 1000} ms, so that one failure changes nothing"
+                    yield Diagnostic(quantity.spec.at("stale_after"), TOO_SHORT, message, hint, related=related)
                 elif trust.stale_after_ms is None and trust.invalid_after is None:
                     hint = "add stale_after: 2 s"
                     message = f"nothing makes {quantity.path} unknown when {name} fails"

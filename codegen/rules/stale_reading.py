@@ -21,5 +21,6 @@ def check(system: System) -> Iterator[Diagnostic]:
                 quantity.spec.at("stale_after"),
                 RULE,
                 f"{quantity.path} is old after {stale_ms} ms, and read every {period_ms} ms",
+                f"stale_after: {3 * period_ms} ms, so that one failure changes nothing",
                 related=((system.components[name].spec.at("update_rate"), "the update rate is stated here"),),
             )

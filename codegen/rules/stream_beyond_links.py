@@ -1,5 +1,6 @@
 """Streams that can be asked for more often than links are served."""
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -24,5 +25,6 @@ def check(system: System) -> Iterator[Diagnostic]:
                 stream.spec.place,
                 RULE,
                 f"{stream.name} goes up to {stream.fastest} Hz, above the rate that links are served at",
+                f"links: {math.ceil(stream.fastest)} Hz under control in vehicle.yaml, or a slower stream",
                 related=((system.program.spec.control.at("links"), "the rate of links is stated here"),),
             )

@@ -1,6 +1,7 @@
 """Messages that are sent more often than their values change."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.system import PopulatedMessage, System
@@ -27,6 +28,7 @@ def check(system: System) -> Iterator[Diagnostic]:
                     message.population.at("stream"),
                     RULE,
                     f"{message.name} goes out at {decimal(rate)} Hz, but {name} is updated every {period} ms",
+                    f"update_rate: {decimal(rate)} Hz at {name}, or a stream of {decimal(Fraction(1000, period))} Hz",
                     related=((system.components[name].spec.at("update_rate"), f"{name} is updated at this rate"),),
                 )
 

@@ -18,4 +18,5 @@ def check(system: System) -> Iterator[Diagnostic]:
     for stream in system.streams.values():
         is_shared = not system.spec.is_own(stream.spec.place.file)  # others may use what a program does not
         if stream.name not in used and not is_shared:
-            yield Diagnostic(stream.spec.place, RULE, f"no message belongs to the stream {stream.name}")
+            hint = f"write stream: {stream.name} in a table of messages/, or leave the stream out"
+            yield Diagnostic(stream.spec.place, RULE, f"no message belongs to the stream {stream.name}", hint)

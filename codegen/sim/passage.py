@@ -158,6 +158,10 @@ class Passage:
         elif item.get("kind") == "turn":
             self.waits = True
             happening = recording.take(item)
+        elif item.get("kind") == "caught":
+            recording.take(item)
+            what = _raised(item["traceback"].splitlines(), self._program.folders)
+            happening = recording.add(Kind.FAILED, f"{item['name']}: {what}")
         else:
             happening = recording.take(item)
         if happening is not None:
@@ -197,9 +201,13 @@ def _problem(code: int, complaints: list[str], folders: ProgramFolders) -> str:
         return "the firmware's main() returned"
     if code < 0:
         return f"the firmware was ended by a signal: {signal.strsignal(-code)}"
-    lines = [line.strip() for line in complaints if line.strip()]
-    what = lines[-1] if lines else f"exit code {code}"
-    return f"the firmware stopped: {what}{_place(lines, folders)}"
+    return f"the firmware stopped: {_raised(complaints, folders) or f'exit code {code}'}"
+
+
+def _raised(traceback: Iterable[str], folders: ProgramFolders) -> str:
+    """Return the exception of a traceback, which is its last line, with its place; empty where there is none."""
+    lines = [line.strip() for line in traceback if line.strip()]
+    return f"{lines[-1]}{_place(lines, folders)}" if lines else ""
 
 
 def _place(traceback: Iterable[str], folders: ProgramFolders) -> str:

@@ -22,6 +22,7 @@ _PREFIXES = {
     Kind.ACTION: "Action",
     Kind.MODE: "Mode",
     Kind.SENT: "Sent",
+    Kind.FAILED: "Failed",
 }
 """The words in front of the texts of some happenings."""
 

@@ -24,6 +24,7 @@ class Kind(StrEnum):
     DISARMED = "disarmed"
     REFUSED = "refused"
     FAULT = "fault"
+    FAILED = "failed"
     SENT = "sent"
     SWAP = "swap"
     REBOOT = "reboot"

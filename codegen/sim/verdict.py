@@ -10,12 +10,26 @@ from codegen.sim.sample import Happening, Kind
 def verdict(recording: Recording) -> list[str]:
     """The sentences, the most important one first; of all programs, where several run."""
     happenings = recording.happenings
-    sentences = [*_endings(recording), *unmet(recording), *_failsafe(recording, happenings)]
+    sentences = [
+        *_endings(recording),
+        *(f"It caught an exception: {each}." for each in caught(recording)),
+        *unmet(recording),
+        *_failsafe(recording, happenings),
+    ]
     for record in recording.all:
         sentences += _faults(record, happenings)
     for record in recording.all:
         sentences += _differences(record)
     return sentences
+
+
+def caught(recording: Recording) -> list[str]:
+    """The exceptions that parts of the programs raised and these caught, each with its time and place."""
+    return [
+        f"{f'{each.program}: ' if each.program else ''}{each.text}, at {seconds(each.at_ms)}"
+        for each in recording.happenings
+        if each.kind is Kind.FAILED
+    ]
 
 
 def line_name(recording: Recording, line: Line) -> str:

@@ -1,12 +1,15 @@
 """The registration of a kind of sensor, and the surroundings that it may ask while one is resolved."""
 
 import dataclasses
+import os
 from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-from codegen.diagnostics import Report, Rule
-from codegen.model.board_model import BoardModel, shown_pins
+from codegen.diagnostics import Report, Rule, shortened_list
+from codegen.model.board_model import BoardModel, no_such_pin
 from codegen.model.quantities.source_kind import Polling, Source
+from codegen.model.spec.driver import DriverModule
 from codegen.model.spec.source import SourceSpec
 from codegen.model.spec.spec import Spec
 from codegen.source import Place
@@ -15,6 +18,17 @@ BAD_SOURCE = Rule(
     "bad-source-driver",
     "A sensor cannot be built: its name is a lower-case identifier, it is asked at most 1000 times a second, and the "
     "board has the pins, the UART or the I2C bus that its driver needs.",
+)
+
+
+NO_DRIVER_CLASS = Rule(
+    "no-driver-class",
+    "The module of a sensor neither defines nor imports nor assigns the class that the sensor names. The board would "
+    "find that out when it asks the sensor for the first time.",
+)
+BROKEN_DRIVER_MODULE = Rule(
+    "broken-driver-module",
+    "The module with the class of a sensor is no Python, so that no board can import it.",
 )
 
 
@@ -62,9 +76,31 @@ class Around:
     def pin(self, key: str, gpio: int, choices: frozenset[int], what: str, board: BoardModel) -> int:
         """A GPIO number, which has to be one of ``choices`` that the board does not need for itself."""
         if gpio not in choices & board.free:
-            taken = f": the {board.name} needs it for {board.taken[gpio]}" if gpio in board.taken else ""
-            self.bad(key, f"{what} is GPIO {shown_pins(choices & board.free)} on the {board.name}, not {gpio}{taken}")
+            self.bad(key, *no_such_pin(what, gpio, choices, board, key.rpartition(".")[2]))
         return gpio
+
+
+def check_class(name: str, module: DriverModule | None, place: Place, around: Around) -> None:
+    """Report a class that the module of a driver does not have, as far as the project has the module."""
+    if module is None:
+        return
+    at = Place(module.path, *(() if module.fault is None else (module.fault[0],)))
+    file = os.path.basename(module.path)
+    if module.fault is not None:
+        around.report.add(
+            BROKEN_DRIVER_MODULE,
+            at,
+            f"{file} is no Python: {module.fault[1]}",
+            f"python -m py_compile {file} says more",
+        )
+    elif module.names is not None and name not in module.names:
+        near = get_close_matches(name, module.classes, n=1)
+        has = f"; it has {shortened_list(module.classes)}" if module.classes else ""
+        hint = f"did you mean {near[0]}?" if near else f"write class {name} in {file}{has}"
+        around.report.add(NO_DRIVER_CLASS, place, f"{file} has no class {name}", hint, [(at, "the module is here")])
+    else:
+        return
+    around.failed = True
 
 
 class KindOfSource(NamedTuple):

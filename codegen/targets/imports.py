@@ -29,6 +29,10 @@ def import_lines(modules: Iterable[str] = (), names: Iterable[tuple[str, str]] =
     return tuple("\n\n".join("\n".join(group) for group in groups if group).split("\n"))
 
 
+_LACKING = "AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError"
+"""The exceptions of interpreters that cannot run a module in machine code, or a part of it."""
+
+
 def _from(module: str, names: list[str], indent: int = 0) -> list[str]:
     line = f"from {module} import {', '.join(names)}"
     if indent + len(line) <= LINE_LENGTH:
@@ -44,7 +48,7 @@ def either_import(name: str, names: list[str], *, machine_code: bool) -> tuple[s
     return (
         "try:",
         *(f"    {line}" for line in _from(f"{name}_viper", names, indent=4)),
-        "except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames",
+        f"except ({_LACKING}):  # as in frames",
         *(f"    {line}" for line in _from(f"{name}_plain", names, indent=4)),
     )
 

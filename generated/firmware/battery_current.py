@@ -13,7 +13,7 @@ from reading_turns import in_turn, turns
 
 try:
     from battery_current_viper import battery_current_reading, read_battery_current
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from battery_current_plain import battery_current_reading, read_battery_current
 
 # What stands where among the words of the battery, see state.py.

@@ -9,7 +9,7 @@ from udp_port import UdpPort
 
 try:
     from samples_viper import battery_reading
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from samples_plain import battery_reading
 
 # Names of the parameters that each has of its own.

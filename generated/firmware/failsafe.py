@@ -14,7 +14,7 @@ _MAV_SEVERITY_WARNING = const(4)
 
 try:
     from scan_viper import holding, watch
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from scan_plain import holding, watch
 
 OK = 0  # no level

@@ -17,7 +17,7 @@ from micropython import const
 
 try:
     from scan_viper import LATE, LOOK_MS, take_due
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from scan_plain import LATE, LOOK_MS, take_due
 
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it

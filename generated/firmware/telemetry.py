@@ -40,7 +40,7 @@ try:
         encode_sys_status,
         smart_battery_info_frame,
     )
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from telemetry_plain import (
         battery_cell_voltages_frame,
         battery_info_frame,

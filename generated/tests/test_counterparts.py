@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 56ccfe203511c02c
+# Inputs: 6676b83402b14c2b
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
@@ -58,6 +58,12 @@ def test_counterparts(part, told):
 def test_more_steps(part, told):
     """So they are in many more steps, and for each number that anything is compared with."""
     same(told(LONG), part)
+
+
+def test_machine_code():
+    """An interpreter with machine code compiles all of it: else the firmware would be in plain Python, and slow."""
+    modules = [path.stem for path in files("firmware/*_viper.py")]
+    assert not json.loads(run_under("micropython", "machine_code_run.py", *modules))
 
 
 def test_places():

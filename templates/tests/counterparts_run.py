@@ -36,7 +36,7 @@ import telemetry  # noqa: E402
 
 try:
     from scan_viper import holding, take_due, watch
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from scan_plain import holding, take_due, watch
 
 try:

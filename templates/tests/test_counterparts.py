@@ -58,6 +58,12 @@ def test_more_steps(part, told):
     same(told(LONG), part)
 
 
+def test_machine_code():
+    """An interpreter with machine code compiles all of it: else the firmware would be in plain Python, and slow."""
+    modules = [path.stem for path in files("firmware/*_viper.py")]
+    assert not json.loads(run_under("micropython", "machine_code_run.py", *modules))
+
+
 def test_places():
     """A module that names a place of the state has the number that the state has for it.
 

@@ -43,6 +43,7 @@ HOME = {
 UNSEEN = {
     "System.spec": "what was written; what it resolves to is compared, and single texts of it",
     "System.dialect": "has a test of its own",
+    "CommandParam.limits": "words for its minimum, maximum, unit and enum, which are compared",
     "System.requirements": "the next tests",
     "System.system_id": "compared, but its parameter says it too",
     "PopulatedMessage.population": "what was written",

@@ -61,7 +61,7 @@ EDITS = [
         False,
     ),
     (RC, "from: ground_station", "from: any", "message-taken-otherwise", f"{NAME}, received", "taken from any", False),
-    (FIX, "{gps_id: 0}", "{gps_id: 3}", "message-taken-otherwise", "fix, received", "gps_id 3", False),
+    (FIX, "{gps_id: 0}", "{gps_id: 3}", "message-taken-otherwise", "fix, received", "gps_id 3", True),
     (RC, "call: true\n", "", "message-taken-otherwise", f"{NAME}, received", "calls the vehicle yes", False),
     (
         RC,
@@ -127,3 +127,17 @@ def test_a_table_that_goes_is_told(before, tmp_path):
     assert told["message-no-longer-taken"].is_breaking
     assert {change.rule.id for change in back} >= {"message-taken", "field-taken"}
     assert not any(change.is_breaking for change in back)
+
+
+def test_a_condition_that_goes_breaks_nobody_and_one_that_comes_breaks_who_does_not_meet_it(before, tmp_path):
+    """More is heard than before, or less; so it is with senders."""
+    there, back = changes(before, tmp_path, (FIX, "where: {gps_id: 0}\n", ""))
+    for found, breaks in ((there, False), (back, True)):
+        (change,) = [each for each in found if each.rule.id == "message-taken-otherwise"]
+        assert change.is_breaking is breaks, change
+    assert "who sends it with anything but gps_id 0 is not heard any more" in change.effect
+
+
+def test_fewer_senders_break_the_others(before, tmp_path):
+    there, back = changes(before, tmp_path, (RC, "from: ground_station", "from: any"))
+    assert [each.is_breaking for each in (*there, *back) if each.rule.id == "message-taken-otherwise"] == [False, True]

@@ -42,3 +42,30 @@ def test_a_failsafe_alone_does_what_it_says(kind: str, tmp_path: Path) -> None:
             file.write(text)
     build(tmp_path)
     suite_is_green(tmp_path, "generated/tests/test_program.py", only="micropython-watched")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "unknown degC"),  # the text that all failsafes without one have
+        (', text: "{name} {value:.1}degC"', "unknown degC"),
+        (', text: "{name} {value or nothing:.1}%"', "nothing %"),
+        (', text: "{name} {value or 0:.1}degC"', ""),
+        (', text: "{name} {value:.1} degC"', ""),
+    ],
+)
+def test_a_unit_behind_the_word_for_unknown_has_a_blank(text: str, said: str, tmp_path: Path) -> None:
+    """A number stands right before its unit, 9.5degC, and a word does not."""
+    specs = shutil.copytree(HERE / "commanded" / "specs", tmp_path / "specs")
+    level = LEVELS["above-or-unknown"].replace("90", "90 degC") + text
+    state = STATE.replace("full it is.,", "warm it is., unit: degC,")
+    for name, added in (("state", state), ("vehicle", FAILSAFE.replace("§", level))):
+        with (specs / f"{name}.yaml").open("a") as file:
+            file.write(added)
+    build(tmp_path)
+    firmware = (tmp_path / "generated" / "firmware" / "failsafe.py").read_text()
+    word = said.partition(" ")[0]
+    assert not said or f'"{word} ")' in firmware, firmware
+    assert "unknowndegC" not in firmware
+    assert said or ' ")' not in firmware.partition("def _tank_text")[2]
+    suite_is_green(tmp_path, "generated/tests/test_program.py", only="micropython-watched")

@@ -5,6 +5,7 @@ The generated suite of the project has every type and each element; here are mes
 
 import json
 import math
+import re
 import shutil
 import struct
 import subprocess
@@ -166,3 +167,30 @@ def test_initial_stands_in_for_each_value(tmp_path):
     parser = common.MAVLink(None)
     found = [parser.parse_buffer(bytearray(bytes.fromhex(frame)))[0].q for frame in json.loads(done.stdout)]
     assert found == [[0.25] * 4, [0.25, 2, 0.25, 0.25]]
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_initial_is_read_of_each_value(tmp_path, interpreter):
+    """Of lists that are kept in one word for each value, in several, and as floats: as of a single value."""
+    shutil.copytree(SPECS, tmp_path / "specs")
+    state = tmp_path / "specs" / "state.yaml"
+    text = state.read_text()
+    initial = {"reals": "0.25", "voltages": "12.5", "counts": "30000", "bigs": "0", "doubles": "-0.1"}
+    for name, value in initial.items():
+        text = re.sub(f"({name}: .*elements: [0-9]+)", rf"\1, initial: {value}", text)
+    state.write_text(text)
+    build(tmp_path)
+    names = ("data", "voltages", "counts", "bigs", "reals", "doubles")
+    script = SCRIPT.partition("link = ")[0] + (
+        "meter = state.meter\n"
+        f"print(json.dumps([list(getattr(meter, name)) for name in {names}]))\n"
+        "meter.data[3] = None\nprint(json.dumps([meter.data[2], meter.data[3]]))\n"
+    )
+    (tmp_path / "read.py").write_text(script)
+    done = subprocess.run(
+        [str(BIN / interpreter), "read.py"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    found, after = map(json.loads, done.stdout.splitlines())
+    assert found == [[7] * 20, [12.5] * 3, [30000] * 4, [0] * 2, [0.25] * 4, [-0.1] * 3]
+    assert after == [7, None]

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from in_process import build, codegen
 from packs import FULL, SECOND, VOLTAGE, program, steady, volts
 from pymavlink.dialects.v20 import common
 
@@ -26,6 +28,7 @@ from codegen.sim.run import TURN_MS, Simulation, simulate
 from codegen.sim.sample import Happening, Kind
 from codegen.sim.verdict import verdict
 
+PROJECTS = Path(__file__).resolve().parents[1] / "projects"
 RUNTIMES = pytest.mark.parametrize("runtime", list(Runtime))
 
 
@@ -412,3 +415,14 @@ def test_ctrl_c_ends_all_of_them(project: Path, station: Any, runtime: str) -> N
     assert "It was interrupted at" in out
     assert "Traceback" not in out + err
     assert not [child for child in children if Path(f"/proc/{child}").exists()]
+
+
+def test_a_cable_says_nothing_of_wi_fi(tmp_path: Path) -> None:
+    """A UART is simulated over UDP, whose port tells of its network: the vehicle has none."""
+    shutil.copytree(PROJECTS / "radio_rover" / "specs", tmp_path / "specs")
+    build(tmp_path)
+    done = codegen(tmp_path, "sim", "--list")
+    name = done.stdout.split()[0]
+    done = codegen(tmp_path, "sim", name, "--duration", "3 s", "--speed", "max", "--out", "udp:127.0.0.1:9")
+    assert "frames" in done.stdout, done.stdout + done.stderr
+    assert "Wi-Fi" not in done.stdout + done.stderr

@@ -61,6 +61,17 @@ CASES = [
      ["100000 mK/V makes mK of a voltage"]),
     ("degC from their zero", PICO + KELVINS.replace("100 K/V, offset: 0 V", "100 degC/V, offset: 2.7315 V"), WATER, []),
     ("kelvins for K", PICO + KELVINS, IN_KELVINS, []),
+    ("nothing for a volt", PICO + KELVINS.replace("100 K/V", "0 degC/V"), WATER,
+     ["specs/board.yaml:3:46: error bad-amount: water is 0 whatever is measured: its multiplier is 0 degC/V"]),
+    ("a quotient by nothing", PICO + KELVINS.replace("100 K/V", "360/0"), WATER,
+     ["specs/board.yaml:3:46: error bad-amount: '360/0' is neither a parameter nor an amount"]),
+    ("a trend of what code sets", SONAR, "depth: {doc: d, unit: m, stored: mm}\n"
+     "      change: {doc: d, unit: m/s, stored: mm/s, trend_of: depth, window: 1 s}\n    update_rate: 10 Hz",
+     ["bad-trend: depth is set by code, and a trend follows what the ADC of the component measures",
+      "hint: write adc and multiplier at depth, or set change by code"]),
+    ("a trend of a sensor", SONAR, DEPTH.replace("}", ", stale_after: 1 s}")
+     + "\n      change: {doc: d, unit: m/s, stored: mm/s, trend_of: depth, window: 1 s}\n    update_rate: 10 Hz",
+     ["bad-trend: depth is given by a sensor, and a trend follows"]),
     ("a driver", SONAR.replace("user", "usr"), DEPTH, ["2:19: error unknown-driver: there is no driver usr", "user"]),
     ("a key", SONAR.replace("min", "mni"), "", ["error unknown-key: unknown key 'mni'", "did you mean min"]),
     ("a class", SONAR.replace("sonar.Sonar", "Sonar"), DEPTH, ["bad-source-driver: Sonar is no class of a module"]),
@@ -108,7 +119,7 @@ CASES = [
     ("an address", PICO + INA.replace("}", ", address: 0x50}"), "", ["0x50 is no address of an INA226"]),
     ("an average", PICO + INA.replace("}", ", average: 3}"), "", ["does not average 3 conversions", "known: 1, 4, 16"]),
     ("a taken pin", PICO + "log: {driver: pulse, gpio: 25}", "",
-     ["not 25: the Raspberry Pi Pico 2 needs it for the LED"]),
+     ["not 25: the Raspberry Pi Pico 2 needs it for the LED\n  hint: gpio: 26"]),
     ("a gate", PICO + "log: {driver: pulse, gpio: 2, gate: 2 min}", "", ["gate is 120000, not 1 to 60000"]),
     ("a shared pin", PICO + INA + "\n  log: {driver: pulse, gpio: 4}", "",
      ["4:30: error shared-pin: sda of power and gpio of log are both on GPIO 4", "gpio: 0"]),
@@ -128,7 +139,7 @@ CASES = [
     ("beyond", SONAR, DEPTH.replace("}", ", min: 0, max: 50, invalid_after: 3}"),
      ["error source-beyond-limits: sonar gives boat.depth 0 to 100000 mm", "leave 0 to 50000"]),
     ("no driver file", PICO + "own: {driver: lase, address: 1}", "",
-     ["error unknown-driver: there is no driver lase", "laser"]),
+     ["error unknown-driver: there is no driver lase\n  hint: did you mean laser or pulse?"]),
     ("an own driver", PICO + OWN, "", []),
     ("a key of it", PICO + OWN.replace("gain", "gian"), "", ["no key gian", "did you mean gain?"]),
     ("a missing key", PICO + OWN.replace("gain: 2, ", ""), "", ["gain is missing, which the driver laser needs"]),
@@ -230,3 +241,27 @@ def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     assert main(["check"]) == 1
     assert "error shared-port: radio and a both take UART 1" in capsys.readouterr().out
+
+
+def test_a_broken_driver_is_one_finding_whatever_its_sensors_say(folder, monkeypatch, capsys):
+    """Keys of a bus that could not be read are not unknown ones."""
+    driver = folder / "specs" / "drivers" / "laser.yaml"
+    driver.write_text(DRIVER.replace("bus: i2c", "bus: spi"))
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN}\n")
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    code = main(["check"])
+    driver.write_text(DRIVER)
+    told = capsys.readouterr().out
+    assert (code, told.count(": error ")) == (1, 1), told
+    assert "specs/drivers/laser.yaml:3:6: error unknown-choice: bus is 'spi', not i2c or uart" in told
+
+
+def test_a_link_on_a_pin_that_the_board_needs_says_what_for_and_which_is_near(folder, monkeypatch, capsys):
+    links = "board: esp32_s3\nlinks:\n  radio: {uart: 1, tx: 17, rx: 19, baud: 57600}\n"
+    (folder / "specs" / "board.yaml").write_text(links)
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    assert main(["check"]) == 1
+    told = capsys.readouterr().out
+    assert "not 19: the ESP32-S3 development board needs it for USB\n  hint: rx: 18\n" in told

@@ -41,15 +41,17 @@ def _command(command: Command) -> Subject:
 def _param(param: CommandParam) -> Iterator[Fact]:
     spec, at = param.spec, f"parameter {param.number}"
     accepted = (
-        amount(param.minimum),
-        amount(param.maximum),
-        "whole" if param.is_whole else "",
-        param.enum.name if param.enum else "",
+        amount(param.minimum, param.wire_unit.name),
+        amount(param.maximum, param.wire_unit.name),
+        f"whole {param.unit.name}" if param.is_whole else "",
+        f"{param.enum.name}: {', '.join(str(each.value) for each in param.enum.entries)}" if param.enum else "",
     )
-    unknown = "" if param.default is None else amount(param.default, param.unit.name)
-    yield Fact(f"{at} accepts", param.limits, rules.COMMAND_RANGE, spec.place)
-    yield Fact(f"{at} on the wire", " ".join(filter(None, accepted)), rules.COMMAND_RANGE, spec.place)
-    yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"))
+    said = "" if param.default is None else amount(param.default, param.unit.name)
+    ratio = param.scale.ratio
+    unknown = said if ratio is None or param.default is None else amount(param.default / ratio, param.wire_unit.name)
+    # On the wire, where the same limit is the same number in whatever unit the argument is.
+    yield Fact(f"{at} accepts", "; ".join(accepted), rules.COMMAND_RANGE, spec.place, param.limits)
+    yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"), said)
     unit = param.wire_unit.name or "a number"
     position = f", {param.axis.name.lower()}" if param.axis else ""
     position += ", an altitude" if param.is_altitude else ""

@@ -10,6 +10,9 @@ from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
 from codegen.frozen import dataclass
 from codegen.model.price import default_rate
+from codegen.model.spec.command import Allowed
+from codegen.model.spec.command import Sender as CommandFrom
+from codegen.model.spec.receive import Sender as TakenFrom
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel
@@ -157,6 +160,39 @@ def _generations(change: Change, sides: _Sides) -> Change:
     return _doubtful(change, f"whether anybody still needs {', '.join(gone)}, not sent by default") if gone else change
 
 
+def _taken_from(change: Change, sides: _Sides) -> Change:
+    """A table that takes a message under other conditions, or from others: who meets the old ones is not heard."""
+    name = change.subject.removesuffix(", received")
+    old, new = (next((each for each in side.receptions if each.name == name), None) for side in (sides.old, sides.new))
+    if old is None or new is None:
+        return change
+    before, after = ({(field.name, number) for field, number in each.conditions} for each in (old, new))
+    narrower = sorted(after - before)
+    if narrower:
+        shown = " and ".join(f"{field} {number}" for field, number in narrower)
+        return _breaking(change, f"who sends it with anything but {shown} is not heard any more, and nothing tells")
+    if new.spec.sender not in (old.spec.sender, TakenFrom.ANY):
+        return _breaking(change, f"only a sender that is {new.spec.sender.value} is heard, and nothing tells")
+    return change
+
+
+def _command(change: Change, sides: _Sides) -> Change:
+    """A command that is accepted from fewer, or in fewer states: who gives it as before is refused, and told so."""
+    old, new = (
+        next((each.spec for each in side.program.commands if each.name == change.subject), None)
+        if side.program
+        else None
+        for side in (sides.old, sides.new)
+    )
+    if old is None or new is None:
+        return change
+    if new.sender not in (old.sender, CommandFrom.ANY):
+        return _breaking(change, f"only a sender that is {new.sender.value} is obeyed; others are refused")
+    if new.allowed not in (old.allowed, Allowed.ALWAYS):
+        return _breaking(change, f"it is refused unless the vehicle is {new.allowed.value}")
+    return change
+
+
 _JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
     rules.MESSAGE_STREAM: _schedule,
     rules.STREAM_RATE: _stream_rate,
@@ -166,4 +202,6 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
     rules.INSTANCES: _instances,
     rules.FACT: _fact,
     rules.GENERATIONS: _generations,
+    rules.TAKEN_FROM: _taken_from,
+    rules.COMMAND: _command,
 }

@@ -11,12 +11,16 @@ from codegen.source import Place
 
 
 class Fact(NamedTuple):
-    """One attribute, as text that differs exactly where the attribute does; empty where there is none."""
+    """One attribute, as text that differs exactly where the attribute does; empty where there is none.
+
+    ``shown`` is what people read in its place, where it is written in other words or units.
+    """
 
     attribute: str
     text: str
     rule: ChangeRule
     place: Place
+    shown: str = ""
 
 
 class Subject(NamedTuple):
@@ -115,7 +119,9 @@ def _pairs(old: Subject, new: Subject) -> Iterator[_Pair]:
 
 
 def _said(facts: Iterable[tuple[str, Fact | None]]) -> str | None:
-    return "; ".join(_with(attribute, fact.text) for attribute, fact in facts if fact and fact.text) or None
+    return (
+        "; ".join(_with(attribute, fact.shown or fact.text) for attribute, fact in facts if fact and fact.text) or None
+    )
 
 
 def _with(attribute: str, text: str) -> str:

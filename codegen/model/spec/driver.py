@@ -67,9 +67,23 @@ class DriverSpec(Written):
 
 
 @dataclass(frozen=True, slots=True)
+class DriverModule:
+    """A module with the class of a driver: its file, its names, and those that are classes it defines.
+
+    ``names`` is None where it can have any. ``fault`` is a line that is no Python, and what is wrong with it.
+    """
+
+    path: str
+    names: frozenset[str] | None
+    classes: tuple[str, ...]
+    fault: tuple[int, str] | None
+
+
+@dataclass(frozen=True, slots=True)
 class OwnDriver:
     """A driver of the project's own with the text of its module, whose file is ``path``."""
 
     spec: DriverSpec
     path: str
     text: str
+    module: DriverModule

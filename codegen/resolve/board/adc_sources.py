@@ -100,7 +100,8 @@ def _quantity(quantity: QuantitySpec, inputs: Mapping[str, AdcSourceSpec], repor
     measured = quantity.written(MeasuredSpec)
     rest = tuple(each for each in quantity.derivations if each not in (sourced, measured))
     read: WrittenDerivation = _measured(name, inputs[name], sourced, measured, report)
-    return replace(quantity, derivations=(*rest, read))
+    places = {**quantity.places, **{key: read.at(key) for key in ("adc", "multiplier", "offset") if key in read.places}}
+    return replace(quantity, derivations=(*rest, read), places=places)
 
 
 def _check_names(sourced: SourcedSpec, inputs: Mapping[str, AdcSourceSpec], report: Report) -> None:

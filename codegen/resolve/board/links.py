@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_time
-from codegen.model.board_model import BoardModel, shown_pins
+from codegen.model.board_model import BoardModel, no_such_pin, shown_pins
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec.board import BoardSpec, LinkSpec
 from codegen.model.spec.spec import Requirement
@@ -134,10 +134,9 @@ def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterat
     if uart is None:
         yield "uart", f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}", None
         return
-    for key, pin, pins in (("tx", spec.tx, uart.tx & model.free), ("rx", spec.rx, uart.rx & model.free)):
-        if pin is not None and pin not in pins:
-            message = f"{key} of UART {spec.uart} is GPIO {shown_pins(pins)} on the {model.name}, not {pin}"
-            yield key, message, None
+    for key, pin, pins in (("tx", spec.tx, uart.tx), ("rx", spec.rx, uart.rx)):
+        if pin is not None and pin not in pins & model.free:
+            yield key, *no_such_pin(f"{key} of UART {spec.uart}", pin, pins, model, key)
 
 
 def _numbers(model: BoardModel) -> str:

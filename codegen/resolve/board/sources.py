@@ -40,7 +40,7 @@ def resolve_sources(
         kind, own = KINDS.get(written.driver), spec.drivers.get(written.driver)
         if kind is None and own is None:
             if written.driver not in spec.broken_drivers:
-                hint = did_you_mean(written.driver, (*KINDS, *spec.drivers))
+                hint = did_you_mean(written.driver, (*KINDS, *spec.own_drivers))
                 report.add(UNKNOWN_DRIVER, written.at("driver"), f"there is no driver {written.driver}", hint)
             continue
         around = Around(written, board, spec, report)

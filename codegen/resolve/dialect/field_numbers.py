@@ -10,7 +10,7 @@ FIELD_NUMBER = Rule(
     "field-number",
     "An attribute of a field is no number that can be read: multiplier is a number above 0 or a quotient of two (1E-2, "
     "360/255), minValue, maxValue and increment are decimal numbers, default is one of the forms of an enum's values, "
-    "or NaN. Correct it in the XML, or in a correction.",
+    "or NaN, and minValue is not above maxValue. Correct it in the XML, or in a correction.",
 )
 
 
@@ -22,6 +22,10 @@ def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
     for attribute, text in (("minValue", field.minimum), ("maxValue", field.maximum), ("increment", field.increment)):
         if text is not None and exact_number(text) is None:
             _report(field, attribute, text, report)
+    low, high = (None if text is None else exact_number(text) for text in (field.minimum, field.maximum))
+    if low is not None and high is not None and low > high:
+        message = f"{field.name}: minValue {field.minimum} is above maxValue {field.maximum}, so that no value is left"
+        report.add(FIELD_NUMBER, field.place, message, f'minValue="{field.maximum}" maxValue="{field.minimum}"')
     default = field.default
     if default is not None and entry_value(default) is None and exact_number(default) is None and default != "NaN":
         _report(field, "default", default, report)
@@ -35,4 +39,6 @@ def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
 
 
 def _report(field: FieldDefinition, attribute: str, text: str, report: Report) -> None:
-    report.add(FIELD_NUMBER, field.place, f"{field.name}: {attribute} is {text!r}")
+    example = {"multiplier": "a number above 0, 1E-2 or 360/255", "default": "a number, or NaN"}.get(attribute)
+    hint = f"{attribute} is {example or 'a decimal number, such as 0.5'}"
+    report.add(FIELD_NUMBER, field.place, f"{field.name}: {attribute} is {text!r}", hint)

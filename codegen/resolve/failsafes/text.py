@@ -60,7 +60,8 @@ def _parts(
             message = f"a text has no {{{name}}} to show"
             report.add(BAD_FAILSAFE, place, message, did_you_mean(name, known) or f"it can show {', '.join(known)}")
             return None
-        parts.append(Shown(quantity, int(decimals) if decimals else _decimals(quantity), unknown or "unknown"))
+        instead = _apart(unknown or "unknown", written[end:])
+        parts.append(Shown(quantity, int(decimals) if decimals else _decimals(quantity), instead))
     rest = written[end:]
     if (
         set("[]") & set(written)
@@ -75,6 +76,11 @@ def _parts(
         )
         return None
     return (*parts, rest) if rest else tuple(parts)
+
+
+def _apart(word: str, rest: str) -> str:
+    """Return a word that stands for a number, with a blank before a unit that is written right behind the number."""
+    return f"{word} " if word[-1:].isalpha() and (rest[:1].isalpha() or rest[:1] in ("%", "\u00b0")) else word
 
 
 def _decimals(quantity: Quantity) -> int:

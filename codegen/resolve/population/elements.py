@@ -61,6 +61,7 @@ def answered_elements(
                 ANSWERED_TWICE,
                 found.written.place,
                 f"{message.name}.{found.field.name} is answered twice",
+                "leave out one of both, or answer other elements with it, as in name[1..9]",
                 related=[(earlier, "the first answer is here")],
             )
             continue

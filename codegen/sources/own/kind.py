@@ -13,7 +13,7 @@ from codegen.model.spec.described import Verbatim
 from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
 from codegen.sources.declared import declared_output
-from codegen.sources.kind import BAD_SOURCE, Around
+from codegen.sources.kind import BAD_SOURCE, Around, check_class
 from codegen.sources.wires import Bus, Serial, bus, serial
 
 _CLASS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -78,8 +78,12 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
     """Return the sensor, with its keys as the driver declares them; None after a finding."""
     declared = driver.spec
     if not _CLASS.fullmatch(declared.class_name):
-        around.report.add(BAD_SOURCE, declared.at("class"), f"{declared.class_name} is no name of a class")
+        around.report.add(
+            BAD_SOURCE, declared.at("class"), f"{declared.class_name} is no name of a class", "class: Compass"
+        )
         around.failed = True
+    else:
+        check_class(declared.class_name, driver.module, declared.at("class"), around)
     of_bus = _OF_BUS[declared.bus]
     unknown = [name for name in spec.keys if name not in declared.keys and name not in of_bus]
     for name in unknown:

@@ -10,7 +10,7 @@ from codegen.model.spec.described import described
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
 from codegen.sources.declared import declared_output, in_tuple
-from codegen.sources.kind import Around, KindOfSource
+from codegen.sources.kind import Around, KindOfSource, check_class
 
 _CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
 
@@ -73,6 +73,9 @@ def resolve_user(spec: UserSpec, polling: Polling, around: Around) -> User | Non
     """The class and what it gives; None after a finding."""
     if not _CLASS.fullmatch(spec.class_name):
         around.bad("class", f"{spec.class_name} is no class of a module", "write module and class: sonar.Sonar")
+    else:
+        module, _, name = spec.class_name.rpartition(".")
+        check_class(name, around.whole.user_modules.get(module), spec.at("class"), around)
     single = {key: getattr(spec, key) for key in ("unit", "stored", "min", "max")}
     if spec.outputs:
         for key, value in single.items():

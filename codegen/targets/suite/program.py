@@ -1,6 +1,7 @@
 """The generated tests of the program: facts of the specification in one module, checks that read them, and a runner."""
 
 from codegen.frozen import dataclass
+from codegen.model.armed_flag import armed_flag
 from codegen.model.command import Needs
 from codegen.model.program import Program
 from codegen.model.quantities.conversion import Conversion
@@ -104,6 +105,7 @@ class ProgramSuiteView:
     answered: tuple[int, ...]
     absent: tuple[tuple[int, int], ...]
     links: tuple[LinkFacts, ...]
+    told_armed: tuple[bool, bool] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,6 +170,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         answered=_answered(program),
         absent=tuple((each.question.id, each.answer.id) for each in program.absences),
         links=link_facts(system),
+        told_armed=armed_flag([message for message in system.messages if message.stream]),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/lists.py: do not edit.
-# Inputs: 62f77d85a9056b35
+# Inputs: c8056fb08c3360c8
 """Attributes that are lists of whole numbers of up to 30 bits: views of several words of a component.
 
 Each number is set and read by its place, and can be None: unknown. rows has lists of numbers of more bits.
@@ -58,7 +58,16 @@ def shown_elements(name, numerator, denominator=1):
     """Return an attribute for the list `name` in the unit of people; None makes all of them unknown."""
 
     def get(self):
-        return [None if value is None else in_unit(value, numerator, denominator) for value in getattr(self, name)]
+        steps = getattr(self, name)
+
+        def value_at(_component, place):
+            value = steps[place]
+            return None if value is None else in_unit(value, numerator, denominator)
+
+        def put_at(_component, value, place):
+            steps[place] = to_steps(value, numerator, denominator)
+
+        return _Elements(self, 0, len(steps), (value_at, put_at))
 
     def put(self, values):
         _fill(getattr(self, name), values, numerator, denominator)

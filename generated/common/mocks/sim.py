@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: ed456e0ef4e1ccec
+# Inputs: 71840639ea80c6c2
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -21,6 +21,7 @@ gets a line of JSON for whatever happens, with the scenario's time in ms:
     event      name, text                  what the scenario did: refused, reboot
     messages   counts                      by name: frames and bytes that went out; also parameters, link statistics
     turn                                   the end of the turn is reached: a line is waited for
+    caught     name, traceback             the firmware caught an exception of a part of the program, and goes on
     failed     traceback                   the firmware raised an exception that nobody caught, or the watchdog was
                                            not fed (then this exits with 1)
     stood      traceback                   where the firmware was when this was interrupted
@@ -42,6 +43,7 @@ mock_asyncio.install()
 import machine  # noqa: E402
 import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
+from sim_failures import Failures  # noqa: E402
 from sim_ground import Ground  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
@@ -129,6 +131,7 @@ class Simulation:
             return main.vehicle_class()()
 
         main.new_vehicle = new_vehicle
+        Failures(self.records).listen()
         main.compile_at = lambda level: level  # there is room for the numbers of lines
         self._main = main
         self._pace = sim_pace.Pace(self._speed)
@@ -172,9 +175,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(
-                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
-            )
+
+            def say(*words):
+                """Tell what the stand-in for a cable says, but for its Wi-Fi: the vehicle has none."""
+                said = " ".join(map(str, words))
+                if "Wi-Fi" not in said:
+                    hear(said)
+
+            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=say)
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way

@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 4a0b8714962d67de
+# Inputs: 5f3c094e444e539f
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -38,7 +38,7 @@ import telemetry  # noqa: E402
 
 try:
     from scan_viper import holding, take_due, watch
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from scan_plain import holding, take_due, watch
 
 try:

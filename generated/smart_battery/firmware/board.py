@@ -10,7 +10,7 @@ from serial_port import open_uart
 
 try:
     from samples_viper import battery_reading
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from samples_plain import battery_reading
 
 

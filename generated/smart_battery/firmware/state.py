@@ -20,7 +20,7 @@ from words import KINDS, UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
 KINDS["at_least"] = at_least

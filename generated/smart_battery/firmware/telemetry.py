@@ -39,7 +39,7 @@ try:
         encode_smart_battery_info,
         smart_battery_info_frame,
     )
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from telemetry_plain import (
         battery_cell_voltages_frame,
         battery_info_frame,

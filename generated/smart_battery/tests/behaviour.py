@@ -395,7 +395,8 @@ def battery_steady_cycle_allocates_nothing():
     assert len(log.lines) <= 1, log.lines
 
 
-FIRST = (  # component, attribute, and what it has at the start, but for those that parameters switch on
+# Component, attribute, and what it, or each value of a list, has at the start, but for those that parameters switch on.
+FIRST = (
     ("battery", "voltage_mv", None),
     ("battery", "current_ma", None),
     ("battery", "consumed_mah", None),
@@ -404,6 +405,7 @@ FIRST = (  # component, attribute, and what it has at the start, but for those t
     ("battery", "left_mah", None),
     ("battery", "time_left_s", None),
     ("battery", "counted_from_full", 0),
+    ("battery", "cells_mv", None),
     ("battery", "temperature_cdegc", None),
     ("battery", "swaps_number", 0),
     ("battery", "used_up", 0),
@@ -416,8 +418,9 @@ FIRST = (  # component, attribute, and what it has at the start, but for those t
 def everything_starts_as_specified():
     state = SystemState(log=Log())
     for name, attribute, initial in FIRST:
-        found = getattr(getattr(state, name), attribute)
-        assert found == initial, (name, attribute, found)
+        found = told(getattr(getattr(state, name), attribute))
+        expected = [initial] * len(found) if isinstance(found, list) else initial
+        assert found == expected, (name, attribute, found)
 
 
 def every_value_allocates_nothing():
@@ -598,10 +601,11 @@ def battery_cells_allocate_nothing():
 def battery_cells_in_their_unit():
     component = SystemState(log=Log()).battery
     count = len(component.cells_mv)
-    assert told(component.cells) == [None] * count
     component.cells = [None if place == 0 else place for place in range(count)]
     assert list(component.cells_mv) == [None if place == 0 else place * 1000 for place in range(count)]
     assert told(component.cells) == [None if place == 0 else place for place in range(count)]
+    component.cells[-1] = 2
+    assert component.cells_mv[count - 1] == 2 * 1000
     for wrong in ([], [1.0] * (count + 1)):
         try:
             component.cells = wrong

@@ -75,7 +75,7 @@ def messages_are_found_at_once():
     """Machine code finds a message that arrives into one object in its rows; only others are asked for."""
     try:
         from frames_viper import decoder  # noqa: PLC0415  only here
-    except (AttributeError, ImportError, SyntaxError, ValueError):
+    except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):
         needs(False, "machine code")
     sender = Link(Sink(), 1, 1)
     for first in range(len(messages.ALL)):

@@ -194,7 +194,7 @@ def lists_have_places():
 
     texts = []
     one = together(Listed, array_of([UNKNOWN] * 24), 0, 24, 1, lambda *told: texts.append(told[0]))
-    assert (len(one.parts), one.parts_v) == (4, [None] * 4)
+    assert (len(one.parts), len(one.parts_v), list(one.parts_v)) == (4, 4, [None] * 4)
     one.parts = [1, None, 3, 4]
     assert list(one.words[10:14]) == [1, UNKNOWN, 3, 4]
     assert one.words[2] == 0
@@ -203,9 +203,12 @@ def lists_have_places():
     one.parts[-2] = 7
     assert (one.words[12], one.words[2]) == (7, 0)
     one.parts_v = (0.25, 1, None, NAN)
-    assert (list(one.words[10:14]), one.parts_v) == ([3, 10, UNKNOWN, UNKNOWN], [0.3, 1.0, None, None])
+    assert (list(one.words[10:14]), list(one.parts_v)) == ([3, 10, UNKNOWN, UNKNOWN], [0.3, 1.0, None, None])
+    one.words[2] = 5
+    one.parts_v[-1] = 0.76
+    assert (one.words[13], one.parts_v[3], one.words[2]) == (8, 0.8, 0)
     one.parts_v = None
-    assert one.parts_v == [None] * 4
+    assert list(one.parts_v) == [None] * 4
     one.words[20] = 2
     assert len(one.few) == 2
     one.few = [1, 2]

@@ -10,7 +10,7 @@ from polling import UNKNOWN
 
 try:
     from nmea_viper import take
-except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+except (AttributeError, ImportError, NotImplementedError, SyntaxError, TypeError, ValueError):  # as in frames
     from nmea_plain import take
 
 _NEW = const(14)  # place in `values`, which nmea_plain knows all, as those of the words

@@ -223,7 +223,10 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
     """The words that are known from the start, with their values; one that depends on the instance has all of them."""
     for quantity in component.quantities.values():
         yield from _own(quantity, block)
-        if quantity.is_computed or quantity.elements is not None:
+        if quantity.is_computed:
+            continue
+        if quantity.elements is not None:
+            yield from _first_elements(quantity, block.constant(quantity.attribute))
             continue
         if quantity.derivation.switch:
             yield block.constant(quantity.attribute), "1"
@@ -237,6 +240,14 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
     for word in ("number", *counted, "gone"):
         if word in block.offsets:
             yield block.constant(word), "0"
+
+
+def _first_elements(quantity: Quantity, first: str) -> Iterator[tuple[str, str]]:
+    """The words of a list whose values are known from the start; ``first`` is the constant with the first place."""
+    if quantity.elements is None or quantity.initial is None:
+        return
+    words = [word for _, word in initial_words(quantity, first)] * max(quantity.elements)
+    yield from ((f"{first} + {place}" if place else first, word) for place, word in enumerate(words))
 
 
 def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
