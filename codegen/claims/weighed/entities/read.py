@@ -8,6 +8,7 @@ from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.weighed.blocks import numbered_blocks
 from codegen.claims.weighed.entities.extensions import of_extensions
+from codegen.claims.weighed.entities.lengths import lengths
 from codegen.claims.weighed.entities.meanings import meant
 from codegen.claims.weighed.entities.messages import of_messages
 from codegen.claims.weighed.entities.parameters import of_parameters
@@ -21,8 +22,9 @@ _READ: Sequence[tuple[Callable[[Reading, Span], Iterator[Statement]], str]] = (
     (meant, "N"),
     (of_extensions, "FP"),
     (unnamed, "UTNS"),
-    (of_parameters, "UQN"),
+    (of_parameters, ""),
     (strange_messages, "C"),
+    (lengths, "N"),
     (ways, ""),
 )
 """The readers of the statements of a part, each with the letters of which the part has to have one."""
