@@ -147,7 +147,7 @@ def _is_of(candidate: Candidate, fault: Fault) -> bool:
         return True
     if candidate.kind == "no message":
         return bool(fault["claimed"] and str(fault["claimed"]).strip("`") in candidate.finding.message)
-    if candidate.kind.endswith(" of none"):
+    if candidate.kind.endswith(" of none") or candidate.kind == "parameter label":
         return bool(fault["message"] == candidate.message)
     if not candidate.field:
         return bool(fault["message"] == candidate.message)

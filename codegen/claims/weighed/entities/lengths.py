@@ -69,7 +69,7 @@ def _of_message(
     low, high = bounds
     is_text = noun.startswith(_TEXT)
     arrays = [each for each in _arrays(message) if each.is_text == is_text or each.is_numbered]
-    arrays = [each for each in arrays if not (is_text and each.is_numbered)]
+    arrays = [each for each in arrays if not each.is_numbered or any(is_like(noun, token) for token in each.words)]
     if not arrays:
         return
     is_right = any(value in each.counts for each in arrays)

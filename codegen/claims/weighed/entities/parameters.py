@@ -87,6 +87,7 @@ def _content(text: str) -> frozenset[str]:
 
 _STOP = pattern(r"[.;,|(:]| - | \u2013 |\b(?:of|which|that|where|if|when|in|from|must|not|and|or|is|are|as)\b")
 _LEADING = pattern(r"^[\s,:=(|-]*(?:(?:is|are|holds?|has|means|gives|sets|for|the|an?|to|its|takes)\b[\s,:=(-]*)*")
+_SEVERAL = pattern(r"param(?:eter)?s N (?:to|and|-) ?N")
 _NO_LABEL = frozenset(("value", "number", "unused", "empty", "reserved", "zero", "same", "param", "params", "the", "all"))
 _FULL, _PARTLY = 1.0, 0.5
 
@@ -102,7 +103,7 @@ def _of_label(span: Span, place: ParameterPlace) -> Iterator[Statement]:
         text = _LEADING.sub("", span.source_text(place.start, place.end).lower())
         words = _WORD.findall(_STOP.split(text)[0])[:_MOST_WORDS]
     said = [word for word in words if word not in _IDLE and word not in _NO_LABEL and len(word) > 2]
-    if not said:
+    if not said or _SEVERAL.match(span.text, place.mark):
         return
     shares = {each.number: _share(said, each) for each in place.command.parameters}
     own, most = shares[place.parameter.number], max(shares.values())
