@@ -68,7 +68,7 @@ _KINDS: Mapping[str, frozenset[str]] = {
     "parameter value": frozenset(("command", "enum-value", "enum", "other", "sign", "command-param", "param")),
     "parameter label": frozenset(("command", "command-param", "param", "other")),
     "length of none": frozenset(("array-length", "array", "length", "size", "other")),
-    "order": frozenset(("order", "offset", "other")),
+    "special": frozenset(("sentinel", "value", "other", "enum-value", "range")),
     "no message": frozenset(("no-message", "message-name", "name")),
     "way": frozenset(("sign", "sense", "order", "other", "frame", "unit", "range", "meaning")),
     "id": frozenset(("id",)),

@@ -7,6 +7,7 @@ from codegen.claims.parts.span import Span
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.weighed.blocks import numbered_blocks
+from codegen.claims.weighed.entities.described_entries import described_entries
 from codegen.claims.weighed.entities.extensions import of_extensions
 from codegen.claims.weighed.entities.lengths import lengths
 from codegen.claims.weighed.entities.meanings import meant
@@ -19,6 +20,7 @@ from codegen.claims.weighed.entities.ways import ways
 
 _READ: Sequence[tuple[Callable[[Reading, Span], Iterator[Statement]], str]] = (
     (of_messages, "N"),
+    (described_entries, "N"),
     (meant, "N"),
     (of_extensions, "FP"),
     (unnamed, "UTNS"),
