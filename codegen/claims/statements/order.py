@@ -157,7 +157,8 @@ _SEQUENCE = pattern(
     r"[FP](?:(?:,? (?:and |then |and then |followed by )?(?:the )?|, ?| ?(?:->|\u2192|<|/) ?)[FP]){2,40}"
 )
 _IN_ORDER = pattern(
-    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts|of M|is|:)|(?:sent|packed|goes out|go out"
+    r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts|of M|is|:)|(?:sent|packed"
+    r"|goes out|go out"
     r"|transmitted) as|byte order:|memory order|serialized"
 )
 

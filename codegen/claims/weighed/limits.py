@@ -70,9 +70,7 @@ def of_limit(pair: Pair) -> Iterator[Comparison]:
             yield Comparison("range", RANGE, is_right, text, (*common, "of the type"))
 
 
-def _end(
-    pair: Pair, value: float, described: tuple[float, float], common: tuple[str, ...]
-) -> Iterator[Comparison]:
+def _end(pair: Pair, value: float, described: tuple[float, float], common: tuple[str, ...]) -> Iterator[Comparison]:
     """The end of a range of which no beginning is told: "full throw is 10000"."""
     low, high = described
     is_right = any(abs(value - end) <= _ENDS * (end > _SMALL) for _, end in _ranges(pair))

@@ -1,4 +1,4 @@
-"""Numbers in the reach of a field beside words of what its description says of another number: "zero for end of log"."""
+"""Numbers in the reach of a field beside words that its description has for another one: "zero for end of log"."""
 
 import math
 from collections.abc import Iterator

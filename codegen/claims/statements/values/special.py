@@ -78,10 +78,10 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         value = number(span.sentence.term(at))
         if one is None or value is None or one.field.definition.enum or _RULED_OUT.search(span.text, low, high):
             continue
-        specials = specials(one.field.definition.description)
+        known = specials(one.field.definition.description)
         meant = content(span.source_text(*found.span("words")))
-        same = [each for each in specials if _is_like(meant, each.words)]
-        if len(same) != 1 or any(each.value == float(value) for each in specials):
+        same = [each for each in known if _is_like(meant, each.words)]
+        if len(same) != 1 or any(each.value == float(value) for each in known):
             continue
         others = [each for other in one.others for each in specials(other.definition.description)]
         if any(_is_like(meant, each.words) and each.value == float(value) for each in others):

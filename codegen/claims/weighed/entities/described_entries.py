@@ -16,9 +16,11 @@ _TOLD = pattern(r"\b(?P<word>[a-z]{2,})(?:-[a-z]+)?: (?P<entry>[A-Z][A-Z0-9]*(?:
 _WORD = pattern(r"[a-z]+")
 _NO_VALUE = pattern(r" ?(?:[-+*/%U]|\.\.|to N|hz\b|bytes?\b|times\b|elements\b|Q)")
 _NO_VALUE_BEFORE = pattern(
-    r"(?:[<>*/+#\[-]|\.\.|N to|\b(?:param|bit|version|id|message|than|above|below|over|under|least|most|about|every)) ?$"
+    r"(?:[<>*/+#\[-]|\.\.|N to|\b(?:param|bit|version|id|message|than|above|below|over|under|least|most|about"
+    r"|every)) ?$"
 )
-_FEW, _ENDING = 2, pattern(r"(?:wards?|s)$")
+_FEW, _ENDING = 2, pattern(r"(?:(?<!\bfor)wards?|s)$")
+_ELSE = pattern(r"\b(?:up|down) to\b")
 
 
 def described_entries(reading: Reading, span: Span) -> Iterator[Statement]:
@@ -28,7 +30,11 @@ def described_entries(reading: Reading, span: Span) -> Iterator[Statement]:
     for at in numbers:
         value = whole(span, at)
         low, high = piece(span, at)
-        if value is None or _NO_VALUE.match(span.text, at + 1) or _NO_VALUE_BEFORE.search(span.text, max(low, at - 10), at):
+        if (
+            value is None
+            or _NO_VALUE.match(span.text, at + 1)
+            or _NO_VALUE_BEFORE.search(span.text, max(low, at - 10), at)
+        ):
             continue
         start, end = clause(span.text, at, low, high)
         last = max((each + 1 for each in numbers if start <= each < at), default=start)
@@ -40,15 +46,18 @@ def described_entries(reading: Reading, span: Span) -> Iterator[Statement]:
             if len(meant) != 1 or (len(before) > _FEW and not behind):
                 continue
             entry, field = meant[0], reading.messages[message].field(name)
-            if field is None or (fields - {name, ""} and name not in fields):
+            if (
+                field is None
+                or not (name in fields or name in span.text[low:high])
+                or value not in _values(reading, field)
+            ):
                 continue
             text = f"{message}.{name}: {entry.name} is {entry.value}, not {span.sentence.term(at).written}"
             found = traits(
                 by_description=True,
                 words_behind=meant is behind,
-                field_named=name in fields or name in span.text[low:high],
+                field_named=name in fields,
                 value_of_another=any(value == each.value for each in words.values()),
-                value_of_the_enum=value in _values(reading, field),
                 several=len(numbers) > 1,
             )
             is_right = value == entry.value
@@ -60,7 +69,7 @@ def described_entries(reading: Reading, span: Span) -> Iterator[Statement]:
 
 def _meant(text: str, words: Mapping[str, EnumEntry]) -> list[EnumEntry]:
     """Return the entries that the words of a text are those of, each once."""
-    found = (words[stem] for word in _WORD.findall(text) if (stem := _ENDING.sub("", word)) in words)
+    found = (words[stem] for word in _WORD.findall(_ELSE.sub("", text)) if (stem := _ENDING.sub("", word)) in words)
     return list({entry.name: entry for entry in found}.values())
 
 

@@ -15,7 +15,8 @@ from codegen.pattern import pattern
 _OLD = r"(?:an? |the |any )?mavlink ?(?:N|1)\b"
 _WORD = pattern(
     r"\b(?P<extension>extensions?(?: fields?)?|(?:mavlink ?(?:N|2)|v2) only"
-    rf"|(?:lost|cut|missing|absent|dropped|gone|empty|invisible|not (?:sent|carried|seen|there)) (?:on|over|in|with|for|by) {_OLD})"
+    rf"|(?:lost|cut|missing|absent|dropped|gone|empty|invisible|not (?:sent|carried|seen|there))"
+    rf" (?:on|over|in|with|for|by) {_OLD})"
     r"|\b(?P<base>base(?: field| part| payload)?s?|no extensions?|not an extension"
     r"|(?:part of the )?original (?:message|definition|fields?)"
     rf"|{_OLD} (?:and|or) (?:mavlink ?)?N|{_OLD} [a-z]+ (?:carr|see|show|get|has|have|receive|know)[a-z]*"

@@ -25,8 +25,8 @@ _PART = pattern(
     r"|not|never|usually|rest|each|per|every|another|under|over|below|above|than|or)\b[^.;N]{0,16}$"
 )
 _ALL = pattern(
-    r"\b(?:up to|at most|exactly|all|of|has|have|room for|longer than|exceed\w*|full|whole|array of|carr(?:y|ies)|holds?"
-    r"|takes?|limit\w*|max\w*|chunks of|in)\b[^.;N]{0,10}$"
+    r"\b(?:up to|at most|exactly|all|of|has|have|room for|longer than|exceed\w*|full|whole|array of|carr(?:y|ies)"
+    r"|holds?|takes?|limit\w*|max\w*|chunks of|in)\b[^.;N]{0,10}$"
 )
 _MINE = pattern(r"\b(?:we|our|my|us|sensor|device|driver|vehicle|log|file|screen|display|line|buffer)\b")
 _WORD = pattern(r"[a-z]{3,}")
@@ -69,7 +69,7 @@ def _of_message(
     low, high = bounds
     is_text = noun.startswith(_TEXT)
     arrays = [each for each in _arrays(message) if each.is_text == is_text or each.is_numbered]
-    arrays = [each for each in arrays if not each.is_numbered or any(is_like(noun, token) for token in each.words)]
+    arrays = [each for each in arrays if not each.is_numbered or _is_noun_of(noun, each)]
     if not arrays:
         return
     is_right = any(value in each.counts for each in arrays)
@@ -84,7 +84,7 @@ def _of_message(
         only_one=len(arrays) == 1,
         numbered=best.is_numbered,
         text=is_text,
-        noun_of_it=any(is_like(noun, token) for token in best.words),
+        noun_of_it=_is_noun_of(noun, best),
         words_of_it=scores[best.name] > 0,
         several_words_of_it=scores[best.name] > 1,
         all_of_them=_ALL.search(before),
@@ -106,15 +106,25 @@ def _of_message(
 _NEAR, _MANY = 2, 8
 
 
+def _is_noun_of(noun: str, array: _Array) -> bool:
+    """Return whether a word for elements is one of the name or the description: "channels" of ``chan1_raw``."""
+    return any(is_like(noun, token) or (len(token) > _SHORT and noun.startswith(token)) for token in array.words)
+
+
+_SHORT = 3
+
+
 @once
 def _arrays(message: WireMessage) -> tuple[_Array, ...]:
     """The arrays of a message, and its numbered fields."""
     found, numbered = [], dict[tuple[str, str], list[str]]()
     for field in message.fields:
-        words = frozenset(_WORD.findall(f"{field.name.lower()} {field.definition.description.lower()}".replace("_", " ")))
+        words = frozenset(
+            _WORD.findall(f"{field.name.lower()} {field.definition.description.lower()}".replace("_", " "))
+        )
         if field.is_array:
             is_text = field.type.name == "char"
-            counts = (field.count, field.count - 1) if is_text else (field.count,)
+            counts: tuple[int, ...] = (field.count, field.count - 1) if is_text else (field.count,)
             found.append(_Array(field.name, words, counts, is_text, is_numbered=False))
         elif (each := _DIGITS.match(field.name)) is not None:
             numbered.setdefault((each["stem"], each["end"]), []).append(field.name)

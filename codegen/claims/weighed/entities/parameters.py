@@ -88,7 +88,9 @@ def _content(text: str) -> frozenset[str]:
 _STOP = pattern(r"[.;,|(:]| - | \u2013 |\b(?:of|which|that|where|if|when|in|from|must|not|and|or|is|are|as)\b")
 _LEADING = pattern(r"^[\s,:=(|-]*(?:(?:is|are|holds?|has|means|gives|sets|for|the|an?|to|its|takes)\b[\s,:=(-]*)*")
 _SEVERAL = pattern(r"param(?:eter)?s N (?:to|and|-) ?N")
-_NO_LABEL = frozenset(("value", "number", "unused", "empty", "reserved", "zero", "same", "param", "params", "the", "all"))
+_NO_LABEL = frozenset(
+    ("value", "number", "unused", "empty", "reserved", "zero", "same", "param", "params", "the", "all")
+)
 _FULL, _PARTLY = 1.0, 0.5
 
 
@@ -145,8 +147,10 @@ _NEAR, _FAR = 8, 20
 
 
 def _share(said: list[str], parameter: CommandParameter) -> float:
-    """Return the share of some words that are in the label of a parameter or in its description; more of the label's."""
+    """Return the share of some words that are in the label of a parameter, which count more, or its description."""
     label = _WORD.findall(dict(parameter.attributes).get("label", "").lower())
     told = [*label, *_WORD.findall(parameter.description.lower())]
-    of_label, of_both = (sum(any(is_like(word, token) for token in tokens) for word in said) for tokens in (label, told))
+    of_label, of_both = (
+        sum(any(is_like(word, token) for token in tokens) for word in said) for tokens in (label, told)
+    )
     return (of_both + of_label / 2) / len(said)
