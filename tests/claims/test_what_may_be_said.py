@@ -63,7 +63,7 @@ NONE = {
     "elements of a field with a name": "TUNNEL (385): `payload` of 100 elements.\n",
     "less than three": "STATUSTEXT (253) has 2 characters.\n",
     "a special value that stands there rightly as well": "GPS_RAW_INT: `yaw` 0 is none, north is 36000.\n",
-    "words for entries without the field's name": "DISTANCE_SENSOR (132) looks down for 24 minutes.\n",
+    "words for entries without the field's name": "DISTANCE_SENSOR (132) looks down in 24 of our tests.\n",
 }
 KINDS = frozenset(("parameter label", "length of none", "special", "meaning"))
 
