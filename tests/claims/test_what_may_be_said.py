@@ -115,3 +115,20 @@ ORDERS = {
 def test_ways_and_orders_in_further_words(check: Check, text: str, right: str, wrong: str) -> None:
     assert check(text.format(right)) == []
     assert check(text.format(wrong)) != []
+
+
+NO_CLAIMS = {
+    "a member of one's own with the unit in its name": (
+        "# ADSB_VEHICLE (246)\n\n```c\ntypedef struct {\n    int32_t  lat;            /* degE7 */\n"
+        "    int32_t  altitude_mm;    /* above sea level */\n    uint16_t heading_cdeg;   /* over ground */\n} t;\n```\n"
+    ),
+    "the number of a requirement before what releases": (
+        "RC_CHANNELS_OVERRIDE (70)\n\n**REQ-07-10** Releasing the trigger shall cause one last message.\n"
+    ),
+    "a number before what it is sorted by": "WINCH_STATUS (9005): actions are 0 relax, 1 by length, 2 by rate.\n",
+}
+
+
+@pytest.mark.parametrize("text", NO_CLAIMS.values(), ids=NO_CLAIMS)
+def test_nothing_is_found_in_what_is_no_claim(check: Check, text: str) -> None:
+    assert check(text) == []

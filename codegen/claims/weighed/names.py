@@ -1,10 +1,9 @@
 """Names in code spans that no message of the document has a field of, and that are like one, or stand among some."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 from codegen.claims.about import Surroundings, message_about, surroundings
-from codegen.claims.known_names import near_fields, same_field
-from codegen.claims.parts.worded_units import worded_unit
+from codegen.claims.known_names import is_of_field, near_fields, same_field
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import CONVERTED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, SHOWN, is_aside, words
 from codegen.claims.weighed.comparison import traits
@@ -59,14 +58,8 @@ def strangers(reading: Reading) -> Iterator[Stranger]:
             continue
         for low, high in passage.codes:
             found = _NAME.fullmatch(passage.text[low:high])
-            if found is not None and not _is_known(found["name"], known):
+            if found is not None and not is_of_field(found["name"], known):
                 yield from _stranger(reading, passage, near, (low, high), found["name"], named)
-
-
-def _is_known(name: str, fields: Collection[str]) -> bool:
-    """Return whether a name is that of a field, or that of a variable that has the field in a unit: ``heading_deg``."""
-    stem, _, unit = name.rpartition("_")
-    return name in fields or (stem in fields and worded_unit(unit) is not None)
 
 
 @once

@@ -38,7 +38,7 @@ _VERBS: Mapping[str, str] = {
 _STEMS = ("releas", "back", "ignor", "alone", "untouched", "leave", "keep", "chang", "touch")
 _ANY = "|".join(f"(?P<{verb}>{form})" for verb, form in _VERBS.items())
 _VALUE_FIRST = pattern(
-    r"(?P<values>[NS](?:(?:,| and| or) [NS])*),? ?"
+    r"(?<![a-zN]-)(?P<values>[NS](?:(?:,| and| or) [NS])*),? ?"
     r"(?:(?:both|each|is the one that|is what|are|also|means?|=|:|to|tells to|all|i|we|do|does|did|please) ?|[a-z]+, )*"
     rf"(?:{_ANY})"
 )
