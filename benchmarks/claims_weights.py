@@ -49,7 +49,7 @@ RECENT = tuple(f"seen-{number}" for number in range(16, 26))
 THRESHOLDS = (0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.4, 0.3)
 THRESHOLD = 0.8
 """The least likelihood of a candidate that is told, from 0 to 1."""
-LEAST = 0.02
+LEAST = 0.004
 """The least likelihood of what a rule reads as likely."""
 _KINDS: Mapping[str, frozenset[str]] = {
     "unit": frozenset(("unit", "multiplier", "other", "encoding", "encoded")),

@@ -140,7 +140,7 @@ def test_what_is_stored_are_weights_of_traits(read: Read) -> None:
     assert {"word just before in", "word behind if"} & traits & set(stored_weights().of)
     kept = stored_weights()
     assert 0 < kept.least < 0.5 < kept.threshold < 1
-    assert len(known & set(kept.of)) > len(known) * 0.9
+    assert len(known & set(kept.of)) > len(known) * 0.85
 
 
 def test_what_a_rule_reads_as_likely_is_left_out_where_it_weighs_too_little(read: Read) -> None:
