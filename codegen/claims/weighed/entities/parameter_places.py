@@ -23,7 +23,7 @@ _NUMBERS = pattern(r"(?:param(?:eter)?s?|#|no\.?|nr\.?|number|p)\b")
 """The heading of a column in which each row has the number of a parameter."""
 _LISTED = pattern(r"(?:(?<=\| )|(?<=[.;,] )|^)N[:.)=] ")
 _PARAMETERS = pattern(r"\bparam(?:eter)?s?\b")
-_CELL = pattern(r"[^|]+")
+_COLUMN = pattern(r"[^|]+")
 _MOST = 7
 
 
@@ -115,25 +115,25 @@ def _marks(span: Span) -> Iterator[tuple[int, int, int, int, str]]:
         if value in range(1, _MOST + 1):
             yield found.end(), found.start(), int(value or 0), high if bar < 0 else bar, "numbered"
     if span.kind is PassageKind.ROW:
-        yield from _cells(span)
+        yield from _columns(span)
     yield from _listed(span)
 
 
-def _cells(span: Span) -> Iterator[tuple[int, int, int, int, str]]:
-    """Yield the cells below the name of a parameter, and those of a row that begins with the number of one."""
-    cells = [(found.start(), found.end()) for found in _CELL.finditer(span.text) if found[0].strip()]
-    if len(span.heads) < len(cells):
+def _columns(span: Span) -> Iterator[tuple[int, int, int, int, str]]:
+    """Yield the columns below the name of a parameter, and those of a row that begins with the number of one."""
+    columns = [(found.start(), found.end()) for found in _COLUMN.finditer(span.text) if found[0].strip()]
+    if len(span.heads) < len(columns):
         return
-    for (start, end), head in zip(cells, span.heads, strict=False):
+    for (start, end), head in zip(columns, span.heads, strict=False):
         found = _HEAD.fullmatch(head.strip().lower())
         if found is not None:
             yield start, start, int(found["number"]), end, "column"
-    first = span.text[slice(*cells[0])].strip() if cells else ""
+    first = span.text[slice(*columns[0])].strip() if columns else ""
     if first == "N" and _NUMBERS.match(span.heads[0].strip().lower()):
-        at = span.text.index("N", cells[0][0])
+        at = span.text.index("N", columns[0][0])
         value = number(span.sentence.term(at))
         if value in range(1, _MOST + 1):
-            for start, end in cells[1:]:
+            for start, end in columns[1:]:
                 yield start, start, int(value or 0), end, "row of it"
 
 
