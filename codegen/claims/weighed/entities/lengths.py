@@ -17,7 +17,7 @@ from codegen.pattern import pattern
 _NOUN = pattern(
     r" (?:more |single |float |char |byte |numbered )?(?P<noun>elements?|entries|values|items|slots|characters?|chars"
     r"|letters|cells|places|samples|points|floats|doubles|distances|bins|sectors|channels|cores|components|numbers"
-    r"|motors|servos|outputs|satellites|readings|slices|heights|temperatures|voltages|currents|rpms?|angles|axes)\b"
+    r"|motors|servos|outputs|satellites|readings|slices|heights|temperatures|currents|rpms?|angles|axes)\b"
 )
 _TEXT = ("char", "letter")
 _PART = pattern(
