@@ -5,10 +5,10 @@
 
 Candidates are all pairs of a field and something in its reach that contradicts the dialect, in the documents of
 tests/claims/corpus; one is right where a fault of its kind and field is labelled in its line. Those in the documents of
-this repository, which count less, are wrong. Their traits are weighed by logistic regression. What is printed was
-weighed without the folders that it is told of, and without those of the same writer: for some thresholds how many
-further faults are found, and how many of the further findings are right and wrong, beside all that the rules find
-today. --store computes the weights from all folders and keeps them.
+this repository, and of claims_asides.yaml, which count less, are wrong. Their traits are weighed by
+logistic regression. What is printed was weighed without the folders that it is told of, and without those of the same
+writer: for some thresholds how many further faults are found, and how many of the further findings are right and
+wrong, beside all that the rules find today. --store computes the weights from all folders and keeps them.
 """
 
 import argparse
@@ -16,16 +16,19 @@ import json
 import math
 import sys
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from claims_phrasings import ASIDES, phrasings, twins
+from claims_phrasings import reference as common
 from claims_score import documents, is_about, judged, reference, rules_find
 
 from codegen.claims.reading import read_document
 from codegen.claims.weighed.candidates import Candidate, candidates
 from codegen.claims.weighed.likely import chosen
 from codegen.claims.weighed.weights import FILE, likelihood, named
+from codegen.claims.weighed.words import MARK
 from codegen.commands.documents import project_reference
 from codegen.diagnostics import Diagnostic, Report
 from codegen.project.systems import read_systems
@@ -35,17 +38,18 @@ ROOT = Path(__file__).resolve().parents[1]
 WRITERS = (
     ("seen-1", "seen-2", "seen-3"), ("seen-4", "seen-5"), ("seen-6", "seen-7"), ("seen-8", "seen-9"),
     ("seen-10", "seen-11"), ("seen-12", "seen-13"), ("seen-14", "seen-15"), ("seen-16", "seen-17"),
-    ("seen-18", "seen-19"), ("seen-20", "seen-21"), ("seen-22",), ("seen-23",),
+    ("seen-18", "seen-19"), ("seen-20", "seen-21"), ("seen-22",), ("seen-23",), ("seen-24",), ("seen-25",),
 )  # fmt: skip
 """Folders that are left out together: those of one writer, at least."""
 OWN = "documents of this repository"
+NO_CLAIMS = "sentences that are no claims"
 _WITH_FAULTS = frozenset(("claims.md",))
 """Documents that quote what is wrong."""
-RECENT = tuple(f"seen-{number}" for number in range(16, 24))
+RECENT = tuple(f"seen-{number}" for number in range(16, 26))
 THRESHOLDS = (0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.4, 0.3)
 THRESHOLD = 0.8
 """The least likelihood of a candidate that is told, from 0 to 1."""
-LEAST = 0.02
+LEAST = 0.004
 """The least likelihood of what a rule reads as likely."""
 _KINDS: Mapping[str, frozenset[str]] = {
     "unit": frozenset(("unit", "multiplier", "other", "encoding", "encoded")),
@@ -64,8 +68,11 @@ _KINDS: Mapping[str, frozenset[str]] = {
     "unit of none": frozenset(("unit", "multiplier", "other", "encoding")),
     "type of none": frozenset(("type", "size", "length")),
     "sentinel of none": frozenset(("sentinel", "value", "other")),
-    "parameter unit": frozenset(("command", "unit", "other", "multiplier")),
-    "parameter value": frozenset(("command", "enum-value", "other", "sign")),
+    "parameter unit": frozenset(("command", "unit", "other", "multiplier", "command-param", "param")),
+    "parameter value": frozenset(("command", "enum-value", "enum", "other", "sign", "command-param", "param")),
+    "parameter label": frozenset(("command", "command-param", "param", "other")),
+    "length of none": frozenset(("array-length", "array", "length", "size", "other")),
+    "special": frozenset(("sentinel", "value", "other", "enum-value", "range")),
     "no message": frozenset(("no-message", "message-name", "name")),
     "way": frozenset(("sign", "sense", "order", "other", "frame", "unit", "range", "meaning")),
     "id": frozenset(("id",)),
@@ -78,6 +85,12 @@ _RIGHT_AND_TOLD = 0.5
 """The weight of a candidate that is right and that a rule tells of: there are many, and they are the easy ones."""
 _OF_OWN_DOCUMENTS = 0.2
 """The weight of a candidate of this repository's documents, which are of one kind."""
+_OF_ASIDES = 0.3
+"""The weight of a candidate of a sentence that is no claim: each is there with several messages."""
+_EACH = 3
+"""How many messages fill such a sentence."""
+_FOLDERS = 5
+"""The least number of folders in which a word stands beside a candidate, for it to have a weight."""
 _PENALTY = 3.0
 """The penalty for large weights."""
 _ROUNDS = 80
@@ -129,6 +142,30 @@ def of_own_documents() -> list[Example]:
     return found
 
 
+def of_asides() -> list[Example]:
+    """Return the candidates in sentences that are no claims, all of which are wrong."""
+    found = []
+    for kind in phrasings(ASIDES):
+        for each in twins(kind, _EACH, path=ASIDES):
+            for candidate in candidates(read_document(each.wrong, "/aside.md", common())):
+                found.append(Example(NO_CLAIMS, ASIDES, candidate, is_right=False, is_told=False))
+    return found
+
+
+def without_rare_words(those: Iterable[Example], of: Iterable[Example]) -> list[Example]:
+    """Return examples without the words that too few folders of others have beside a candidate."""
+    folders: dict[str, set[str]] = {}
+    for each in of:
+        for trait in each.candidate.traits:
+            folders.setdefault(trait, set()).add(each.folder)
+    common_words = {trait for trait, where in folders.items() if len(where) >= _FOLDERS}
+
+    def kept(one: Candidate) -> Candidate:
+        return replace(one, traits=frozenset(t for t in one.traits if not t.startswith(MARK) or t in common_words))
+
+    return [replace(each, candidate=kept(each.candidate)) for each in those]
+
+
 def _is_right(candidate: Candidate, faults: Iterable[Fault]) -> bool:
     """Return whether a fault of the kind and the field of a candidate is labelled in its line."""
     return any(
@@ -144,7 +181,7 @@ def _is_of(candidate: Candidate, fault: Fault) -> bool:
         return True
     if candidate.kind == "no message":
         return bool(fault["claimed"] and str(fault["claimed"]).strip("`") in candidate.finding.message)
-    if candidate.kind.endswith(" of none"):
+    if candidate.kind.endswith(" of none") or candidate.kind == "parameter label":
         return bool(fault["message"] == candidate.message)
     if not candidate.field:
         return bool(fault["message"] == candidate.message)
@@ -156,8 +193,8 @@ def _is_of(candidate: Candidate, fault: Fault) -> bool:
 
 def _counts(example: Example) -> float:
     """Return how much an example counts."""
-    if example.folder == OWN:
-        return _OF_OWN_DOCUMENTS
+    if example.folder in (OWN, NO_CLAIMS):
+        return _OF_OWN_DOCUMENTS if example.folder == OWN else _OF_ASIDES
     return _RIGHT_AND_TOLD if example.is_right and example.is_told else 1.0
 
 
@@ -220,29 +257,31 @@ def main() -> int:
     arguments = parser.parse_args()
     every = [folder for group in WRITERS for folder in group]
     those = examples(every)
-    own = of_own_documents()
-    print(f"{len(those)} candidates, {sum(each.is_right for each in those)} of them right; {len(own)} in {OWN}")
+    own, asides = of_own_documents(), of_asides()
+    right = sum(each.is_right for each in those)
+    print(f"{len(those)} candidates, {right} of them right; {len(own)} in {OWN}, {len(asides)} in {NO_CLAIMS}")
+    own, asides, those = (without_rare_words(each, those) for each in (own, asides, those))
     left_out: list[tuple[float, Example]] = []
     for group in WRITERS:
-        weights = weighed([*own, *(each for each in those if each.folder not in group)])
+        weights = weighed([*own, *asides, *(each for each in those if each.folder not in group)])
         left_out += [
             (likelihood(weights, each.candidate.kind, each.candidate.traits), each)
             for each in those
             if each.folder in group
         ]
-    for title, folders in (("all folders", every), ("seen-16 to seen-23", RECENT)):
+    for title, folders in (("all folders", every), ("seen-16 to seen-25", RECENT)):
         faults = sum(len(faults) for folder in folders for _, faults in documents(folder))
         print(f"{title}, {faults} faults, each with weights from the others:")
         for threshold in THRESHOLDS:
             one = gain([each for each in left_out if each[0] >= threshold], folders, rules_find)
             print(f"  {threshold:.2f}: {one.found} more faults, {one.right} findings right, {one.wrong} wrong")
-    weights = weighed(those)
+    weights = weighed([*asides, *those])
     told = sum(likelihood(weights, each.candidate.kind, each.candidate.traits) >= THRESHOLD for each in own)
     print(f"{OWN}, with weights from all folders: {told} wrong at {THRESHOLD:.2f}")
     if arguments.store:
         kept = {
             name: round(weight, 3)
-            for name, weight in sorted(weighed([*own, *those]).items())
+            for name, weight in sorted(weighed([*own, *asides, *those]).items())
             if abs(weight) >= _SMALLEST
         }
         content = {"threshold": THRESHOLD, "least": LEAST, "weights": kept}

@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 
 from codegen.claims.enum_names import all_names, entries_by_start
+from codegen.claims.parts.worded_units import worded_unit
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
@@ -145,3 +146,9 @@ def near_fields(name: str, message: WireMessage) -> list[str]:
     near = get_close_matches(name, own, n=1, cutoff=_ALIKE)
     words = set(name.split("_"))
     return near or [each for each in own if len(words) > 1 and words == set(each.split("_"))][:1]
+
+
+def is_of_field(name: str, fields: Collection[str]) -> bool:
+    """Return whether a name is that of a field, or that of a variable that has the field in a unit: ``heading_deg``."""
+    stem, _, unit = name.rpartition("_")
+    return name in fields or (stem in fields and worded_unit(unit) is not None)

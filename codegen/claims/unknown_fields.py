@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from codegen.claims.about import Surroundings, message_about
-from codegen.claims.known_names import SHORT, Names, near_fields, same_field
+from codegen.claims.known_names import SHORT, Names, is_of_field, near_fields, same_field
 from codegen.claims.membership import is_among_fields, is_joined_to_fields, owner_of
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import is_aside
@@ -152,5 +152,7 @@ def members(reading: Reading, passages: Sequence[Passage], around: Surroundings,
         is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
         is_like = len(name) > SHORT and near_fields(name, message)
         is_odd = is_table and len(own) > 2 and 2 * len(own) > len(begun) and _SNAKE.fullmatch(name) is not None
+        if is_of_field(name, [field.name for field in message.fields]):
+            continue
         if name not in names.fields and (is_begun or is_like or is_odd):
             yield no_field(reading, passage.place_at(found.start("name")), message, name)

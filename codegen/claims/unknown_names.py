@@ -13,6 +13,7 @@ from codegen.claims.known_names import (
     UPPER,
     Names,
     entry_start,
+    is_of_field,
     is_successor,
     is_unknown,
     names_of,
@@ -101,7 +102,8 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     names = names_of(reading)
     for notes in field_notes(reading):
         for note in notes.notes if not notes.is_whole and notes.message.name not in names.followed else ():
-            is_one = note.type is None or notes.message.field(note.name) or note.name in names.fields
+            own = [field.name for field in notes.message.fields]
+            is_one = note.type is None or is_of_field(note.name, own) or note.name in names.fields
             if not is_one and near_fields(note.name, notes.message):
                 yield no_field(reading, note.passage.place, notes.message, note.name)
     for kind, run in groupby(surroundings(reading), lambda each: getattr(each[0], "kind", None)):

@@ -45,6 +45,7 @@ ALLOWED = {
             *("codegen/claims/statements/fields.py", "codegen/claims/statements/units.py"),
             *("codegen/claims/own/parameters.py", "codegen/claims/statements/lengths.py"),
             *("codegen/claims/statements/values/unfilled.py", "codegen/claims/weighed/numbers.py"),
+            "codegen/claims/weighed/entities/lengths.py",
             *("codegen/claims/statements/tables.py", "codegen/claims/statements/columns/rows.py"),
             *("codegen/claims/statements/meaning.py", "codegen/claims/own/worked/examples.py"),
             *("codegen/explain/story.py", "codegen/explain/receptions.py", "codegen/explain/text.py"),

@@ -37,12 +37,12 @@ _STARTS = pattern(
     r"\b(?:starts?|begins?|opens?) (?:on the wire )?with (?:the )?(?:field )?(?P<name>[FP])\b", needs="begin|open|start"
 )
 _IS_FIRST = pattern(
-    r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte on)\b",
+    r"(?P<name>[FP])(?: (?:of|in) M)? is the (?:very )?first (?:field|thing|member|one|byte)\b(?! of F)",
     needs="is the first|is the very first",
 )
 _WIRE = pattern(
     r"\bwire\b|\bpayload\b|\bbytes\b|\bserial|\bencoded\b|\breorder|\btransmi|\boffset|\bin memory\b|\bframe\b"
-    r"|\bstruct\b"
+    r"|\bstruct\b|\bfirst byte\b"
 )
 _XML = pattern(r"\bxml\b|declar|defin|documentation|\bargument|\bfunction|\bcall\b")
 
@@ -158,6 +158,7 @@ _SEQUENCE = pattern(
 )
 _IN_ORDER = pattern(
     r"on the wire|wire order|in this order|order (?:on|in|of)|payload (?:begins|starts|of M|is|:)|(?:sent|packed"
+    r"|goes out|go out"
     r"|transmitted) as|byte order:|memory order|serialized"
 )
 

@@ -27,8 +27,8 @@ _BYTES = pattern(
 )
 _LENGTH = pattern(
     r"\b(?:(?P<base>base |minimum |min )?(?:payload )?(?:length|len|size|payload))(?: (?:of|is|in bytes|for|M|the"
-    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|fields|elements|points|samples"
-    r"|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|integers|T\b)|[.-]\d)"
+    r"|its|payload)){0,8}(?:[:=,]| is| of){0,4} ?(?P<number>N)(?!\w| ?(?:bytes?|%|m\b|by\b|fields|elements|points"
+    r"|samples|items|entries|messages|arrays|values|floats|numbers|words|parts|blocks|channels|integers|T\b)|[.-]\d)"
     r"|\bsizeof ?\([^()N]*\) ?(?:==|<=|=|is) ?(?P<sizeof>N)",
     needs="len|payload|size",
 )

@@ -15,6 +15,8 @@ _LINK = pattern(
     r"\b(?:goes?|sent|send|is|reads?|becomes?|as|i\.e|means?|for|gives?|=|->|encoded|written|put)\b|[=:\u2192(|]"
 )
 _BASES = ("deg", "degC", "m", "m/s", "V", "A", "rad", "s", "%", "gauss", "Pa", "hPa", "rad/s", "deg/s")
+_COUNTED = pattern(r"\b(?:number|no\.?|nr\.?) $")
+"""Before a number that is not that of a field, but of an alarm, a step or a part."""
 _ROUGHLY = 50
 """The share of a number by which it may differ, being rounded."""
 _LEAST = 2
@@ -24,7 +26,7 @@ _LEAST = 2
 def of_encoded(pair: Pair) -> Iterator[Comparison]:
     """Yield what a whole number in the reach of a field says of an amount in the same sentence."""
     value, field = whole_number(pair.term), pair.one.field
-    if not value or not field.type.is_integer:
+    if not value or not field.type.is_integer or _COUNTED.search(pair.before(10)):
         return
     own = Unit.parse(field.definition.units)
     digits = _digits(value)

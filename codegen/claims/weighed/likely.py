@@ -44,7 +44,7 @@ def is_kept(those: Weighed, finding: Diagnostic, least: float) -> bool:
         return True
     same = [(weight, each) for weight, each in those if _is_same(finding, each)]
     there = [weight for weight, each in same if each.finding.place == finding.place]
-    found = there or [weight for weight, _ in same]
+    found = there or [weight for weight, each in same if not each.kind.endswith(" of none")]
     return not found or max(found) >= least
 
 

@@ -33,7 +33,8 @@ def of_limit(pair: Pair) -> Iterator[Comparison]:
     before = pair.before(30)
     first = _first(pair) if _TO.search(before) else None
     cued = _UP_TO.search(before)
-    if first is None and (cued is None or not field.type.is_integer):
+    described = range_of(field)
+    if first is None and (cued is None or not (field.type.is_integer or described)):
         return
     common = traits(
         up_to=cued,
@@ -42,7 +43,8 @@ def of_limit(pair: Pair) -> Iterator[Comparison]:
         fits_behind=_FITS.search(pair.behind(30)),
         of_a_device_or_of_somebody=_DEVICE.search(pair.sentence),
     )
-    described = range_of(field) if first is not None else None
+    if described is not None and first is None and float(value) > described[0]:
+        yield from _end(pair, float(value), described, common)
     if described is not None and first is not None:
         known = unknown_values(field)
         is_right = any(
@@ -66,6 +68,19 @@ def of_limit(pair: Pair) -> Iterator[Comparison]:
         if is_beyond or is_right:
             text = f"{pair.one.name} goes from {low} to {high}, not to {pair.term.written}"
             yield Comparison("range", RANGE, is_right, text, (*common, "of the type"))
+
+
+def _end(pair: Pair, value: float, described: tuple[float, float], common: tuple[str, ...]) -> Iterator[Comparison]:
+    """The end of a range of which no beginning is told: "full throw is 10000"."""
+    low, high = described
+    is_right = any(abs(value - end) <= _ENDS * (end > _SMALL) for _, end in _ranges(pair))
+    known = unknown_values(pair.one.field)
+    if known is not None and value in known[0]:
+        return
+    text = f"{pair.one.name} goes from {low:g} to {high:g}, not to {pair.term.written}"
+    by_ten = any(value == high * ten or value * ten == high for ten in (10, 100, 1000))
+    found = traits(inside=value < high, another_power_of_ten=by_ten)
+    yield Comparison("range", RANGE, is_right, text, (*common, *found, "end alone", "described"))
 
 
 def _first(pair: Pair) -> int | float | Fraction | None:

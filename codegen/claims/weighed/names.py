@@ -1,10 +1,9 @@
 """Names in code spans that no message of the document has a field of, and that are like one, or stand among some."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 from codegen.claims.about import Surroundings, message_about, surroundings
-from codegen.claims.known_names import near_fields, same_field
-from codegen.claims.parts.worded_units import worded_unit
+from codegen.claims.known_names import is_of_field, near_fields, same_field
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import CONVERTED, DENIED, MISTAKEN, OWN, PAST, PROPOSED, SHOWN, is_aside, words
 from codegen.claims.weighed.comparison import traits
@@ -59,14 +58,8 @@ def strangers(reading: Reading) -> Iterator[Stranger]:
             continue
         for low, high in passage.codes:
             found = _NAME.fullmatch(passage.text[low:high])
-            if found is not None and not _is_known(found["name"], known):
+            if found is not None and not is_of_field(found["name"], known):
                 yield from _stranger(reading, passage, near, (low, high), found["name"], named)
-
-
-def _is_known(name: str, fields: Collection[str]) -> bool:
-    """Return whether a name is that of a field, or that of a variable that has the field in a unit: ``heading_deg``."""
-    stem, _, unit = name.rpartition("_")
-    return name in fields or (stem in fields and worded_unit(unit) is not None)
 
 
 @once
@@ -88,6 +81,7 @@ def _stranger(
     before, meant = text[max(0, low - 18) : low].lower(), near_fields(name, message)
     others = [text[start:end] for start, end in passage.codes if (start, end) != span]
     fields = {field.name for field in message.fields}
+    shared = max((_shared(name, each) for each in fields), default=0.0)
     found = traits(
         about_it=about is not None,
         like_a_field=meant,
@@ -96,6 +90,10 @@ def _stranger(
         field_of_another_message=name in _elsewhere(reading),
         field_with_an_end=any(name.startswith(f"{each}_") for each in fields),
         of_several_words="_" in name,
+        one_letter_more_or_less=any(name in (f"{each}s", each.removesuffix("s")) for each in fields),
+        half_of_the_words=shared >= _HALF,
+        some_of_the_words=shared > 0,
+        beside_several_fields=sum(other in fields for other in others) > 1,
         like_fields_of_several=len(alike) > 1,
         beside_fields=any(other in fields for other in others),
         beside_other_names=any(_NAME.fullmatch(other) and other not in fields for other in others),
@@ -114,3 +112,12 @@ def _stranger(
     )
     said = (each for each, form in _SENTENCE.items() if form.search(sentence))
     yield Stranger(message, name, passage.place_at(low), frozenset((*found, *said)))
+
+
+_HALF = 0.5
+
+
+def _shared(one: str, other: str) -> float:
+    """Return the share of the words of two names that both have."""
+    first, second = set(one.split("_")), set(other.split("_"))
+    return len(first & second) / len(first | second)

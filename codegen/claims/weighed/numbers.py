@@ -19,6 +19,7 @@ from codegen.claims.weighed.entries import of_entry
 from codegen.claims.weighed.limits import of_limit
 from codegen.claims.weighed.pairs import Pair, is_line
 from codegen.claims.weighed.places import of_place
+from codegen.claims.weighed.specials import of_special
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.unit import Unit
@@ -45,6 +46,7 @@ def of_number(reading: Reading, pair: Pair) -> Iterator[Comparison]:
         yield from _length(pair, value, counted["noun"])
     if counted is None:
         yield from _sentinel(pair, value)
+        yield from of_special(pair, value)
     if pair.term.letter == "N" and value >= _LEAST and str(value).strip("0") == "1":
         yield from _factor(pair, value)
     if pair.term.letter == "N" and value == int(value) and pair.one.field.definition.enum:

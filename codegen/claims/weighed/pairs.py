@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.parts.sentence import NamedField, Term
-from codegen.claims.parts.span import Span
+from codegen.claims.parts.span import Span, is_data
 from codegen.claims.reading import Reading
 from codegen.claims.statements.fields import Said, number, said_of_fields
 from codegen.claims.statements.subjects import About, about
@@ -17,6 +17,8 @@ _SHORT = 4
 """The least length of an everyday word that may be the name of a field without anything that says so, in letters."""
 _OF_A_DEVICE = pattern(r"\b(?:sensor|device|driver|receiver)s $")
 """Before a name of what something else has: "the sensor's heading"."""
+_KEYS = frozenset(("type", "name", "id", "length", "size", "offset", "count"))
+_COLON = pattern(r"[\"']? ?:")
 ATOMS = "UTLNS"
 """The letters of the terms that something is said by: units, types, numbers, names of numbers."""
 
@@ -90,6 +92,7 @@ def pairs(reading: Reading, span: Span) -> Iterator[Pair]:
     said = {name: each for each in said_of_fields(span) for name in each.names}
     terms = span.sentence.within(0, len(span.text), "FP")
     names = [at for at, term in terms if at in said or _is_name(span, term)]
+    names = [at for at in names if not (is_data(span) and _is_key(span, at))]
     names = [at for at in names if not _OF_A_DEVICE.search(span.text, max(at - 12, 0), at)]
     known: dict[int, tuple[About, bool] | None] = {}
     for at, _ in span.sentence.within(0, len(span.text), ATOMS) if names else ():
@@ -99,6 +102,12 @@ def pairs(reading: Reading, span: Span) -> Iterator[Pair]:
                 known[name] = field_at(reading, span, name)
             if (found := known[name]) is not None:
                 yield Pair(span, name, found[0], at, low, high, side, several, found[1], name not in said)
+
+
+def _is_key(span: Span, at: int) -> bool:
+    """Return whether a name is the key of a value in data that describe another field: "lat: {type: int32}"."""
+    written = span.sentence.term(at).written
+    return written in _KEYS and _COLON.match(span.text, at + 1) is not None
 
 
 def _is_name(span: Span, term: Term) -> bool:

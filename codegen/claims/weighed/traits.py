@@ -25,6 +25,7 @@ from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import traits
 from codegen.claims.weighed.entities.statement import Statement
 from codegen.claims.weighed.pairs import Pair, is_line
+from codegen.claims.weighed.words import words_beside, words_between
 from codegen.load.prose import PassageKind
 from codegen.once import once
 from codegen.pattern import pattern
@@ -78,13 +79,17 @@ _DENYING = ("denied", "conditional")
 def around(reading: Reading, pair: Pair, kind: str) -> frozenset[str]:
     """Return the traits of a pair by all that stands around it, for a statement of some kind."""
     found = [*_form(pair), *_tie(reading, pair), *_between(pair), *_said(pair, kind)]
-    return frozenset([pair.side, *found, *(_column(pair) if pair.span.kind is PassageKind.ROW else ())])
+    column = _column(pair) if pair.span.kind is PassageKind.ROW else ()
+    words_there = words_beside(pair.span, pair.at, pair.low, pair.high) | words_between(pair.gap)
+    return frozenset([pair.side, *found, *column]) | words_there
 
 
 def around_statement(statement: Statement) -> frozenset[str]:
     """Return the traits of a statement by the form of its part and the sense of the words around it."""
     found = [*_form(statement), *_said(statement, statement.kind)]
-    return frozenset([*found, *(_column(statement) if statement.span.kind is PassageKind.ROW else ())])
+    column = _column(statement) if statement.span.kind is PassageKind.ROW else ()
+    words_there = words_beside(statement.span, statement.at, statement.low, statement.high)
+    return frozenset([*found, *column]) | words_there
 
 
 def _form(pair: Pair | Statement) -> tuple[str, ...]:

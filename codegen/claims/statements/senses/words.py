@@ -8,8 +8,8 @@ from codegen.pattern import pattern
 
 _WAYS: Mapping[str, tuple[str, str]] = {
     "vertical": (
-        r"up(?:wards?)?|climb(?:s|ing)?|ascen(?:ds?|ding|t)|ris(?:es?|ing)",
-        r"down(?:wards?)?|descen(?:ds?|ding|t)|sink(?:s|ing)?|fall(?:s|ing)",
+        r"up(?:wards?)?|above the origin|climb(?:s|ing)?|ascen(?:ds?|ding|t)|ris(?:es?|ing)",
+        r"down(?:wards?)?|below the origin|descen(?:ds?|ding|t)|sink(?:s|ing)?|fall(?:s|ing)",
     ),
     "rotation": (r"clockwise|cw", r"(?:counter|anti)[- ]?clockwise|ccw"),
     "lateral": (r"right|starboard", r"left|port"),

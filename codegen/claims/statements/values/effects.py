@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.claims.parts.sentence import NamedField
 from codegen.claims.parts.span import Span
+from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import DENIED, MISTAKEN, PAST, REPLACED, SUPPOSED, words
 from codegen.claims.rules import SENTINEL, as_sure
@@ -28,16 +29,18 @@ _DESCRIBED = pattern(
 _LESS_ONE = pattern(r"(?P<name>U?INT\d+_MAX)-1")
 _BACK = r"(?:[a-zNF]+ ){0,3}back"
 _VERBS: Mapping[str, str] = {
-    "release": rf"releas(?:es?|ing)\b|(?:give|gives|giving|hand|hands) {_BACK}\b",
+    "release": rf"releas(?:es?|ing)\b|(?:give|gives|giving|hand|hands|take|takes) {_BACK}\b",
     "ignore": r"ignor(?:es?|ing|ed)\b|keeps?\b"
-    r"|(?:leaves?|leaving) (?:[a-zNF]+ ){1,3}?(?:alone|untouched|as (?:it|they))\b",
+    r"|(?:leaves?|leaving) (?:[a-zNF]+ ){1,3}?(?:alone|untouched|unchanged|as (?:it|they))\b"
+    r"|(?:not|n't|dont|doesnt) (?:touch|change)\w*\b|no change\b",
 }
 """Words for what descriptions call so."""
-_STEMS = ("releas", "back", "ignor", "alone", "untouched", "leave", "keep")
+_STEMS = ("releas", "back", "ignor", "alone", "untouched", "leave", "keep", "chang", "touch")
 _ANY = "|".join(f"(?P<{verb}>{form})" for verb, form in _VERBS.items())
 _VALUE_FIRST = pattern(
-    r"(?P<values>[NS](?:(?:,| and| or) [NS])*),? ?"
-    rf"(?:(?:both|each|is the one that|is what|are|also|means?|=|:|to|tells to|all) ?)*(?:{_ANY})"
+    r"(?<![a-zN]-)(?P<values>[NS](?:(?:,| and| or) [NS])*),? ?"
+    r"(?:(?:both|each|is the one that|is what|are|also|means?|=|:|to|tells to|all|i|we|do|does|did|please) ?|[a-z]+, )*"
+    rf"(?:{_ANY})"
 )
 _VERB_FIRST = pattern(
     rf"\b(?:{_ANY})[^.;NS]{{0,60}}?(?:channels? N(?: ?(?:to|-|\u2013) ?N)?[^.;NS]{{0,24}}?)?"
@@ -98,7 +101,7 @@ def _compared(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[
     messages, _ = subjects(reading, span, found.start())
     message = next((each for each in (*messages, *span.topic.around) if _effects(each)), None)
     verb = next(verb for verb in _VERBS if found[verb])
-    (first, last), told_at = _numbers(span, found.end())
+    (first, last), told_at = _numbers(reading, span, found.end())
     told = [each for each in _effects(message) if first <= each.number <= last] if message is not None else []
     own = [each for each in told if verb in each.values]
     if message is None or not own or len(own) < len(told):
@@ -113,8 +116,23 @@ def _compared(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[
         yield reading.found(as_sure(SENTINEL, is_sure=False), span.place(at), claim, text)
 
 
-def _numbers(span: Span, end: int) -> tuple[tuple[int, int], range]:
-    """The numbers of the fields that a statement is about, those told last before its end, and where they stand."""
+def _numbers(reading: Reading, span: Span, end: int) -> tuple[tuple[int, int], range]:
+    """The numbers of the fields that a statement is about, and where they stand.
+
+    They are those told last before its end, or behind it in its sentence, or else in the line that leads to its list.
+    """
+    found = _told_before(span, end)
+    if found is not None:
+        return found
+    behind = _RANGE.search(span.text, end, span.bounds(end)[1])
+    if behind is not None:
+        return _of_range(span, behind), range(*behind.span())
+    lead = _leads(reading).get(id(span))
+    found = _told_before(lead, len(lead.text)) if lead is not None else None
+    return (found[0], range(0)) if found is not None else ((0, _MOST), range(0))
+
+
+def _told_before(span: Span, end: int) -> tuple[tuple[int, int], range] | None:
     ranges = list(_RANGE.finditer(span.text, 0, end))
     names = [
         (at, int(digits[0]))
@@ -123,16 +141,29 @@ def _numbers(span: Span, end: int) -> tuple[tuple[int, int], range]:
     ]
     if names and (not ranges or names[-1][0] > ranges[-1].start()):
         return (names[max(len(names) - 2, 0)][1], names[-1][1]), range(0)
-    if not ranges:
-        return (0, _MOST), range(0)
-    last = ranges[-1]
-    told = {name: int(number(span.sentence.term(last.start(name))) or 0) for name in _GROUPS if last[name]}
+    return (_of_range(span, ranges[-1]), range(*ranges[-1].span())) if ranges else None
+
+
+def _of_range(span: Span, found: "re.Match[str]") -> tuple[int, int]:
+    told = {name: int(number(span.sentence.term(found.start(name))) or 0) for name in _GROUPS if found[name]}
     if "low" in told:
-        return (told["low"], told["high"]), range(*last.span())
+        return told["low"], told["high"]
     if "many" in told:
-        return (1, told["many"]), range(*last.span())
+        return 1, told["many"]
     start = next(iter(told.values()))
-    return (start, start if "one" in told else _MOST), range(*last.span())
+    return start, start if "one" in told else _MOST
+
+
+@once
+def _leads(reading: Reading) -> dict[int, Span]:
+    """By the identity of each item of a list the part that leads to the list."""
+    found, lead = dict[int, Span](), None
+    for span in spans(reading):
+        if span.kind is PassageKind.ITEM and lead is not None:
+            found[id(span)] = lead
+        elif span.kind is not PassageKind.ITEM:
+            lead = span if span.kind is PassageKind.TEXT and span.text.rstrip().endswith(":") else None
+    return found
 
 
 _GROUPS = ("low", "high", "many", "from", "up", "one")

@@ -38,7 +38,7 @@ _WORD = pattern(r"[a-z]+")
 
 
 @dataclass(frozen=True, slots=True)
-class _Special:
+class Special:
     """A value of a field with the words for what it means."""
 
     value: float
@@ -48,18 +48,19 @@ class _Special:
 
 
 @cache
-def _specials(description: str) -> tuple[_Special, ...]:
+def specials(description: str) -> tuple[Special, ...]:
+    """Return the values that a description gives a meaning of its own."""
     found = []
     for each in _TOLD.finditer(description):
         value = 0 if each["value"] == "zero" else number_of(each["value"])
-        meant = _content(each["words"])
+        meant = content(each["words"])
         if value is not None and meant:
-            found.append(_Special(float(value), each["value"], each["words"].strip(), meant))
+            found.append(Special(float(value), each["value"], each["words"].strip(), meant))
     return tuple(found)
 
 
-def _content(text: str) -> frozenset[str]:
-    """The words of a meaning, without those that are everywhere and without endings."""
+def content(text: str) -> frozenset[str]:
+    """Return the words of a meaning, without those that are everywhere and without endings."""
     return frozenset(
         word.removesuffix("s").removesuffix("d") for word in _WORD.findall(text.lower()) if word not in _IDLE
     )
@@ -77,12 +78,12 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         value = number(span.sentence.term(at))
         if one is None or value is None or one.field.definition.enum or _RULED_OUT.search(span.text, low, high):
             continue
-        specials = _specials(one.field.definition.description)
-        meant = _content(span.source_text(*found.span("words")))
-        same = [each for each in specials if _is_like(meant, each.words)]
-        if len(same) != 1 or any(each.value == float(value) for each in specials):
+        known = specials(one.field.definition.description)
+        meant = content(span.source_text(*found.span("words")))
+        same = [each for each in known if _is_like(meant, each.words)]
+        if len(same) != 1 or any(each.value == float(value) for each in known):
             continue
-        others = [each for other in one.others for each in _specials(other.definition.description)]
+        others = [each for other in one.others for each in specials(other.definition.description)]
         if any(_is_like(meant, each.words) and each.value == float(value) for each in others):
             continue
         written = span.sentence.term(at).written

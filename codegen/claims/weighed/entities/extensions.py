@@ -12,9 +12,15 @@ from codegen.claims.weighed.pairs import field_at
 from codegen.load.prose import PassageKind
 from codegen.pattern import pattern
 
+_OLD = r"(?:an? |the |any )?mavlink ?(?:N|1)\b"
 _WORD = pattern(
-    r"\b(?P<extension>extensions?(?: fields?)?|mavlink ?2 only|v2 only)\b"
-    r"|\b(?P<base>base(?: field| part| payload)?s?|no extensions?|not an extension)\b"
+    r"\b(?P<extension>extensions?(?: fields?)?|(?:mavlink ?(?:N|2)|v2) only"
+    rf"|(?:lost|cut|missing|absent|dropped|gone|empty|invisible|not (?:sent|carried|seen|there))"
+    rf" (?:on|over|in|with|for|by) {_OLD})"
+    r"|\b(?P<base>base(?: field| part| payload)?s?|no extensions?|not an extension"
+    r"|(?:part of the )?original (?:message|definition|fields?)"
+    rf"|{_OLD} (?:and|or) (?:mavlink ?)?N|{_OLD} [a-z]+ (?:carr|see|show|get|has|have|receive|know)[a-z]*"
+    rf"|(?:with|over|on|in) {_OLD}(?: [a-z]+)? (?:too|as well|also|alike))\b"
 )
 _OTHER = pattern(r"\b(?:without|with|file|before|after|behind|all|no|only|the other|rest|of the) $")
 
@@ -65,5 +71,6 @@ def of_extensions(reading: Reading, span: Span) -> Iterator[Statement]:
                         other_words=_OTHER.search(span.text, max(at - 14, 0), at),
                         row_=span.kind is PassageKind.ROW,
                         both=bool(before and behind),
+                        by_version="mavlink" in found[0],
                     ),
                 )

@@ -9,6 +9,7 @@ from codegen.claims.rules import ENTRY_VALUE
 from codegen.claims.statements.meaning import meaning
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import traits
+from codegen.claims.weighed.entities.parameter_places import commands_near, commands_of, enums_of_parameters
 from codegen.claims.weighed.entities.statement import Statement, piece, whole
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import EnumDefinition, WireMessage
@@ -94,6 +95,16 @@ def _scopes(reading: Reading, span: Span, low: int, high: int) -> Iterator[_Scop
                     only_message_of_document=only,
                 ),
             )
+    for name in commands_near(reading, span)[:_NEAR]:
+        for field, called in enums_of_parameters(commands_of(reading)[name]):
+            enum = reading.enums.get(called)
+            if enum is not None and called != _TRUTH and (name, field) not in done:
+                done.add((name, field))
+                yield _Scope(enum, name, field, ("of a command", *traits(alone=not own)))
+
+
+_TRUTH = "MAV_BOOL"
+"""An enum whose words are those of any text: true, false."""
 
 
 @once
@@ -115,8 +126,12 @@ def _holder(reading: Reading) -> dict[str, tuple[str, str]]:
 def _words_of_entries(reading: Reading) -> frozenset[str]:
     """The words of all entries that a document may mean: of the enums of messages that it names, and of those named."""
     names = {enum for name in {name for _, name in reading.sightings} for _, enum in _enums_of(reading.messages[name])}
+    commands = commands_of(reading)
     for span in spans(reading):
-        names |= {str(term.value) for _, term in span.sentence.within(0, len(span.text), "E")}
+        named = [(term.letter, str(term.value)) for _, term in span.sentence.within(0, len(span.text), "EV")]
+        names |= {name for letter, name in named if letter == "E"}
+        called = [commands[name] for letter, name in named if letter == "V" and name in commands]
+        names |= {enum for command in called for _, enum in enums_of_parameters(command)} - {_TRUTH}
     found = (_vocabulary(reading.enums[name]) for name in names if name in reading.enums)
     return frozenset().union(*found)
 

@@ -1,24 +1,21 @@
 """Parameters of commands: units and numbers in their reach, compared with what the command says of that parameter."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.rules import PARAMETER
-from codegen.claims.statements.fields import number
 from codegen.claims.statements.meaning import meaning
+from codegen.claims.statements.nouns import is_like
 from codegen.claims.statements.scaling.field_units import is_same_unit
 from codegen.claims.weighed.comparison import traits
+from codegen.claims.weighed.entities.parameter_places import ParameterPlace, parameter_places
 from codegen.claims.weighed.entities.statement import Statement, piece, whole
-from codegen.model.dialect.dialect import CommandParameter, EnumEntry
+from codegen.model.dialect.dialect import CommandParameter
 from codegen.model.units.unit import Unit
-from codegen.once import once
 from codegen.pattern import pattern
 
-_PARAM = pattern(
-    r"\bparam(?:eter)? ?(?:no\.? |number |#)?(?P<spaced>N)|\bparam(?P<joined>[1-7])\b|\bp(?P<short>[1-7])\b"
-)
 _PAIR = pattern(r"(?<![\w.])(?P<value>-?\d{1,5}) ?(?:[:=]|for|means) ?(?P<words>[a-z][a-z _-]{1,40})")
 _WORD = pattern(r"[a-z]{2,}")
 _IDLE = frozenset(("the", "for", "is", "of", "to", "in", "and", "or", "on", "if", "as", "by", "at", "it"))
@@ -29,50 +26,13 @@ _LEAST = 2
 
 def of_parameters(reading: Reading, span: Span) -> Iterator[Statement]:
     """Yield what is said of the parameters of the command that a part names, or that was named last."""
-    commands = _commands(reading)
-    marks = list(_PARAM.finditer(span.text))
-    if not marks:
-        return
-    named = [
-        (at, str(term.value)) for at, term in span.sentence.within(0, len(span.text), "V") if term.value in commands
-    ]
-    for index, found in enumerate(marks):
-        before = [name for at, name in named if at < found.start()]
-        name = before[-1] if before else named[0][1] if named else None
-        value = (
-            number(span.sentence.term(found.start("spaced")))
-            if found["spaced"]
-            else int(found["joined"] or found["short"])
-        )
-        command = commands.get(name or "")
-        own = next((each for each in command.parameters if each.number == str(value)), None) if command else None
-        if command is None or own is None:
-            continue
-        _, high = piece(span, found.start())
-        following = marks[index + 1].start() if index + 1 < len(marks) else high
-        end = min(high, following)
-        bar = span.text.find(" | ", found.end(), end)
-        more = traits(
-            before=bool(before), several=len(marks) > 1, several_commands=len({each for _, each in named}) > 1
-        )
-        yield from _in_reach(reading, span, command, own, (found.end(), end if bar < 0 else bar), more)
+    for place in parameter_places(reading, span):
+        yield from _in_reach(reading, span, place)
+        yield from _of_label(span, place)
 
 
-@once
-def _commands(reading: Reading) -> Mapping[str, EnumEntry]:
-    enum = reading.enums.get("MAV_CMD")
-    return {entry.name: entry for entry in enum.entries} if enum is not None else {}
-
-
-def _in_reach(
-    reading: Reading,
-    span: Span,
-    command: EnumEntry,
-    own: CommandParameter,
-    reach: tuple[int, int],
-    more: tuple[str, ...],
-) -> Iterator[Statement]:
-    start, end = reach
+def _in_reach(reading: Reading, span: Span, place: ParameterPlace) -> Iterator[Statement]:
+    command, own, start, end, more = place.command, place.parameter, place.start, place.end, place.traits
     given = dict(own.attributes)
     units = Unit.parse(given.get("units"))
     label = f"{command.name}: param {own.number} ({given.get('label', '')})"
@@ -123,3 +83,74 @@ def _meant(reading: Reading, own: CommandParameter, value: int, words: str) -> t
 def _content(text: str) -> frozenset[str]:
     joined = text.replace("counter clockwise", "counterclockwise").replace("counter-clockwise", "counterclockwise")
     return frozenset(_WORD.findall(joined)) - _IDLE
+
+
+_STOP = pattern(r"[.;,|(:]| - | \u2013 |\b(?:of|which|that|where|if|when|in|from|must|not|and|or|is|are|as)\b")
+_LEADING = pattern(r"^[\s,:=(|-]*(?:(?:is|are|holds?|has|means|gives|sets|for|the|an?|to|its|takes)\b[\s,:=(-]*)*")
+_SEVERAL = pattern(r"param(?:eter)?s N (?:to|and|-) ?N")
+_NO_LABEL = frozenset(
+    ("value", "number", "unused", "empty", "reserved", "zero", "same", "param", "params", "the", "all")
+)
+_FULL, _PARTLY = 1.0, 0.5
+
+
+def _of_label(span: Span, place: ParameterPlace) -> Iterator[Statement]:
+    """What the first words about a parameter call it: where another one is called so, and this one is not."""
+    low, high = piece(span, place.mark)
+    linked = _INTO.search(span.text, max(low, place.mark - _FAR), place.mark) if "numbered" in place.traits else None
+    if linked is not None:
+        text = span.source_text(low, linked.start()).lower()
+        words = _WORD.findall(_BEFORE.split(text)[-1])[-_MOST_WORDS:]
+    else:
+        text = _LEADING.sub("", span.source_text(place.start, place.end).lower())
+        words = _WORD.findall(_STOP.split(text)[0])[:_MOST_WORDS]
+    said = [word for word in words if word not in _IDLE and word not in _NO_LABEL and len(word) > 2]
+    if not said or _SEVERAL.match(span.text, place.mark):
+        return
+    shares = {each.number: _share(said, each) for each in place.command.parameters}
+    own, most = shares[place.parameter.number], max(shares.values())
+    meant = [each for each in place.command.parameters if shares[each.number] == most]
+    if most < _PARTLY or (own < most and (own or len(meant) > 1)):
+        return
+    other = meant[0]
+    label = dict(other.attributes).get("label", "") or " ".join(said)
+    found = traits(
+        all_words=most >= _FULL,
+        one_word=len(said) == 1,
+        of_the_label=set(said) <= set(_WORD.findall(label.lower())),
+        own_has_no_label=not dict(place.parameter.attributes).get("label"),
+        near=place.start - place.mark < _NEAR,
+        words_before=linked is not None,
+    )
+    name = place.command.name
+    yield Statement(
+        "parameter label",
+        PARAMETER,
+        span,
+        place.mark,
+        low,
+        high,
+        name,
+        f"param{place.parameter.number}",
+        own >= most,
+        f"{name}: {label} is param {other.number}, not {place.parameter.number}",
+        name,
+        (*place.traits, *found),
+    )
+
+
+_INTO = pattern(r"\b(?:is|are|goes|comes|in|into|to|as|by|with)(?: (?:to|in|into|the|of))* $|= ?$")
+"""Between the words for a parameter and its number, where the number comes last: "the mode goes to param 7"."""
+_BEFORE = pattern(r"[.;,|(:)]|\b(?:and|or|where|which|that|is|are|send|sends|put|set|with)\b")
+_MOST_WORDS = 6
+_NEAR, _FAR = 8, 20
+
+
+def _share(said: list[str], parameter: CommandParameter) -> float:
+    """Return the share of some words that are in the label of a parameter, which count more, or its description."""
+    label = _WORD.findall(dict(parameter.attributes).get("label", "").lower())
+    told = [*label, *_WORD.findall(parameter.description.lower())]
+    of_label, of_both = (
+        sum(any(is_like(word, token) for token in tokens) for word in said) for tokens in (label, told)
+    )
+    return (of_both + of_label / 2) / len(said)

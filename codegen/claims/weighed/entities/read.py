@@ -7,7 +7,9 @@ from codegen.claims.parts.span import Span
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
 from codegen.claims.weighed.blocks import numbered_blocks
+from codegen.claims.weighed.entities.described_entries import described_entries
 from codegen.claims.weighed.entities.extensions import of_extensions
+from codegen.claims.weighed.entities.lengths import lengths
 from codegen.claims.weighed.entities.meanings import meant
 from codegen.claims.weighed.entities.messages import of_messages
 from codegen.claims.weighed.entities.parameters import of_parameters
@@ -18,11 +20,13 @@ from codegen.claims.weighed.entities.ways import ways
 
 _READ: Sequence[tuple[Callable[[Reading, Span], Iterator[Statement]], str]] = (
     (of_messages, "N"),
+    (described_entries, "N"),
     (meant, "N"),
     (of_extensions, "FP"),
     (unnamed, "UTNS"),
-    (of_parameters, "UQN"),
+    (of_parameters, ""),
     (strange_messages, "C"),
+    (lengths, "N"),
     (ways, ""),
 )
 """The readers of the statements of a part, each with the letters of which the part has to have one."""
