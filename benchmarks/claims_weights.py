@@ -88,7 +88,7 @@ _OF_OWN_DOCUMENTS = 0.2
 _OF_ASIDES = 0.3
 """The weight of a candidate of a sentence that is no claim: each is there with several messages."""
 _EACH = 3
-"""How many messages fill such a sentence."""
+"""The number of messages that fill such a sentence."""
 _FOLDERS = 5
 """The least number of folders in which a word stands beside a candidate, for it to have a weight."""
 _PENALTY = 3.0

@@ -112,6 +112,10 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
             f"{source.path} is {source.unit.a_kind} ({source.unit.name or 'no unit'}), "
             f"{covers.field.name} is {unit.a_kind} ({unit.name or 'no unit'})"
         )
+        if not unit.name:
+            hint = f"a correction can say that {covers.field.name} is in {kept.name}: units: {kept.name}"
+        elif not kept.name:
+            hint = f"state.yaml can say what the numbers are: unit: {unit.name}"
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, covers.written.at(key), message, hint, related)
     return None
 

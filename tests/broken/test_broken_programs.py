@@ -40,7 +40,7 @@ CASES = [
     Case("unknown-parameter", VEHICLE, "component_id: COMPID_BATT", "component_id: §COMPID", "COMPID_BATT"),
     Case("bad-program", VEHICLE, "services:\n", f"{FAILSAFE}services:\n", "without arming", at=f"{VEHICLE}:34:3", is_alone=False),
     Case("bad-program", VEHICLE, "services:\n", "actions:\n  - §{value: 1, call: stop, doc: Stop.}\nservices:\n", "without arming"),
-    Case("bad-program", VEHICLE, "module: pack", "module: §vehicle", "cannot be the name of a module"),
+    Case("bad-program", VEHICLE, "module: pack", "module: §vehicle", "cannot be the name of a module of yours: the firmware has one"),
     Case("bad-program", VEHICLE, "class: Pack", "class: §Vehicle", "cannot be the name of a class"),
     Case("bad-program", VEHICLE, "measure: 10 Hz", "measure: §0.001 Hz", "every 536 s"),
     Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", at="vehicle.yaml:59:3", is_alone=False),

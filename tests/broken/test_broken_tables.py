@@ -34,6 +34,7 @@ BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status"
 RADIO = "  radio: {uart: 0, tx: 0, rx: 1, baud: 57600}\n"
 LINK = "  wifi:\n    udp: 14550\n"
 PROGRAM = "vehicle.yaml:3:1"
+ARMING = "vehicle.yaml:37:3"
 SHARE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n'
 CHARGE = SHARE + "        left_of: BATT_CAPACITY\n        after: consumed\n"
 ESTIMATED = "        estimate_from: voltage\n        curve: discharge\n"
@@ -62,6 +63,14 @@ CASES = [
     Case("no-sentinel", SYS, "load: {state: vehicle.load}", "load: §unknown", "corrections"),
     Case("no-sentinel", "state.yaml", "        max: 100\n        initial: 0", "        max: 100"),
     Case("unit-mismatch", BATTERY, "{state: battery.consumed, ", "{state: §battery.current, ", "current (A)"),
+    Case(
+        "unit-mismatch",
+        HEARTBEAT,
+        "{state: vehicle.mode}",
+        "{state: §battery.current}",
+        "can say that custom_mode is in",
+        is_alone=False,
+    ),
     Case("unit-mismatch", "state.yaml", "stored: mA", "stored: §mAh", is_alone=False),
     Case("constant-out-of-range", SYS, "drop_rate_comm: {constant: 0", "drop_rate_comm: {constant: §70000 c%", "65535"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §0.5}"),
@@ -407,8 +416,8 @@ CASES = [
         "state.yaml",
         "      load:\n",
         "      lead:\n",
-        "no number load that can be set",
-        at=PROGRAM,
+        "needs a number load that can be set",
+        at=ARMING,
         is_alone=False,
     ),
     Case(
@@ -416,8 +425,8 @@ CASES = [
         "state.yaml",
         "of the autopilot's own.\n        initial: 0\n        min: 0\n        max: 1000000\n",
         "of the autopilot's own.\n        boolean: true\n        initial: false\n",
-        "no number mode",
-        at=PROGRAM,
+        "needs a number mode",
+        at=ARMING,
         is_alone=False,
     ),
     Case(

@@ -121,3 +121,28 @@ def test_names_of_all_kinds_of_statements() -> None:
         "with open('x') as a:\n    for b, (c, *d) in a:\n        e: int = 1\nif (f := 1): pass\nasync def g(): h = 1\n"
     )
     assert defined_names(text).names == {"a", "b", "c", "d", "e", "f", "g"}
+
+
+@pytest.mark.parametrize(("module", "owner"), [("receiver", "the firmware"), ("sim", "the simulation")])
+def test_a_module_whose_name_is_taken_is_an_error(folder: Path, module: str, owner: str, capsys: Any) -> None:
+    """On the board only one of two modules of a name can be there, and the program would miss the other one."""
+    code, told = check(folder, SONAR.replace("sonar.Sonar", f"{module}.Sonar"), capsys)
+    assert code == 1, told
+    assert f"error bad-source-driver: {owner} has a module {module} already" in told
+    assert f"rename yours: class: my_{module}.Sonar" in told
+
+
+def test_a_module_of_micropython_may_have_the_class(folder: Path, capsys: Any) -> None:
+    """It comes with drivers of its own."""
+    code, told = check(folder, SONAR.replace("sonar.Sonar", "neopixel.Sonar"), capsys)
+    assert code == 0, told
+
+
+def test_a_driver_is_not_called_as_a_module_of_the_firmware(folder: Path, capsys: Any) -> None:
+    """Its module would take the place of the other one."""
+    drivers = folder / "specs" / "drivers"
+    (drivers / "words.yaml").write_text(DRIVER)
+    (drivers / "words.py").write_text("class Laser:\n    pass\n")
+    code, told = check(folder, "laser: {driver: words}", capsys)
+    assert code == 1, told
+    assert "specs/drivers/words.yaml:1:1: error bad-source-driver: words cannot be the name of a driver" in told

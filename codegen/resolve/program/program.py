@@ -1,13 +1,13 @@
 """The program that the board runs: main loop, storage, arming and what failsafes do."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_rate, read_time
 from codegen.model.access import Access
 from codegen.model.dialect.dialect import Dialect
-from codegen.model.program import VEHICLE_QUANTITIES, Program
+from codegen.model.program import Program
 from codegen.model.spec.command import CommandsSpec
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
@@ -19,11 +19,10 @@ from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands.commands import resolve_commands
 from codegen.resolve.failsafes.failsafe import resolve_failsafes
 from codegen.resolve.failsafes.priority import resolve_priority
-from codegen.resolve.named import is_name
 from codegen.resolve.program.absences import mission_results, resolve_absences
 from codegen.resolve.program.modes import resolve_modes
+from codegen.resolve.program.problems import program_problems
 from codegen.resolve.program.services import SENT, Uses, service_constants, service_messages
-from codegen.source import Place
 
 BAD_PROGRAM = Rule(
     "bad-program",
@@ -33,12 +32,6 @@ BAD_PROGRAM = Rule(
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
 """The largest difference of two ticks_us() on a board."""
-
-_CALLS = {
-    *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
-    *("reboot", "run", "run_pass", "act", "stop_motors", "halt_motors"),
-}
-_MODULES = {"main", "vehicle", "board", "state", "parameters", "streams", "telemetry", "messages", "dialect"}
 
 
 def resolve_program(
@@ -67,8 +60,8 @@ def resolve_program(
     links = read_rate(spec.control.links, spec.control.at("links"), report)
     checks = read_rate(spec.control.checks, spec.control.at("checks"), report)
     report_ms = read_time(spec.control.report_every, unit_named("ms"), spec.control.at("report_every"), report)
-    for place, message in _program_problems(spec, components, state):
-        report.add(BAD_PROGRAM, place, message)
+    for problem in program_problems(spec, components, state):
+        report.add(BAD_PROGRAM, *problem)
     failsafes = resolve_failsafes(spec, written, parameters, components, state, index, report)
     own = resolve_commands(commands, spec, dialect, index, report)
     modes = resolve_modes(spec, components, state, index, report)
@@ -151,53 +144,3 @@ def resolve_program(
 def _present(**parts: Cited | None) -> dict[str, Cited]:
     """The parts of the program that are there, by name."""
     return {name: part for name, part in parts.items() if part is not None}
-
-
-def _program_problems(
-    spec: VehicleSpec, components: Mapping[str, Component], state: StateSpec
-) -> Iterator[tuple[Place, str]]:
-    vehicle = components.get("vehicle")
-    if spec.arming is None:
-        for name, failsafe in spec.failsafes.items():
-            yield failsafe.place, f"the failsafe {name} acts on what can be armed, and nothing can without arming"
-        for action in spec.actions:
-            yield action.place, f"{action.call} is what a failsafe does, and there is none without arming"
-    elif vehicle.instances != 1 if vehicle else not state.has_written("vehicle"):
-        yield spec.place, "the state has no single component vehicle"
-    for name, kind in VEHICLE_QUANTITIES.items() if vehicle and spec.arming else ():
-        quantity = vehicle.quantities.get(name) if vehicle else None
-        if quantity is None and vehicle and vehicle.spec.is_written(name):
-            continue  # what is wrong with it has been reported
-        if quantity is None or quantity.kind.value != kind or not quantity.derivation.is_set_by_code:
-            yield spec.place, f"the component vehicle of the state has no {kind} {name} that can be set"
-    files = spec.storage.files
-    if len(files) != 2 or files[0] == files[-1]:
-        yield spec.storage.at("files"), "parameters are saved in turns in two files with different names"
-    if not 16 <= spec.storage.chunk <= 256:
-        yield spec.storage.at("chunk"), f"a step writes 16 to 256 bytes, not {spec.storage.chunk}"
-    yield from _action_problems(spec, vehicle)
-    yield from _code_problems(spec.code)
-
-
-def _code_problems(code: CodeSpec | None) -> Iterator[tuple[Place, str]]:
-    if code is None:
-        return
-    if not is_name(code.module) or code.module in _MODULES:
-        yield code.at("module"), f"{code.module} cannot be the name of a module of its own"
-    if not is_name(code.class_name.lower()) or code.class_name == "Vehicle":
-        yield code.at("class"), f"{code.class_name} cannot be the name of a class of its own"
-
-
-def _action_problems(spec: VehicleSpec, vehicle: Component | None) -> Iterator[tuple[Place, str]]:
-    taken = set(_CALLS)
-    values = {0}
-    for action in spec.actions:
-        if not is_name(action.call) or action.call in taken:
-            yield action.at("call"), f"{action.call} cannot be the name of a call of its own"
-        if action.value in values:
-            yield action.at("value"), f"{action.value} stands for another action already, or for none"
-        mode = vehicle.quantities.get("mode") if vehicle else None
-        if mode is not None and action.mode is not None and not mode.minimum <= action.mode <= mode.maximum:
-            yield action.at("mode"), f"{action.mode} is not a mode that vehicle.mode can have"
-        taken.add(action.call)
-        values.add(action.value)

@@ -1,6 +1,7 @@
 """A sensor whose driver is a file of the project: ``specs/drivers/NAME.yaml`` declares its keys and its outputs."""
 
 import json
+import os
 import re
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
@@ -12,8 +13,10 @@ from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source
 from codegen.model.spec.described import Verbatim
 from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
+from codegen.source import Place
 from codegen.sources.declared import declared_output
 from codegen.sources.kind import BAD_SOURCE, Around, check_class
+from codegen.sources.module_names import taken_by
 from codegen.sources.wires import Bus, Serial, bus, serial
 
 _CLASS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -84,6 +87,12 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
         around.failed = True
     else:
         check_class(declared.class_name, driver.module, declared.at("class"), around)
+    file = os.path.basename(declared.place.file)
+    owner = taken_by(file)
+    if owner is not None:
+        message = f"{file.removesuffix('.yaml')} cannot be the name of a driver: {owner} has a module of this name"
+        around.report.add(BAD_SOURCE, Place(declared.place.file), message, f"rename both files: my_{file}")
+        around.failed = True
     of_bus = _OF_BUS[declared.bus]
     unknown = [name for name in spec.keys if name not in declared.keys and name not in of_bus]
     for name in unknown:

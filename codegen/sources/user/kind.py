@@ -11,6 +11,7 @@ from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
 from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource, check_class
+from codegen.sources.module_names import taken_by
 
 _CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
 
@@ -75,6 +76,9 @@ def resolve_user(spec: UserSpec, polling: Polling, around: Around) -> User | Non
         around.bad("class", f"{spec.class_name} is no class of a module", "write module and class: sonar.Sonar")
     else:
         module, _, name = spec.class_name.rpartition(".")
+        owner = taken_by(module)
+        if owner not in (None, "MicroPython"):  # which has drivers, too
+            around.bad("class", f"{owner} has a module {module} already", f"rename yours: class: my_{spec.class_name}")
         check_class(name, around.whole.user_modules.get(module), spec.at("class"), around)
     single = {key: getattr(spec, key) for key in ("unit", "stored", "min", "max")}
     if spec.outputs:

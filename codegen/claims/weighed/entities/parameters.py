@@ -95,7 +95,7 @@ _FULL, _PARTLY = 1.0, 0.5
 
 
 def _of_label(span: Span, place: ParameterPlace) -> Iterator[Statement]:
-    """What the first words about a parameter call it: where another one is called so, and this one is not."""
+    """The name that the first words about a parameter give it: where another one is called so, and this one is not."""
     low, high = piece(span, place.mark)
     linked = _INTO.search(span.text, max(low, place.mark - _FAR), place.mark) if "numbered" in place.traits else None
     if linked is not None:

@@ -1,0 +1,103 @@
+"""Findings about a program as a whole: vehicle.yaml against the state, and against names that are taken."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from codegen.model.program import VEHICLE_QUANTITIES
+from codegen.model.spec.program import CodeSpec, VehicleSpec
+from codegen.model.spec.state import StateSpec
+from codegen.model.vehicle import Component
+from codegen.resolve.named import is_name
+from codegen.source import Place
+from codegen.sources.module_names import taken_by
+
+_CALLS = {
+    *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
+    *("reboot", "run", "run_pass", "act", "stop_motors", "halt_motors"),
+}
+_WRITTEN = {
+    "armed": "armed: {doc: Whether it is armed., boolean: true, initial: false}",
+    "ready": "ready: {doc: Whether nothing speaks against arming., boolean: true, initial: false}",
+    "status": "status: {doc: What it is doing., enum: MAV_STATE, initial: MAV_STATE_STANDBY}",
+    "mode": "mode: {doc: Number of the mode., min: 0, max: 30, initial: 0}",
+    "load": 'load: {doc: Of the main loop., unit: "%", stored: d%, min: 0, max: 100, initial: 0}',
+}
+"""The quantities that arming needs, as state.yaml has them."""
+
+
+class Problem(NamedTuple):
+    """A finding about the program: its place, the message, and a hint."""
+
+    place: Place
+    message: str
+    hint: str | None = None
+
+
+def program_problems(spec: VehicleSpec, components: Mapping[str, Component], state: StateSpec) -> Iterator[Problem]:
+    """Yield what keeps the program from being built, but for what other modules find in their parts of it."""
+    vehicle = components.get("vehicle")
+    if spec.arming is None:
+        yield from _without_arming(spec)
+    elif vehicle.instances != 1 if vehicle else not state.has_written("vehicle"):
+        hint = "arming needs components: {vehicle: {...}} in state.yaml, with armed, ready, status, mode and load"
+        yield Problem(spec.place, "the state has no single component vehicle", hint)
+    for name, kind in VEHICLE_QUANTITIES.items() if vehicle and spec.arming else ():
+        quantity = vehicle.quantities.get(name) if vehicle else None
+        if quantity is None and vehicle and vehicle.spec.is_written(name):
+            continue  # what is wrong with it has been reported
+        if quantity is None or quantity.kind.value != kind or not quantity.derivation.is_set_by_code:
+            message = f"arming needs a {kind} {name} that can be set in the component vehicle of the state"
+            yield Problem(spec.at("arming"), message, f"write below its quantities: {_WRITTEN[name]}")
+    files = spec.storage.files
+    if len(files) != 2 or files[0] == files[-1]:
+        message = "parameters are saved in turns in two files with different names"
+        yield Problem(spec.storage.at("files"), message, "files: [parameters.0, parameters.1]")
+    if not 16 <= spec.storage.chunk <= 256:
+        message = f"a step writes 16 to 256 bytes, not {spec.storage.chunk}"
+        yield Problem(spec.storage.at("chunk"), message, "chunk: 64")
+    yield from _actions(spec, vehicle)
+    yield from _code(spec.code)
+
+
+def _without_arming(spec: VehicleSpec) -> Iterator[Problem]:
+    hint = "write arming: {force: 21196}: what is told with when: always needs it as well"
+    for name, failsafe in spec.failsafes.items():
+        message = f"the failsafe {name} acts on what can be armed, and nothing can without arming"
+        yield Problem(failsafe.place, message, hint)
+    for action in spec.actions:
+        message = f"{action.call} is what a failsafe does, and there is none without arming"
+        yield Problem(action.place, message, hint)
+
+
+def _code(code: CodeSpec | None) -> Iterator[Problem]:
+    if code is None:
+        return
+    owner = taken_by(code.module)
+    if not is_name(code.module):
+        message = f"{code.module} cannot be the name of a module"
+        yield Problem(code.at("module"), message, "take a lower-case identifier that is no word of Python")
+    elif owner is not None:
+        message = f"{code.module} cannot be the name of a module of yours: {owner} has one"
+        yield Problem(code.at("module"), message, f"rename yours: module: my_{code.module}")
+    if not is_name(code.class_name.lower()) or code.class_name == "Vehicle":
+        message = f"{code.class_name} cannot be the name of a class of its own"
+        yield Problem(code.at("class"), message, "class: Boat")
+
+
+def _actions(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
+    taken = set(_CALLS)
+    values = {0}
+    for action in spec.actions:
+        if not is_name(action.call) or action.call in taken:
+            message = f"{action.call} cannot be the name of a call of its own"
+            yield Problem(action.at("call"), message, "take a lower-case identifier that no other call has")
+        if action.value in values:
+            message = f"{action.value} stands for another action already, or for none"
+            free = 1 + max(values | {each.value for each in spec.actions})
+            yield Problem(action.at("value"), message, f"{free} is free")
+        mode = vehicle.quantities.get("mode") if vehicle else None
+        if mode is not None and action.mode is not None and not mode.minimum <= action.mode <= mode.maximum:
+            message = f"{action.mode} is not a mode that vehicle.mode can have"
+            yield Problem(action.at("mode"), message, f"it goes from {mode.minimum} to {mode.maximum} in state.yaml")
+        taken.add(action.call)
+        values.add(action.value)
