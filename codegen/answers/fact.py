@@ -15,7 +15,7 @@ from codegen.model.answers.account import Aspect, Origins, Trait, Words
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Known, Value, shown_value
 from codegen.model.answers.step import Step
-from codegen.model.code.payload_code import PayloadCode, indented
+from codegen.model.code.payload_code import LONGEST_RUN, PayloadCode, indented
 from codegen.model.spec.population import FieldAnswer
 from codegen.model.units.unit import decimal, read_measure
 from codegen.model.vehicle import Component, Instance
@@ -75,7 +75,7 @@ class FactAnswer(KindOfAnswer):
         for number, value in enumerate(values):
             assert not isinstance(value, str)
             test = "else:" if number == len(values) - 1 else f"{'elif' if number else 'if'} instance == {number}:"
-            lines += [test, *indented(code.fill(covers, value))]
+            lines += [test, *indented(_written(covers, value, code))]
         return lines
 
     def words(self) -> Words:
@@ -158,3 +158,10 @@ def _fixed(covers: Elements, fact: str | Fraction, scope: Scope) -> FixedAnswer 
         return None if value is None else repeated(covers, value, fact)
     found = read_constant(covers, fact, "board", scope.report)
     return None if found is None else repeated(covers, *found)
+
+
+def _written(covers: Elements, value: float, code: PayloadCode) -> list[str]:
+    """Return the statements for one instance: the zeros of one are written where another one may have left a number."""
+    if covers.count > LONGEST_RUN or (value and code.is_plain(covers, value)):
+        return code.fill(covers, value)
+    return [line for at in range(covers.count) for line in code.store(covers, value, at, over=True)]

@@ -267,7 +267,7 @@ FAILSAFES = (
 )
 
 # Further inputs at which no failsafe holds: the number of the pin, and what a converter of 16 bits shows there.
-CALM = ()
+CALM = ((28, 2559),)
 
 # All failsafes, each with the time between two readings of what it looks at in these passes; None: it looks with all
 # other checks. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of

@@ -106,7 +106,7 @@ class MachineCode(SpelledCode):
             if not isinstance(value, str):
                 return [*low, *self.put(offset + 4, 4, -1 if value < 0 else 0, always=False, turns=turns)]
             high = self.put(offset + 4, 4, -1, always=False, turns=turns)
-            none = self.put(offset + 4, 4, 0, always=False, turns=turns)
+            none = self.put(offset + 4, 4, 0, always=False, turns=turns) or self._by_bytes(offset + 4, 4, 0, turns)
             return [*low, f"if {value} < 0:", *indented(high), "else:", *indented(none)]
         self.uses.add("wire")
         known = literal(value)

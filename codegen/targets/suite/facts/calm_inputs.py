@@ -38,14 +38,19 @@ def _inputs(system: System) -> Iterator[CalmInput]:
 
 
 def _calm_count(reading: Reading, factors: Sequence[Factor], system: System) -> int:
-    """The first count of which the value is beyond no threshold and no limit; 0 where there is none."""
+    """The first count of which the value is beyond no threshold and no limit; 0 where there is none.
+
+    Where only what is computed of it is watched, it is one from the middle.
+    """
     conversion, quantity, threshold = reading.conversion, reading.quantity, reading.quantity.derivation.threshold
     steps = [factor.default for factor in factors]
     failsafes = system.program.failsafes if system.program else ()
-    conditions = [each for one in failsafes for each in (*one.conditions, *one.to_arm) if each.quantity is quantity]
+    watched = [each for one in failsafes for each in (*one.conditions, *one.to_arm)]
+    conditions = [each for each in watched if each.quantity is quantity]
     counts: list[int] = [conversion.channel.full_scale * part // PARTS for part in ORDER]
     if not conditions:
-        return 0
+        others = [each.quantity for each in watched if each.quantity and each.quantity.component == quantity.component]
+        return counts[1] if any(quantity.name in other.derivation.sources for other in others) else 0
     for count in counts:
         value = conversion.stored(count, *steps)
         is_within = quantity.minimum <= value <= quantity.maximum
