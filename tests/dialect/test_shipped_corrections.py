@@ -82,6 +82,8 @@ def check_words(one: FieldCorrection) -> None:
         assert any(word in words for word in [*number, str(LIMITS.get(text, text)).lower()]), one
     elif one.attribute == "multiplier":
         assert str(int(1 / Fraction(one.text))) in words.replace("1e2", "100"), one
+    elif one.attribute in ("unchanged", "unknown"):
+        assert all(re.search(rf"\b{part.strip().lower()}\b(?!-)", words) for part in one.text.split(",")), one
     else:
         assert Unit.parse(one.text) is not None, one
 

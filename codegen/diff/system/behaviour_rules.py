@@ -83,8 +83,13 @@ TAKEN_AS = _inside(
 )
 TAKEN_RANGE = _inside(
     "field-taken-range-changed",
-    "Other numbers of a field count as plausible, or another one sets the quantity unknown. What is not plausible is "
-    "ignored.",
+    "Other numbers of a field count as plausible. What is not plausible is ignored.",
+)
+TAKEN_VALUE = _silent(
+    "field-taken-value-changed",
+    "A number of a field means something else to the vehicle: that there is no value, that nothing is to change, or a "
+    "value like any other. Who sends it is taken at another word, and nothing tells.",
+    Victim.OLD_STATION,
 )
 
 PARAMETER_ADDED = _inside(

@@ -31,9 +31,9 @@ CORRECTION_UNKNOWN = Rule(
 CORRECTION_ATTRIBUTE = Rule(
     "correction-attribute",
     "A correction sets id, description or wip of a message; invalid, units, enum, display, instance, multiplier, "
-    "minValue, maxValue, increment, default, print_format, description or type of a field; or the value of an entry. "
-    "id and type only of a message that an overlay adds: the other messages have receivers, and none would accept a "
-    "message with another CRC_EXTRA.",
+    "minValue, maxValue, increment, default, unchanged, unknown, print_format, description or type of a field; or the "
+    "value of an entry. id and type only of a message that an overlay adds: the other messages have receivers, and "
+    "none would accept a message with another CRC_EXTRA.",
 )
 CORRECTION_VALUE = Rule(
     "correction-value",
@@ -210,6 +210,8 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
     "maxValue": ("maximum", _text),
     "increment": ("increment", _text),
     "default": ("default", _text),
+    "unchanged": ("unchanged", _text),
+    "unknown": ("unknown", _text),
     "print_format": ("print_format", _text),
     "description": ("description", _text),
     "type": ("type", _type),
