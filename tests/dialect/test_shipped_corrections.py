@@ -83,7 +83,8 @@ def check_words(one: FieldCorrection) -> None:
     elif one.attribute == "multiplier":
         assert str(int(1 / Fraction(one.text))) in words.replace("1e2", "100"), one
     elif one.attribute in ("unchanged", "unknown"):
-        assert all(re.search(rf"\b{part.strip().lower()}\b(?!-)", words) for part in one.text.split(",")), one
+        parts = one.text.replace(" ", "").lower().split(",")
+        assert all(re.search(rf"\b{'(?:0|zero)' if part == '0' else part}\b(?!-)", words) for part in parts), one
     else:
         assert Unit.parse(one.text) is not None, one
 
