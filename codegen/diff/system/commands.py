@@ -49,7 +49,10 @@ def _param(param: CommandParam) -> Iterator[Fact]:
     unknown = "" if param.default is None else amount(param.default, param.unit.name)
     yield Fact(f"{at} accepts", param.limits, rules.COMMAND_RANGE, spec.place)
     yield Fact(f"{at} on the wire", " ".join(filter(None, accepted)), rules.COMMAND_RANGE, spec.place)
+    ends = " to ".join("" if end is None else amount(end, param.unit.name) for end in param.ends)
+    yield Fact(f"{at} is from", ends, rules.COMMAND_RANGE, spec.place)
     yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"))
+    yield Fact(f"{at} left as it is by", _left(param), rules.COMMAND_UNIT, spec.at("unchanged"))
     unit = param.wire_unit.name or "a number"
     position = f", {param.axis.name.lower()}" if param.axis else ""
     position += ", an altitude" if param.is_altitude else ""
@@ -58,6 +61,10 @@ def _param(param: CommandParam) -> Iterator[Fact]:
         f"{at} is given as", f"{param.name} {map_words(param.scale)} {param.unit.name}", rules.COMMAND, spec.place
     )
     yield Fact(f"{at} doc", spec.doc or "", DOC, spec.at("doc"))
+
+
+def _left(param: CommandParam) -> str:
+    return ", ".join([*(["NaN"] if param.is_none_for_nan else []), *(amount(number) for number in param.left)])
 
 
 def _built_in(command: BuiltInCommand, program: Program) -> Subject:

@@ -23,7 +23,7 @@ _LIMIT = r"U?INT(?:8|16|32|64)_M(?:AX|IN)(?: ?- ?\d{1,3})?"
 _NUMBER = rf"(?:-?\d{{1,10}}(?:\.\d{{1,6}})?|{_LIMIT}|zero)"
 _APART = r"(?<![\w.,+/*^\[<>-])"
 _END = r"(?![\w%°/^*\]])(?!\.\d)"
-_LINK = r"\)? ?[:=]|,? (?:means?|indicates?|implies|signifies|denotes|if|for|when|to)\b"
+_LINK = r"\)? ?[:=]|\)?,? (?:means?|indicates?|implies|signifies|denotes|if|for|when|to)\b"
 _AHEAD = pattern(
     rf"{_APART}(?P<text>{_NUMBER}){_END}(?: or (?P<other>{_NUMBER}){_END})?(?P<link>{_LINK}) ?"
     r"(?P<words>[^.;,()]{0,70})",

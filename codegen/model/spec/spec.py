@@ -208,12 +208,15 @@ class Correction(Written):
     )
     enum: str | None = described("Enum that holds the entry.", default=None)
     entry: str | None = described("Entry to correct.", default=None)
+    param: Verbatim | None = described(
+        "Parameter of the entry, a command of MAV_CMD: its number, 1 to 7.", default=None
+    )
     set: Mapping[str, Verbatim] = described(
         "Attributes and their new text: id, description, wip of a message; invalid, units, enum, display, instance, "
         "multiplier, minValue, maxValue, increment, default, unchanged, unknown, print_format, description, type of a "
-        "field; value of an entry. unchanged and unknown are numbers with commas between them: to who receives the "
-        "field these leave things as they were, or say that there is no value. id and type only of a message that an "
-        "overlay adds."
+        "field; value of an entry; label, units, minValue, maxValue, increment, enum, default, description of a "
+        "parameter of one. unchanged and unknown are numbers with commas between them: to who receives the field these "
+        "leave things as they were, or say that there is no value. id and type only of a message that an overlay adds."
     )
     reason: str = described("Why the dialect is wrong or silent.")
     source: str = described("Where the right value is stated.")
