@@ -171,6 +171,11 @@ CHANNEL = _inside(
 SENSOR = _inside(
     "sensor-changed", "A sensor is read otherwise, is connected elsewhere, gives other numbers, is new or gone."
 )
+DRIVER_CODE = _inside(
+    "driver-code-changed",
+    "The code of a driver of the project's own has changed. It is copied into the firmware, and nothing but a person "
+    "sees whether what it gives still means the same.",
+)
 LINK = _inside("link-changed", "A link to ground stations is configured otherwise, is new or gone.")
 IDENTITY = _inside(
     "identity-changed",
