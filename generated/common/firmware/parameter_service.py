@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 6e1f98b0f7d81461
+# Inputs: 7934426543ea031b
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -32,6 +32,7 @@ _PARAM_VALUE_PARAM_INDEX_AT = const(6)
 _PARAM_VALUE_PARAM_TYPE_AT = const(24)
 _PARAM_VALUE_PARAM_VALUE_AT = const(0)
 
+_TEXT = const(50)  # characters of a STATUSTEXT
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
 _NAME_SIZE = const(16)
@@ -85,8 +86,8 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            smallest, largest = self._vehicle.parameters.limits(name)
-            self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
+            said = f"{name}: {value:g} is not "
+            self._say(said + self._vehicle.parameters.accepted(name, _TEXT - len(said)))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

@@ -11,6 +11,7 @@ import messages
 import parameters
 from micropython import const
 
+_TEXT = const(50)  # characters of a STATUSTEXT
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
 _NAME_SIZE = const(16)
@@ -64,8 +65,8 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            smallest, largest = self._vehicle.parameters.limits(name)
-            self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
+            said = f"{name}: {value:g} is not "
+            self._say(said + self._vehicle.parameters.accepted(name, _TEXT - len(said)))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

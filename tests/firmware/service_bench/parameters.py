@@ -42,6 +42,11 @@ class Parameters:
         """Return the smallest and the largest value."""
         return _TABLE[name][2], _TABLE[name][3]
 
+    def accepted(self, name, _room):
+        """Return what is accepted, in words."""
+        smallest, largest = self.limits(name)
+        return f"{smallest:g} to {largest:g}"
+
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE."""
         return _TABLE[name][0]
