@@ -81,7 +81,7 @@ _PLAIN = {Number: "a number", Whole: "a whole number", Null: "null"}
 
 
 def _nothing(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
-    """What a key is that is written as ``null``, or without a value, or as something where it wants ``null``."""
+    """Return what a key is that is written as ``null``, or without a value, or as something where it wants ``null``."""
     if node.value is not None:
         return mismatch(node, shape)
     if node.text and _may_be_null(shape):

@@ -1,15 +1,12 @@
 """The dialect's words give a number of a parameter a meaning of its own, and the method gets it as a value."""
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.command import Command, CommandParam
 from codegen.model.dialect.dialect import CommandParameter
 from codegen.model.dialect.stated_values import StatedValue, stated_values
-from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.system import System
-from codegen.resolve.dialect.sentinel import Problem, number_on_wire
 
 RULE = Rule(
     "untreated-parameter",
@@ -37,10 +34,7 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _is_treated(stated: StatedValue, param: CommandParam) -> bool:
-    number = number_on_wire(stated.text, WIRE_TYPES["float"], None)
-    if isinstance(number, Problem):
-        return True
-    value, unchanged = Fraction(number), param.spec.unchanged
+    value, unchanged = stated.number, param.spec.unchanged
     is_below = param.minimum is not None and value < param.minimum
     is_above = param.maximum is not None and value > param.maximum
     if is_below or is_above or value in param.left or unchanged == ():

@@ -3,11 +3,9 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.dialect.dialect import Dialect
 from codegen.model.dialect.stated_values import StatedValue, stated_values
 from codegen.model.reception import COMPONENT_FIELD, SYSTEM_FIELDS, ReceivedField, Reception
 from codegen.model.system import System
-from codegen.resolve.dialect.sentinel import Problem, number_on_wire
 
 RULE = Rule(
     "untreated-value",
@@ -26,29 +24,22 @@ def check(system: System) -> Iterator[Diagnostic]:
             if taken.is_text or taken.field.definition.enum or taken.field.name in (*SYSTEM_FIELDS, COMPONENT_FIELD):
                 continue
             for stated in stated_values(taken.field.definition.description):
-                number = _number(stated, taken, system.dialect)
-                if number is not None and not _is_treated(number, stated, taken):
-                    yield _finding(table, taken, stated, number)
+                if not _is_treated(stated, taken):
+                    yield _finding(table, taken, stated)
 
 
-def _number(stated: StatedValue, taken: ReceivedField, dialect: Dialect) -> int | float | None:
-    """The number on the wire that is meant; None for one that the field cannot carry."""
-    enum = dialect.enums.get(taken.field.definition.enum or "")
-    number = number_on_wire(stated.text, taken.field.type, enum)
-    return None if isinstance(number, Problem) else number
-
-
-def _is_treated(number: float, stated: StatedValue, taken: ReceivedField) -> bool:
+def _is_treated(stated: StatedValue, taken: ReceivedField) -> bool:
     """Return whether the table says what becomes of the number: it lists it, or lets nobody take it for a value."""
-    spec, is_beyond = taken.spec, not taken.low <= number <= taken.high
+    spec, number = taken.spec, stated.number
+    is_beyond = not taken.low <= number <= taken.high
     if is_beyond or spec.unchanged == () or spec.unknown == () or number in (*taken.unchanged, *taken.absent):
         return True
     return number == taken.sentinel and not stated.is_left
 
 
-def _finding(table: Reception, taken: ReceivedField, stated: StatedValue, number: float) -> Diagnostic:
+def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Diagnostic:
     key = "unchanged" if stated.is_left else "unknown"
-    becomes = "unknown" if number == taken.sentinel else "a value"
+    becomes = "unknown" if stated.number == taken.sentinel else "a value"
     label = f"{table.wire.name}.{taken.label}"
     return Diagnostic(
         taken.spec.place,
