@@ -47,7 +47,7 @@ _BEHIND = (
     rf"\bif (?P<words>[^.;:,()]{{0,40}}?)[:,]? ?(?:(?:use|set|send|assign)(?: it)?(?: to)?:? ?)?{_APART}"
     rf"(?P<text>{_NUMBER}){_END}"
 )
-_RANGE = (r"(?:\d|_MAX|_MIN)[\w%]*(?: to |\.\.| ?\.\. ?)$|\d $|(?:than|at least|at most|bits?|channel|index|from) $",)
+_RANGE = r"(?:\d|_MAX|_MIN)[\w%]*(?: to |\.\.| ?\.\. ?)$|\d $|(?:than|at least|at most|bits?|channel|index|from) $"
 _LISTED = r"(?<![\w.-])-?\d+ ?[:=]"
 _EXTREME = r"(?:the )?(?:max|min|full|reverse|left|right|down|up)"
 _LEFT = (
