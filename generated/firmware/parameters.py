@@ -169,20 +169,6 @@ class Parameters:
         about = _about(name)
         return self.value(name, about[0]), self.value(name, about[1])
 
-    def accepted(self, name, room):
-        """Return what a parameter accepts, in words that fit into so many characters where they can: 0, 4 or 9."""
-        about = _about(name)
-        values = ["%g" % self.value(name, steps) for steps in about[6:]]  # noqa: UP031  MicroPython
-        if values:
-            said = ", ".join(values[:-1]) + " or " + values[-1] if len(values) > 1 else values[0]
-            kept = len(values) - 2
-            while len(said) > room and kept > 0:
-                said = ", ".join(values[:kept]) + ", ... " + values[-1]
-                kept -= 1
-            return said
-        smallest, largest = self.limits(name)
-        return f"{smallest:g} to {largest:g}"
-
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE that a parameter goes out as."""
         return _about(name)[4]

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 7934426543ea031b
+# Inputs: c7b5183e7852930d
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -32,7 +32,6 @@ _PARAM_VALUE_PARAM_INDEX_AT = const(6)
 _PARAM_VALUE_PARAM_TYPE_AT = const(24)
 _PARAM_VALUE_PARAM_VALUE_AT = const(0)
 
-_TEXT = const(50)  # characters of a STATUSTEXT
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
 _NAME_SIZE = const(16)
@@ -86,8 +85,9 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            said = f"{name}: {value:g} is not "
-            self._say(said + self._vehicle.parameters.accepted(name, _TEXT - len(said)))
+            from accepted_values import refusal  # noqa: PLC0415  rarely wanted
+
+            self._say(refusal(self._vehicle.parameters, name, value))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

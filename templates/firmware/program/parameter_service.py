@@ -11,7 +11,6 @@ import messages
 import parameters
 from micropython import const
 
-_TEXT = const(50)  # characters of a STATUSTEXT
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
 _NAME_SIZE = const(16)
@@ -65,8 +64,9 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            said = f"{name}: {value:g} is not "
-            self._say(said + self._vehicle.parameters.accepted(name, _TEXT - len(said)))
+            from accepted_values import refusal  # noqa: PLC0415  rarely wanted
+
+            self._say(refusal(self._vehicle.parameters, name, value))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

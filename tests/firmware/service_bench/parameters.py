@@ -42,11 +42,6 @@ class Parameters:
         """Return the smallest and the largest value."""
         return _TABLE[name][2], _TABLE[name][3]
 
-    def accepted(self, name, _room):
-        """Return what is accepted, in words."""
-        smallest, largest = self.limits(name)
-        return f"{smallest:g} to {largest:g}"
-
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE."""
         return _TABLE[name][0]
@@ -64,3 +59,8 @@ def name_of(index):
 def index_of(name):
     """Return the index of a name, None if there is none."""
     return NAMES.index(name) if name in NAMES else None
+
+
+def _about(_name):
+    """Return the numbers in the line of a parameter: there are no values that are not all within the limits."""
+    return []
