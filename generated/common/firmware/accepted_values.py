@@ -1,6 +1,6 @@
 # Generated from templates/firmware/program/accepted_values.py: do not edit.
-# Inputs: 4feb42791cbcf6d7
-"""What a parameter accepts, in words; loaded when the first value is refused."""
+# Inputs: 92fae0a95cd424fa
+"""The words for what a parameter accepts; loaded when the first value is refused."""
 
 from parameters import _about as about
 

@@ -1,4 +1,4 @@
-"""What a parameter accepts, in words; loaded when the first value is refused."""
+"""The words for what a parameter accepts; loaded when the first value is refused."""
 
 from parameters import _about as about
 
