@@ -7,11 +7,13 @@ from typing import assert_never
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
+from codegen.model.spec.described import Nothing
 from codegen.model.spec.shape import (
     AnyScalar,
     Choice,
     ListOf,
     MappingOf,
+    Null,
     Number,
     OneOf,
     RecordOf,
@@ -49,14 +51,14 @@ class Mismatch:
     hint: str | None = None
 
 
-Value = str | bool | int | Fraction
+Value = str | bool | int | Fraction | Nothing
 _YES_NO_WORDS = frozenset(("yes", "no", "on", "off", "y", "n"))
 
 
 def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
-    """The value that ``shape`` gives ``node``: text, boolean, int, Fraction or a member of the choice."""
-    if node.value is None:
-        return Mismatch(MISSING_VALUE, "has no value", f"it wants {wanted(shape)}; without one, remove the key")
+    """The value that ``shape`` gives ``node``: text, boolean, int, Fraction, NULL or a member of the choice."""
+    if node.value is None or isinstance(shape, Null):
+        return _nothing(node, shape)
     match shape:
         case Text():
             return _text(node, shape)
@@ -75,6 +77,22 @@ def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
     assert_never(shape)
 
 
+_PLAIN = {Number: "a number", Whole: "a whole number", Null: "null"}
+
+
+def _nothing(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
+    """Return what a key is that is written as ``null``, or without a value, or as something where it wants ``null``."""
+    if node.value is not None:
+        return mismatch(node, shape)
+    if node.text and _may_be_null(shape):
+        return Nothing.NULL
+    return Mismatch(MISSING_VALUE, "has no value", f"it wants {wanted(shape)}; without one, remove the key")
+
+
+def _may_be_null(shape: ScalarShape) -> bool:
+    return isinstance(shape, Null) or (isinstance(shape, OneOf) and any(map(_may_be_null, shape.members)))
+
+
 def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
     """Return the mismatch of a node of another type than ``shape`` wants."""
     return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
@@ -89,10 +107,8 @@ def wanted(shape: Shape) -> str:
             return "text or a number"
         case YesNo():
             return "true or false" if shape.only is None else str(shape.only).lower()
-        case Number():
-            return "a number"
-        case Whole():
-            return "a whole number"
+        case Number() | Whole() | Null():
+            return _PLAIN[type(shape)]
         case Choice():
             return " or ".join(shape.words)
         case OneOf() | ScalarOrList():

@@ -35,7 +35,8 @@ class Received(Derivation):
             for taken in table.fields:
                 if table.name == self.table and taken.quantity.path == quantity.path:
                     unknown = f", {taken.sentinel_words} sets it unknown" if taken.sentinel_words else ""
-                    yield "taken", f"{taken.range_words or 'ASCII'} from {table.spec.sender.value}{unknown}"
+                    kept = f", {taken.unchanged_words} leaves it as it was" if taken.unchanged else ""
+                    yield "taken", f"{taken.range_words or 'ASCII'} from {table.spec.sender.value}{unknown}{kept}"
 
     @property
     def _source(self) -> str:

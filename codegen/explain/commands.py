@@ -7,6 +7,7 @@ from codegen.model.dialect.dialect import EnumEntry
 from codegen.model.system import System
 from codegen.model.units.unit import decimal, map_words
 from codegen.model.vehicle import Citation
+from codegen.targets.firmware.program.commands import left_words
 
 Story = tuple[str, str, list[tuple[str, str]]]
 """Its name, its purpose, and facts with their names."""
@@ -61,7 +62,9 @@ def _param(param: CommandParam) -> Iterator[tuple[str, str]]:
         words.append(f"on the wire {param.wire_unit.name} {map_words(param.scale)}")
     if param.axis is not None:
         words.append("in COMMAND_INT 1e-7 degrees")
-    words.append("NaN is denied" if param.default is None else f"{decimal(param.default)} for NaN")
+    if not param.is_none_for_nan:
+        words.append("NaN is denied" if param.default is None else f"{decimal(param.default)} for NaN")
+    words += [f"None for {left_words(param)}, which leaves it as it is"] if left_words(param) else []
     yield f"param {param.number}", ", ".join(words)
 
 

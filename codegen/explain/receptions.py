@@ -11,7 +11,7 @@ from codegen.targets.firmware.messages.receiving import call_name
 
 _COLUMNS = (
     *("offset", "size", "field", "type", "unit", "sets", "conversion"),
-    *("taken", "sets it unknown", "criterion", "where"),
+    *("taken", "sets it unknown", "leaves it", "criterion", "where"),
 )
 
 
@@ -32,7 +32,7 @@ def explained_reception(table: Reception) -> str:
 def _received_cells(row: ReceivedRow) -> tuple[str, ...]:
     return (
         *(str(row.offset), str(row.size), row.field, row.type, row.unit, row.quantity, row.conversion, row.taken),
-        *(row.unknown, row.criterion, row.place.shown().rpartition(":")[0]),
+        *(row.unknown, row.unchanged, row.criterion, row.place.shown().rpartition(":")[0]),
     )
 
 
@@ -51,6 +51,7 @@ def explained_received_field(table: Reception, name: str, system: System) -> str
             ("conversion", row.conversion),
             ("taken", f"{row.taken}; what is beyond is counted and leaves {row.quantity} as it was"),
             ("unknown by", row.unknown),
+            ("unchanged by", row.unchanged),
             *correction_facts(system.dialect, table.wire.name, taken.field.name),
             ("criterion", cited(taken.citation)),
             ("stated at", row.place.shown()),

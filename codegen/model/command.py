@@ -1,5 +1,6 @@
 """The commands that the vehicle answers, resolved: those of the project, those of every program, and its modes."""
 
+import math
 from enum import Enum
 from fractions import Fraction
 
@@ -10,6 +11,9 @@ from codegen.model.spec.program import ModeSpec
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit import Unit
 from codegen.model.vehicle import Citation, Cited, Quantity
+
+_FAR = 1 << 128
+"""Beyond every float of 32 bits."""
 
 
 class Axis(Enum):
@@ -27,7 +31,8 @@ class CommandParam:
     ``minimum`` and ``maximum`` are limits on the wire, floats of 32 bits, None where there is none; ``limits`` says
     them in words and in ``unit``. ``default`` is the argument for NaN. Of an ``enum`` the value is an entry or, where
     that is a bitmask, a sum of them. COMMAND_INT carries a position (``axis``) as a whole number of 1e-7 degrees, and
-    says in a frame from where an altitude counts.
+    says in a frame from where an altitude counts. For numbers of ``left`` on the wire the argument is None, and where
+    ``is_none_for_nan`` for NaN. ``ends`` are the limits as they are meant, in ``unit``.
     """
 
     number: int
@@ -44,11 +49,29 @@ class CommandParam:
     axis: Axis | None
     is_altitude: bool
     spec: CommandParamSpec
+    left: tuple[Fraction, ...] = ()
+    is_none_for_nan: bool = False
+    ends: tuple[Fraction | None, Fraction | None] = (None, None)
 
     @property
     def is_rounded(self) -> bool:
         """Return whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
         return self.is_whole and (self.axis is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
+
+    @property
+    def whole_ends(self) -> tuple[int, int] | None:
+        """The ends of a whole argument where a limit on the wire, a float of 32 bits, is beyond one; None elsewhere."""
+        if not self.is_whole or self.enum is not None or self.scale.ratio is None:
+            return None
+        found, is_beyond = [], False
+        for limit, end, sign in ((self.minimum, self.ends[0], -1), (self.maximum, self.ends[1], 1)):
+            if limit is None or end is None:
+                found.append(sign * _FAR)
+                continue
+            inner = sign * math.floor(sign * end)
+            found.append(inner)
+            is_beyond = is_beyond or sign * round(self.scale.settled(limit, Fraction)) > sign * inner
+        return (found[0], found[1]) if is_beyond else None
 
 
 @dataclass(frozen=True, slots=True)

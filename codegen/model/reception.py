@@ -18,7 +18,8 @@ COMPONENT_FIELD = "target_component"
 class ReceivedField:
     """An element of a field, and the quantity that it sets to ``number * factor`` stored steps, rounded.
 
-    Numbers on the wire from ``low`` to ``high`` are taken, others are counted; of a text both are 0.
+    Numbers on the wire from ``low`` to ``high`` are taken, others are counted; of a text both are 0. Before that,
+    those of ``unchanged`` leave the quantity as it was, and those of ``absent`` set it unknown, as the sentinel does.
     """
 
     field: WireField
@@ -29,6 +30,8 @@ class ReceivedField:
     high: Fraction
     spec: ReceivedFieldSpec
     citation: Citation
+    unchanged: tuple[int | float, ...] = ()
+    absent: tuple[int | float, ...] = ()
 
     @property
     def label(self) -> str:
@@ -52,9 +55,28 @@ class ReceivedField:
 
     @property
     def sentinel(self) -> int | float | None:
-        """The number on the wire that means unknown."""
+        """The number on the wire that means unknown; None for one that here leaves the quantity as it was."""
         sentinel = self.field.sentinel
-        return sentinel.values[self.speaking] if sentinel else None
+        number = sentinel.values[self.speaking] if sentinel else None
+        is_own = self.speaking == self.element
+        return None if is_own and _words(number) in map(_words, self.unchanged) else number
+
+    @property
+    def special(self) -> tuple[int | float, ...]:
+        """The finite numbers of its own that set no value."""
+        own = (self.sentinel,) if self.speaking == self.element else ()
+        numbers = (*self.unchanged, *self.absent, *own)
+        return tuple(number for number in numbers if number is not None and math.isfinite(number))
+
+    @property
+    def is_kept_by_nan(self) -> bool:
+        """Return whether NaN, and what is infinite, leave the quantity as it was."""
+        return any(math.isnan(number) for number in self.unchanged)
+
+    @property
+    def is_kept_by_absence(self) -> bool:
+        """Return whether a frame that lacks the field leaves the quantity as it was: what it lacks reads as 0."""
+        return self.quantity.kind is QuantityKind.BOOLEAN or 0 in self.unchanged
 
     @property
     def speaking(self) -> int:
@@ -75,26 +97,50 @@ class ReceivedField:
         """The smallest and the largest number that set a value: a sentinel at an end of an integer field does not."""
         low, high = self.low, self.high
         if self.field.type.is_integer and self.quantity.kind is not QuantityKind.BOOLEAN:
-            return low + (low == self.sentinel), high - (high == self.sentinel)
+            special = self.special
+            while low in special and low < high:
+                low += 1
+            while high in special and low < high:
+                high -= 1
         return low, high
 
     @property
     def range_words(self) -> str:
         """``1000..2000 us``, what is taken, for people; nothing for a text."""
+        return self._from_to(self.ends)
+
+    @property
+    def limit_words(self) -> str:
+        """``0..65535 us``, what is plausible, special values among it, for people; nothing for a text."""
+        return self._from_to((self.low, self.high))
+
+    def _from_to(self, ends: tuple[Fraction, Fraction]) -> str:
         if self.is_text:
             return ""
-        ends = [str(int(end)) if self.field.type.is_integer else f"{float(end):.7g}" for end in self.ends]
-        return f"{'..'.join(ends)} {self.field.unit_text}".rstrip()
+        words = [str(int(end)) if self.field.type.is_integer else f"{float(end):.7g}" for end in ends]
+        return f"{'..'.join(words)} {self.field.unit_text}".rstrip()
 
     @property
     def sentinel_words(self) -> str:
-        """The number that sets the quantity unknown, for people, or nothing."""
-        sentinel = self.sentinel
-        if sentinel is None or self.quantity.kind is QuantityKind.BOOLEAN:
+        """The numbers that set the quantity unknown, for people, or nothing."""
+        if self.quantity.kind is QuantityKind.BOOLEAN:
             return ""
         if self.is_text:
-            return "the empty text"
-        return "NaN" if math.isnan(sentinel) else f"{sentinel:g}" if isinstance(sentinel, float) else str(sentinel)
+            return "" if self.sentinel is None else "the empty text"
+        return ", ".join(
+            dict.fromkeys(_words(number) for number in (self.sentinel, *self.absent) if number is not None)
+        )
+
+    @property
+    def unchanged_words(self) -> str:
+        """The numbers that leave the quantity as it was, for people, or nothing."""
+        return ", ".join(map(_words, self.unchanged))
+
+
+def _words(number: float | None) -> str:
+    if number is None:
+        return ""
+    return "NaN" if math.isnan(number) else f"{number:g}" if isinstance(number, float) else str(number)
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,6 +28,7 @@ class ReceivedRow:
     conversion: str
     taken: str
     unknown: str
+    unchanged: str
     criterion: str
     place: Place
 
@@ -51,9 +52,12 @@ def _row(taken: ReceivedField) -> ReceivedRow:
     field = taken.field
     length = f"[{field.count}]" if field.is_array else ""
     quantity = taken.quantity
-    unknown = [taken.sentinel_words] if taken.sentinel_words not in ("", "NaN") else []
-    unknown += [] if field.type.is_integer or taken.is_text else ["NaN", "infinite"]
-    unknown += ["MAVLink 1"] if taken.is_extension and quantity.kind is not QuantityKind.BOOLEAN else []
+    unknown = [each for each in taken.sentinel_words.split(", ") if each not in ("", "NaN")]
+    unchanged = [each for each in taken.unchanged_words.split(", ") if each not in ("", "NaN")]
+    (unchanged if taken.is_kept_by_nan else unknown).extend(
+        [] if field.type.is_integer or taken.is_text else ["NaN", "infinite"]
+    )
+    (unchanged if taken.is_kept_by_absence else unknown).extend(["MAVLink 1"] if taken.is_extension else [])
     return ReceivedRow(
         offset=taken.offset,
         size=field.size if taken.is_text else field.type.size,
@@ -64,6 +68,7 @@ def _row(taken: ReceivedField) -> ReceivedRow:
         conversion=conversion_words(taken),
         taken=taken.range_words or "ASCII",
         unknown=", ".join(unknown),
+        unchanged=", ".join(unchanged),
         criterion=str(taken.citation),
         place=taken.spec.place,
     )

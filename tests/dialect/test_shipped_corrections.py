@@ -82,6 +82,9 @@ def check_words(one: FieldCorrection) -> None:
         assert any(word in words for word in [*number, str(LIMITS.get(text, text)).lower()]), one
     elif one.attribute == "multiplier":
         assert str(int(1 / Fraction(one.text))) in words.replace("1e2", "100"), one
+    elif one.attribute in ("unchanged", "unknown"):
+        parts = one.text.replace(" ", "").lower().split(",")
+        assert all(re.search(rf"\b{'(?:0|zero)' if part == '0' else part}\b(?!-)", words) for part in parts), one
     else:
         assert Unit.parse(one.text) is not None, one
 

@@ -45,6 +45,9 @@ def test_each_attribute_of_a_command_and_of_a_mode_is_told(boat: System) -> None
 
 EDITS = [
     ("commands.yaml", "min: 0, max: 60", "min: 0, max: 30", {"command-range-changed"}),
+    ("commands.yaml", "max: 100, default: 50", "max: 100, default: null", {"command-range-changed", "command-unit-changed"}),
+    ("commands.yaml", "unchanged: [-1], ", "", {"command-unit-changed"}),
+    ("commands.yaml", "unchanged: [-1, -2, NaN]", "unchanged: [-1, NaN]", {"command-unit-changed"}),
     ("commands.yaml", "max: 100, default: 50", "max: 100", {"command-range-changed"}),
     ("commands.yaml", "name: duration, unit: s", "name: duration, unit: min", {"command-unit-changed", "command-range-changed", "command-changed"}),
     ("commands.yaml", "unit: km/h, default: 3.6, max: 36", "unit: m/s, default: 1, max: 10", {"command-changed"}),
@@ -55,7 +58,7 @@ EDITS = [
     ("commands.yaml", "    from: ground_station\n", "", {"command-changed"}),
     ("commands.yaml", "    method: pump\n", "    method: pump\n    from: ground_station\n", {"command-changed!"}),
     ("commands.yaml", "method: sound_horn", "method: honk", {"command-changed"}),
-    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_USER_5", {"command-removed", "command-added"}),
+    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_WAYPOINT_USER_1", {"command-removed", "command-added"}),
     ("vehicle.yaml", "  11: {name: RTL", "  12: {name: RTL", {"mode-removed", "mode-added"}),
     ("vehicle.yaml", "name: RTL", "name: RETURN", {"mode-changed"}),
     ("vehicle.yaml", "It comes back., base: [guided]", "It comes back.", {"mode-changed"}),

@@ -126,6 +126,8 @@ MUTATIONS = (
     mutation(FieldDefinition, "minimum", lambda value: "5" if value is None else None, "field-range-changed"),
     mutation(FieldDefinition, "maximum", lambda value: "5" if value is None else None, "field-range-changed"),
     mutation(FieldDefinition, "increment", lambda value: "5" if value is None else None, "field-increment-changed"),
+    mutation(FieldDefinition, "unchanged", lambda value: "5" if value is None else None, "field-special-value-changed"),
+    mutation(FieldDefinition, "unknown", lambda value: "5" if value is None else None, "field-special-value-changed"),
     mutation(FieldDefinition, "default", lambda value: "5" if value is None else None, "field-default-changed"),
     mutation(FieldDefinition, "print_format", lambda value: None if value else "0x%04x", "print-format-changed"),
     mutation(FieldDefinition, "description", lambda value: f"{value} More.", "description-changed"),

@@ -19,7 +19,7 @@ HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
 NAN, INFINITE = math.nan, math.inf
 PUMP, LIGHTS, HORN, UNKNOWN = 31010, 31011, 31012, 31013
-GO, TURN, SET_MODE, HOME = 192, 115, 176, 179
+GO, TURN, SET_MODE, HOME, SPEED, COUNT = 192, 115, 176, 179, 178, 31014
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED, FAILED, IN_PROGRESS, CANCELLED = range(7)
 
 
@@ -77,6 +77,40 @@ CASES = {
         [["pump", "0.0", "10.0"], ["progress"], ["pump", "60.0", "100.0"], ["progress"]],
     ),
     "NaN is 50 %": ([long(PUMP, 1.5, NAN)], [(PUMP, 5, 0)], [], [["pump", "1.5", "50.0"]]),
+    # What leaves things as they are is None, before any limit; -2, with a meaning of its own, is denied by a limit.
+    "no change": (
+        [long(SPEED, 0, -1.0, -1.0), long(SPEED, 1, NAN, NAN), long(SPEED, 1, 10.0, -2.0), long(SPEED, 1, 5.0, 40.0)],
+        [(SPEED, 0, 0)] * 4,
+        [],
+        [
+            ["speed", "0", "None", "None"],
+            ["speed", "1", "None", "None"],
+            ["speed", "1", "36.0", "None"],
+            ["speed", "1", "18.0", "40.0"],
+        ],
+    ),
+    "no other change": (
+        [long(SPEED, 0, -2.0, 0), long(SPEED, 0, -0.5, 0)],
+        [(SPEED, 2, 0)] * 2,
+        ["Change speed: speed must be 0 to 40 km/h"],
+        [],
+    ),
+    # COMMAND_LONG has no whole numbers that large: what is meant is the end, never one more.
+    "the largest whole numbers": (
+        [
+            long(COUNT, 2147483647.0, 2147483648.0, 0, 0, 16777220.0),
+            long(COUNT, -2147483648.0, 2147483648.0, 0, 0, 16777216.0),
+            whole(COUNT, 2147483647.0, 2147483648.0, x=16777219),
+            whole(COUNT, 0.0, 2147483648.0, x=16777220),
+        ],
+        [(COUNT, 0, 0)] * 3 + [(COUNT, 2, 0)],
+        ["Count: beside must be whole, at most 16777219"],
+        [
+            ["count", "2147483647", "2147483648", "16777219", "0"],
+            ["count", "-2147483648", "2147483648", "16777216", "0"],
+            ["count", "2147483647", "2147483648", "16777219", "0"],
+        ],
+    ),
     "NaN is denied": ([long(PUMP, NAN, 50.0)], [(PUMP, 2, 0)], ["Pump: duration must be 0 to 60 s"], []),
     "beyond": (
         [long(PUMP, *values) for values in ((60.00001, 50.0), (-1e-30, 50.0), (INFINITE, 50.0), (-INFINITE, 50.0))],
@@ -426,7 +460,9 @@ def alike(given, expected):
     if name != expected[0] or len(values) != len(expected) - 1:
         return False
     return all(
-        ("." in want) == (kind == "float") and math.isclose(float(text), float(want), rel_tol=1e-7)
+        text == want
+        if "None" in (text, want)
+        else ("." in want) == (kind == "float") and math.isclose(float(text), float(want), rel_tol=1e-7)
         for (text, kind), want in zip(values, expected[1:], strict=True)
     )
 

@@ -151,28 +151,53 @@ CASES = {
         {},
         [],
     ),
-    # What is not plausible leaves the other channels alone; 65535 sets unknown, 0 is a number of channel 1.
+    # What is not plausible leaves the other channels alone; 0 gives a channel back to the radio.
     "not plausible": (
-        [GCS, override(1500, 1600), override(0, 999), override(1, 2001), override(1, 0)],
+        [GCS, override(1500, 1600), override(0, 999), override(1, 2001), override(1, 20)],
         {"rc.rudder": "1", "rc.throttle_us": "1600"},
         {"RC_CHANNELS_OVERRIDE": [4, {"chan2_raw": 3}]},
-        [1500, 0, 1, 1],
+        [1500, None, 1, 1],
     ),
-    "nobody steers": (
-        [GCS, override(1500, 1600, 1700), override(65535, 65535, 0)],
+    # 65535 leaves a channel as it was; 0 does so for the ninth, and 65534 gives that back, as 0 does the others.
+    "left as they were": (
+        [GCS, override(1500, 1600, 1700), override(65535, 65535, 0), override(65535, 65535, 65535)],
+        {"rc.rudder": "1500", "rc.throttle_us": "1600", "rc.extra": "1700"},
+        {"RC_CHANNELS_OVERRIDE": [3, {}]},
+        [1500, 1500, 1500],
+    ),
+    "left alone from the start": (
+        [GCS, override(65535, 65535, 0), override(65535, 65535, 65535)],
+        {},
+        {},
+        [None, None],
+    ),
+    "one after the other": (
+        [GCS, override(1500, 65535, 0), override(65535, 1600, 65535), override(65535, 65535, 1700)],
+        {"rc.rudder": "1500", "rc.throttle_us": "1600", "rc.extra": "1700"},
+        {"RC_CHANNELS_OVERRIDE": [3, {}]},
+        [1500, 1500, 1500],
+    ),
+    "given back": (
+        [GCS, override(1500, 1600, 1700), override(0, 0, 65534)],
         {},
         {"RC_CHANNELS_OVERRIDE": [2, {}]},
         [1500, None],
     ),
+    "left, and too old": (
+        [GCS, override(1500, 1600), ["ms", 400], override(65535, 1601), ["ms", 101]],
+        {"rc.throttle_us": "1601"},
+        {},
+        [1500, 1500],
+    ),
     "ninth channel at its end": (
-        [GCS, override(65534, 1600, 65534)],
-        {"rc.rudder": "65534", "rc.throttle_us": "1600", "rc.extra": "65534"},
+        [GCS, override(65534, 1600, 65533)],
+        {"rc.rudder": "65534", "rc.throttle_us": "1600", "rc.extra": "65533"},
         {},
         [65534],
     ),
     "MAVLink 1": (
         [GCS, override(1500, 1600, 1700), old_override(1501, 1601)],
-        {"rc.rudder": "1501", "rc.throttle_us": "1601"},
+        {"rc.rudder": "1501", "rc.throttle_us": "1601", "rc.extra": "1700"},  # as a frame that was truncated
         {"RC_CHANNELS_OVERRIDE": [2, {}]},
         [1500, 1501],
     ),
@@ -259,9 +284,24 @@ CASES = {
             "fix.lon_dege7": "0",
             "fix.alt": 0.0,
             "fix.north_mm_s": None,
-            "fix.down_km_h": None,
+            "fix.down_km_h": "18",  # its table says that NaN leaves it
         },
         {"fix": [2, {}]},
+        [],
+    ),
+    # Numbers of the tables' own: 99.99 as the float that is nearest to it, of 32 bits and of 64.
+    "numbers that say something": (
+        [fix(alt=5.0, hdop=2.0, yaw=100), fix(alt=-1000.0, hdop=99.99, yaw=65535), wheels(2.5, 3.5), wheels(0.1, 7.0)],
+        {
+            "fix.time": "0",
+            "fix.lat_dege7": "0",
+            "fix.lon_dege7": "0",
+            "fix.hdop": 2.0,
+            "wheels.left": 2.5,
+            "wheels.right": 7.0,
+            "wheels.count": "2",
+        },
+        {"fix": [2, {}], "WHEEL_DISTANCE": [2, {}]},
         [],
     ),
     "fix of another system": ([fix(time=5, system=OTHER)], {}, {}, []),
@@ -347,7 +387,7 @@ CASES = {
     "mode": (
         [station(100000), station(100001), station(2**32 - 1)],
         {"tune.program": "100000"},
-        {"HEARTBEAT": [3, {"custom_mode": 2}]},
+        {"HEARTBEAT": [3, {"custom_mode": 1}]},
         [],
     ),
     "mode of another vehicle": ([station(5, 7, 2)], {}, {}, []),
@@ -465,10 +505,8 @@ def test_taking_a_message_allocates_nothing(built, interpreter, plain):
 # A change of a generated function, and what its suite says about it.
 BITES = {
     "value > 2000": ("value > 2001", "chan2_raw-above"),
-    "if value == 65535:  # unknown\n        words[_RC_RUDDER_US]": (
-        "if value == 65534:\n        words[_RC_RUDDER_US]",
-        "chan1_raw-sentinel",
-    ),
+    "if value == 65535:  # left as it was": ("if value == 65534:", "chan1_raw-unchanged-65535"),
+    "elif value == 0:  # there is none": ("elif value == 1:", "chan1_raw-unknown-0"),
     "0x7F80 == 0x7F80": ("0x7F80 == 0x7F00", "alt-nan"),
     "wire[60] != 0": ("wire[60] != 1", "fix-other-gps_id"),
     "now_ms - 1073741324": ("now_ms - 1073741323", "chan1_raw-too-old"),
@@ -477,8 +515,13 @@ BITES = {
 }
 
 
+# What leaves the rudder, and the time until which it is believed.
+LEAVES = "if value == 65535:  # left as it was\n        "
+RENEWS = "words[_RC_RUDDER_US_EXPIRES_MS] = now_ms - 1073741324 & 0x3FFFFFFF"
+
+
 def test_the_generated_suite_is_green_and_bites(built):
-    """It passes; a wrong limit, sentinel, condition, age, rounding or extension is noticed where it is."""
+    """It passes; a wrong limit, special value, condition, age, rounding or extension is noticed where it is."""
     suite_is_green(built, "generated/tests/test_receives.py")
     plain = built / "generated" / "firmware" / "receiving_plain.py"
     text = plain.read_text()
@@ -486,9 +529,17 @@ def test_the_generated_suite_is_green_and_bites(built):
     for old, (new, _) in BITES.items():
         assert old in text, old
         broken = broken.replace(old, new, 1)
-    plain.write_text(broken)
-    done = run_suite(built, "generated/tests/test_receives.py", options=("-k", "cpython", "--tb=no"))
-    plain.write_text(text)
-    failed = "\n".join(line for line in done.stdout.splitlines() if line.startswith("FAILED"))
+    failed = _failed(built, plain, broken)
     for _, noticed in BITES.values():
         assert noticed in failed, (noticed, failed)
+    assert LEAVES + "pass" in text
+    failed = _failed(built, plain, text.replace(LEAVES + "pass", LEAVES + RENEWS, 1))
+    assert "chan1_raw-left-65535" in failed
+    plain.write_text(text)
+
+
+def _failed(built, plain, text):
+    """The checks that fail with another text of the functions."""
+    plain.write_text(text)
+    done = run_suite(built, "generated/tests/test_receives.py", options=("-k", "cpython", "--tb=no"))
+    return "\n".join(line for line in done.stdout.splitlines() if line.startswith("FAILED"))

@@ -100,6 +100,9 @@ def _amounts(told: _Teller, pair: Pair) -> Iterator[Change]:
         places = _stated_at(pair.old), _stated_at(pair.new)  # a correction may have stated it
         change = told.change(rules.FIELD_SENTINEL, (words[0], words[1]), None, places)
         yield replace(change, effect=found.effect, doubt=found.doubt, breaks=() if found.doubt else found.breaks)
+    for name in ("unchanged", "unknown"):
+        if words_of_list := told.attribute(name):
+            yield told.change(rules.FIELD_SPECIAL, words_of_list)
     if _number(old.multiplier) != _number(new.multiplier):
         judgement = Judgement(effect=SAME_NUMBER) if is_same_number else _other_factor(old, new)
         yield told.change(rules.FIELD_MULTIPLIER, (old.multiplier, new.multiplier), judgement)

@@ -158,6 +158,11 @@ FIELD_SENTINEL = _meaning(
     "measurement for unknown.",
     *BOTH,
 )
+FIELD_SPECIAL = _meaning(
+    "field-special-value-changed",
+    "Corrections say otherwise which numbers of a field leave things as they were, or say that there is no value. "
+    "What a table takes otherwise by that is told of the table.",
+)
 FIELD_MULTIPLIER = _meaning(
     "field-multiplier-changed",
     "The multiplier of a field has changed: a receiver of the other version is wrong by a factor.",

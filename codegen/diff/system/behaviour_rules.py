@@ -83,8 +83,13 @@ TAKEN_AS = _inside(
 )
 TAKEN_RANGE = _inside(
     "field-taken-range-changed",
-    "Other numbers of a field count as plausible, or another one sets the quantity unknown. What is not plausible is "
-    "ignored.",
+    "Other numbers of a field count as plausible. What is not plausible is ignored.",
+)
+TAKEN_VALUE = _silent(
+    "field-taken-value-changed",
+    "A number of a field means something else to the vehicle: that there is no value, that nothing is to change, or a "
+    "value like any other. Who sends it is taken at another word, and nothing tells.",
+    Victim.OLD_STATION,
 )
 
 PARAMETER_ADDED = _inside(
@@ -165,6 +170,11 @@ CHANNEL = _inside(
 )
 SENSOR = _inside(
     "sensor-changed", "A sensor is read otherwise, is connected elsewhere, gives other numbers, is new or gone."
+)
+DRIVER_CODE = _inside(
+    "driver-code-changed",
+    "The code of a driver of the project's own has changed. It is copied into the firmware, and nothing but a person "
+    "sees whether what it gives still means the same.",
 )
 LINK = _inside("link-changed", "A link to ground stations is configured otherwise, is new or gone.")
 IDENTITY = _inside(

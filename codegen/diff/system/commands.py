@@ -1,6 +1,7 @@
 """Subjects of the commands that the vehicle is given, and of its modes."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.subject import Fact, Subject, amount, cited
@@ -46,12 +47,13 @@ def _param(param: CommandParam) -> Iterator[Fact]:
         f"whole {param.unit.name}" if param.is_whole else "",
         f"{param.enum.name}: {', '.join(str(each.value) for each in param.enum.entries)}" if param.enum else "",
     )
-    said = "" if param.default is None else amount(param.default, param.unit.name)
-    ratio = param.scale.ratio
-    unknown = said if ratio is None or param.default is None else amount(param.default / ratio, param.wire_unit.name)
     # On the wire, where the same limit is the same number in whatever unit the argument is.
     yield Fact(f"{at} accepts", "; ".join(accepted), rules.COMMAND_RANGE, spec.place, param.limits)
-    yield Fact(f"{at} for NaN", unknown, rules.COMMAND_RANGE, spec.at("default"), said)
+    ends = " to ".join(_on_the_wire(end, param) for end in param.ends)
+    yield Fact(f"{at} is from", ends, rules.COMMAND_RANGE, spec.place, param.limits)
+    said = "" if param.default is None else amount(param.default, param.unit.name)
+    yield Fact(f"{at} for NaN", _on_the_wire(param.default, param), rules.COMMAND_RANGE, spec.at("default"), said)
+    yield Fact(f"{at} left as it is by", _left(param), rules.COMMAND_UNIT, spec.at("unchanged"))
     unit = param.wire_unit.name or "a number"
     position = f", {param.axis.name.lower()}" if param.axis else ""
     position += ", an altitude" if param.is_altitude else ""
@@ -60,6 +62,18 @@ def _param(param: CommandParam) -> Iterator[Fact]:
         f"{at} is given as", f"{param.name} {map_words(param.scale)} {param.unit.name}", rules.COMMAND, spec.place
     )
     yield Fact(f"{at} doc", spec.doc or "", DOC, spec.at("doc"))
+
+
+def _on_the_wire(number: Fraction | None, param: CommandParam) -> str:
+    """An argument in the unit that it arrives in, where that is a multiple; empty where there is none."""
+    ratio = param.scale.ratio
+    if number is None:
+        return ""
+    return amount(number, param.unit.name) if ratio is None else amount(number / ratio, param.wire_unit.name)
+
+
+def _left(param: CommandParam) -> str:
+    return ", ".join([*(["NaN"] if param.is_none_for_nan else []), *(amount(number) for number in param.left)])
 
 
 def _built_in(command: BuiltInCommand, program: Program) -> Subject:

@@ -49,8 +49,9 @@ def _field(table: Reception, taken: ReceivedField) -> Subject:
     facts = [
         Fact("sets", taken.quantity.path, rules.TAKEN_INTO, spec.at("state")),
         Fact("factor", f"{taken.factor}{rounding} to {taken.quantity.kept_in}", rules.TAKEN_AS, spec.at("state")),
-        Fact("takes", taken.range_words, rules.TAKEN_RANGE, spec.at("min" if spec.min is not None else "max")),
-        Fact("unknown", taken.sentinel_words, rules.TAKEN_RANGE, spec.place),
+        Fact("takes", taken.limit_words, rules.TAKEN_RANGE, spec.at("min" if spec.min is not None else "max")),
+        Fact("unknown", taken.sentinel_words, rules.TAKEN_VALUE, spec.at("unknown")),
+        Fact("left as it was by", taken.unchanged_words, rules.TAKEN_VALUE, spec.at("unchanged")),
         Fact("answers to", str(taken.citation), CITATION, spec.at("requirement")),
     ]
     return Subject(

@@ -14,6 +14,7 @@ from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_
 from codegen.diff.system.behaviour_rules import PROGRAM
 from codegen.diff.system.board import board_subjects
 from codegen.diff.system.carrying import carried_on, fed_by_facts, written_otherwise
+from codegen.diff.system.drivers import driver_changes
 from codegen.diff.system.heard_otherwise import heard_otherwise
 from codegen.diff.system.population import population_changes
 from codegen.diff.system.program import program_subjects
@@ -78,6 +79,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
         own = [
             *population_changes(known, system),
             *subject_changes(said_before[name], said_after[name]),
+            *driver_changes(known, system),
             *bandwidth_changes(compared, system, known, threshold),
         ]
         judged = heard_in(heard_otherwise(own, known, system), notices)

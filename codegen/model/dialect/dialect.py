@@ -75,7 +75,9 @@ class FieldDefinition(NamedTuple):
 
     ``type`` is the element type (``uint16_t``), ``length`` the number of elements or None for a scalar.
     ``maximum``, ``minimum``, ``increment``, ``default``, ``multiplier`` and ``invalid`` keep their text: their meaning
-    depends on the type. All but ``multiplier`` are numbers on the wire.
+    depends on the type. All but ``multiplier`` are numbers on the wire. ``unchanged`` and ``unknown``, which only
+    corrections state, are numbers on the wire too, with commas between them: to who receives the field these say that
+    nothing changes, and that there is no value.
     """
 
     name: str
@@ -95,6 +97,8 @@ class FieldDefinition(NamedTuple):
     description: str = ""
     increment: str | None = None
     default: str | None = None
+    unchanged: str | None = None
+    unknown: str | None = None
 
 
 MAX_MESSAGE_ID = 0xFFFFFF

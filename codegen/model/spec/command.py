@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from codegen.frozen import dataclass
-from codegen.model.spec.described import described
+from codegen.model.spec.described import Nothing, described
 from codegen.source import Written
 
 
@@ -44,8 +44,15 @@ class CommandParamSpec(Written):
         "Enum of the dialect, of which the value has to be an entry, or flags; default: the one that the dialect says.",
         default=None,
     )
-    default: Fraction | None = described(
-        "What the method is given for NaN, in unit; without it NaN is denied.", default=None
+    default: Fraction | Nothing | None = described(
+        "What the method is given for NaN, in unit, or null: the method is given None. Without it NaN is denied.",
+        default=None,
+    )
+    unchanged: tuple[str | Fraction, ...] | None = described(
+        "Numbers on the wire, in the dialect's unit, with which the dialect says that nothing is to change, such as "
+        "-1: the method is given None, whatever min and max are. Numbers, limits of types, NaN. An empty list says "
+        "that the numbers which the dialect describes so are values here.",
+        default=None,
     )
 
 

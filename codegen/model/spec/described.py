@@ -10,6 +10,7 @@ has a tuple of such records, of which one is made where a key of it is written.
 """
 
 from dataclasses import field
+from enum import Enum
 from typing import Any, NewType
 
 Amount = NewType("Amount", str)
@@ -18,6 +19,12 @@ Amount = NewType("Amount", str)
 
 Verbatim = NewType("Verbatim", str)
 """The text of a scalar as it is written, whether YAML takes it for text, a number or a boolean."""
+
+
+class Nothing(Enum):
+    """The value of a key that is written as ``null``, which says something else than a key that is left out."""
+
+    NULL = "null"
 
 
 def described(doc: str, key: str | None = None, **rest: Any) -> Any:

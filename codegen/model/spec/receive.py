@@ -29,6 +29,15 @@ class ReceivedFieldSpec(Written):
         default=None,
     )
     max: str | Fraction | None = described("Largest plausible value, likewise.", default=None)
+    unchanged: tuple[str | Fraction, ...] | None = described(
+        "Numbers of the field that leave the quantity as it was, as a dialect says that they are to be ignored: "
+        "nothing is set, and a value that grows stale goes on doing so. Numbers on the wire, limits of types such as "
+        "UINT16_MAX or UINT16_MAX-1, entries of the field's enum, NaN. Default: those of the dialect's corrections.",
+        default=None,
+    )
+    unknown: tuple[str | Fraction, ...] | None = described(
+        "Numbers of the field that say that there is no value, beside the dialect's sentinel, likewise.", default=None
+    )
     rounding: Rounding = described("How a value between two stored steps is rounded.", default=Rounding.NEAREST)
     requirement: str | None = described("Criterion that asks for this field, such as FR-1.4.", default=None)
     note: str | None = described("Why the field is taken so, for reviewers.", default=None)

@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from codegen.frozen import dataclass
-from codegen.model.spec.described import Amount, Verbatim
+from codegen.model.spec.described import Amount, Nothing, Verbatim
 from codegen.source import Written
 
 AMOUNT_PATTERN = r"^[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)? *[A-Za-z%]\S*$"
@@ -46,6 +46,11 @@ class Number:
 @dataclass(frozen=True, slots=True)
 class Whole:
     """A whole number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Null:
+    """``null``, written as the value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +102,7 @@ class ScalarOrList:
         return (self.scalar, self.items)
 
 
-ScalarShape = Text | AnyScalar | YesNo | Number | Whole | Choice | OneOf
+ScalarShape = Text | AnyScalar | YesNo | Number | Whole | Null | Choice | OneOf
 Shape = ScalarShape | ListOf | MappingOf | RecordOf | ScalarOrList
 
 
@@ -199,6 +204,7 @@ _SCALARS: Mapping[Any, Shape] = {
     int: Whole(),
     Fraction: Number(),
     Literal[True]: YesNo(only=True),
+    Nothing: Null(),
 }
 
 

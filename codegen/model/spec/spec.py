@@ -210,10 +210,15 @@ class Correction(Written):
     )
     enum: str | None = described("Enum that holds the entry.", default=None)
     entry: str | None = described("Entry to correct.", default=None)
+    param: Verbatim | None = described(
+        "Parameter of the entry, a command of MAV_CMD: its number, 1 to 7.", default=None
+    )
     set: Mapping[str, Verbatim] = described(
         "Attributes and their new text: id, description, wip of a message; invalid, units, enum, display, instance, "
-        "multiplier, minValue, maxValue, increment, default, print_format, description, type of a field; value of an "
-        "entry. id and type only of a message that an overlay adds."
+        "multiplier, minValue, maxValue, increment, default, unchanged, unknown, print_format, description, type of a "
+        "field; value of an entry; label, units, minValue, maxValue, increment, enum, default, description of a "
+        "parameter of one. unchanged and unknown are numbers with commas between them: to who receives the field these "
+        "leave things as they were, or say that there is no value. id and type only of a message that an overlay adds."
     )
     reason: str = described("Why the dialect is wrong or silent.")
     source: str = described("Where the right value is stated.")
@@ -246,7 +251,9 @@ class ShippedCorrection(Written):
 
     message: str = described("Message that holds the fields.")
     fields: str = described("The field, or several as a pattern.")
-    set: Mapping[str, Verbatim] = described("invalid, units or multiplier, and the text that the attribute lacks.")
+    set: Mapping[str, Verbatim] = described(
+        "invalid, units, multiplier, unchanged or unknown, and the text that the attribute lacks."
+    )
     words: str = described("The words of the description, of the field or of the message, that state it.")
     replaces: str | None = described(
         "Text of the attribute that the words contradict; without it, an attribute that is there is left alone.",

@@ -11,8 +11,10 @@ from codegen.measure import UNIT_MISMATCH, find_unit
 from codegen.model.command import Axis, CommandParam
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
+from codegen.model.spec.described import Nothing
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit import NUMBER, Unit, conversion, decimal, unit_named
+from codegen.resolve.commands.left_values import left_values
 from codegen.resolve.named import is_name
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 
@@ -112,7 +114,12 @@ def _param(
         is_counted = stated.increment is not None and stated.increment.denominator == 1 and scale.ratio == 1
         is_sent_whole = stated.axis is not None and unit == _DEGREES_E7
         is_whole = enum is not None or is_counted or is_sent_whole
-    _check_default(spec, enum, is_whole, report)
+    if isinstance(spec.default, Fraction):
+        on_wire = AffineMap(1 / scale.factor, -scale.pi).settled(spec.default, _nearest)
+        is_within = (minimum is None or on_wire >= minimum) and (maximum is None or on_wire <= maximum)
+        _check_default(spec, spec.default, enum, is_whole, is_within, report)
+    left, is_nan_left = left_values(label, spec, report)
+    limits = (_limit(own, limit, scale) for own, limit in ((spec.min, stated.minimum), (spec.max, stated.maximum)))
     found = CommandParam(
         number=number,
         name=spec.name,
@@ -124,10 +131,13 @@ def _param(
         limits=_words(spec, stated, scale, unit, enum, is_whole=is_whole),
         is_whole=is_whole,
         enum=enum,
-        default=spec.default,
+        default=spec.default if isinstance(spec.default, Fraction) else None,
         axis=stated.axis,
         is_altitude=stated.is_altitude,
         spec=spec,
+        left=left,
+        is_none_for_nan=is_nan_left or spec.default is Nothing.NULL,
+        ends=(next(limits), next(limits)),
     )
     if not _has_value(found):
         report.add(BAD_COMMAND_PARAM, spec.place, f"{spec.name} has no value: none within its limits is {found.limits}")
@@ -179,7 +189,13 @@ def _end(
     found = AffineMap(1 / scale.factor, -scale.pi).settled(written, _nearest)
     if stated is not None and (found < _nearest(stated) if key == "min" else found > _nearest(stated)):
         message = f"{decimal(written)} is beyond what the dialect allows for {label}: {decimal(stated)} on the wire"
-        report.add(BAD_COMMAND_PARAM, spec.at(key), message)
+        name, _, number = label.rpartition(" ")
+        wanted = f"{float(written / scale.ratio):.9g}" if scale.ratio else f"{float(found):.7g}"
+        hint = (
+            f"where the dialect's words allow it, a correction does: {{enum: MAV_CMD, entry: {name}, param: {number}, "
+            f"set: {{{key}Value: {wanted}}}}}"
+        )
+        report.add(BAD_COMMAND_PARAM, spec.at(key), message, hint)
     return found
 
 
@@ -189,11 +205,23 @@ def _nearest(value: Fraction) -> Fraction:
     return Fraction(struct.unpack("<f", struct.pack("<f", within))[0])
 
 
-def _check_default(spec: CommandParamSpec, enum: EnumDefinition | None, is_whole: bool, report: Report) -> None:
-    value = spec.default
-    if value is None:
-        return
-    is_within = (spec.min is None or value >= spec.min) and (spec.max is None or value <= spec.max)
+def _limit(written: Fraction | None, stated: Fraction | None, scale: AffineMap) -> Fraction | None:
+    """Return a limit in the unit of the argument, exactly; None for none, and where pi is in the way."""
+    if written is not None or stated is None:
+        return written
+    return scale.exact(stated)
+
+
+def _check_default(
+    spec: CommandParamSpec,
+    value: Fraction,
+    enum: EnumDefinition | None,
+    is_whole: bool,
+    is_within: bool,
+    report: Report,
+) -> None:
+    """Report a default that is no value which the parameter accepts; ``is_within``: its limits, on the wire."""
+    is_within = is_within and (spec.min is None or value >= spec.min) and (spec.max is None or value <= spec.max)
     if not is_within or (is_whole and value.denominator != 1) or (enum is not None and not has_entry(enum, int(value))):
         message = f"the default of {spec.name} is no value that it accepts"
         report.add(BAD_COMMAND_PARAM, spec.at("default"), message)

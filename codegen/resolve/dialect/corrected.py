@@ -10,6 +10,7 @@ from codegen.measure import UNKNOWN_UNIT
 from codegen.model.dialect.dialect import (
     MAX_MESSAGE_ID,
     EnumDefinition,
+    EnumEntry,
     FieldCorrection,
     FieldDefinition,
     MessageDefinition,
@@ -31,9 +32,10 @@ CORRECTION_UNKNOWN = Rule(
 CORRECTION_ATTRIBUTE = Rule(
     "correction-attribute",
     "A correction sets id, description or wip of a message; invalid, units, enum, display, instance, multiplier, "
-    "minValue, maxValue, increment, default, print_format, description or type of a field; or the value of an entry. "
-    "id and type only of a message that an overlay adds: the other messages have receivers, and none would accept a "
-    "message with another CRC_EXTRA.",
+    "minValue, maxValue, increment, default, unchanged, unknown, print_format, description or type of a field; or the "
+    "value of an entry; of a parameter of one label, units, minValue, maxValue, increment, enum, default or "
+    "description. id and type only of a message that an overlay adds: the other messages have receivers, and none "
+    "would accept a message with another CRC_EXTRA.",
 )
 CORRECTION_VALUE = Rule(
     "correction-value",
@@ -130,10 +132,8 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
         hint = did_you_mean(name, result.enums)
         report.add(CORRECTION_UNKNOWN, correction.at("enum"), f"the dialect has no enum {name}", hint)
         return
-    entry = enum.entry(correction.entry or "")
+    entry = entry_to_correct(correction, enum, report)
     if entry is None:
-        hint = did_you_mean(correction.entry or "", [entry.name for entry in enum.entries])
-        report.add(CORRECTION_UNKNOWN, correction.at("entry"), f"{name} has no entry {correction.entry}", hint)
         return
     place = correction.at("set")
     for attribute, text in correction.set.items():
@@ -151,6 +151,15 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
             new = entry._replace(value=value, is_implicit=False)
             entries = tuple(new if other is entry else other for other in enum.entries)
             result.enums[name] = replace(enum, entries=entries)
+
+
+def entry_to_correct(correction: "Correction", enum: EnumDefinition, report: Report) -> EnumEntry | None:
+    """The entry that a correction names; None after a finding."""
+    entry = enum.entry(correction.entry or "")
+    if entry is None:
+        hint = did_you_mean(correction.entry or "", [entry.name for entry in enum.entries])
+        report.add(CORRECTION_UNKNOWN, correction.at("entry"), f"{enum.name} has no entry {correction.entry}", hint)
+    return entry
 
 
 def _message(correction: "Correction", result: Corrected, report: Report) -> MessageDefinition | None:
@@ -210,6 +219,8 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
     "maxValue": ("maximum", _text),
     "increment": ("increment", _text),
     "default": ("default", _text),
+    "unchanged": ("unchanged", _text),
+    "unknown": ("unknown", _text),
     "print_format": ("print_format", _text),
     "description": ("description", _text),
     "type": ("type", _type),

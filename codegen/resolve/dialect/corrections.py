@@ -13,6 +13,7 @@ from codegen.resolve.dialect.corrected import (
     correct_field,
     correct_message,
 )
+from codegen.resolve.dialect.corrected_parameter import correct_parameter
 from codegen.resolve.dialect.patterns import expanded
 from codegen.resolve.dialect.shipped import shipped_corrections
 from codegen.source import Place
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
 
 CORRECTION_TARGET = Rule(
     "correction-target",
-    "A correction names a message, a message and a field of it (or fields, a pattern), or an enum and an entry of it.",
+    "A correction names a message, a message and a field of it (or fields, a pattern), or an enum and an entry of it, "
+    "of which param is a parameter.",
 )
 CORRECTED_TWICE = Rule(
     "corrected-twice",
@@ -66,10 +68,12 @@ def apply_corrections(
                 correct_field(correction, result, report)
             case (True, False, False, False, False):
                 correct_message(correction, result, report)
+            case (False, False, False, True, True) if correction.param is not None:
+                correct_parameter(correction, result, report)
             case (False, False, False, True, True):
                 correct_entry(correction, result, report)
             case _:
-                hint = "write message, message and field or fields, or enum and entry"
+                hint = "write message, message and field or fields, or enum and entry, and param for one of a command"
                 report.add(CORRECTION_TARGET, correction.place, "it is not clear what is to be corrected", hint)
     return result
 
@@ -79,7 +83,8 @@ def _check_unique(corrections: "tuple[Correction, ...]", report: Report) -> None
     places: dict[tuple[str | None, ...], Place] = {}
     for correction in corrections:
         for attribute in correction.set:
-            target = (correction.message, correction.field, correction.enum, correction.entry, attribute)
+            entry = (correction.enum, correction.entry, correction.param)
+            target = (correction.message, correction.field, *entry, attribute)
             first = places.setdefault(target, correction.place)
             if first is not correction.place:
                 related = [(first, "the first correction is here")]

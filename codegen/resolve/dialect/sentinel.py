@@ -22,13 +22,14 @@ SENTINEL_RANGE = Rule(
 )
 
 # Lengths are bounded, so that a hostile number costs no more than an honest one.
+_BESIDE_LIMIT = re.compile(r"(\w+) ?- ?([0-9]{1,5})")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,20}")
 _HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?")
 
 
 @dataclass(frozen=True, slots=True)
-class _Problem:
+class Problem:
     """The reason for which a value cannot be used."""
 
     rule: Rule
@@ -54,14 +55,14 @@ def sentinel_of(
         return None
     count = 1 if definition.length is None else definition.length
     split = _parts(written, definition.length)
-    if isinstance(split, _Problem):
+    if isinstance(split, Problem):
         report.add(split.rule, place, f"{definition.name}: {split.message}", split.hint)
         return None
     form, parts = split
     values: list[int | float | None] = []
     for part in parts:
-        value = _value(part, wire_type, enum) if part else None
-        if isinstance(value, _Problem):
+        value = number_on_wire(part, wire_type, enum) if part else None
+        if isinstance(value, Problem):
             report.add(value.rule, place, f"{definition.name}: {value.message}", value.hint)
             return None
         values.append(value)
@@ -72,7 +73,7 @@ def sentinel_of(
     return Sentinel(form, tuple(values), written, place)
 
 
-def _parts(written: str, length: int | None) -> tuple[SentinelForm, list[str]] | _Problem:
+def _parts(written: str, length: int | None) -> tuple[SentinelForm, list[str]] | Problem:
     """The form of ``written`` and the texts of its values; an empty text stands for a position without a sentinel."""
     if not written.startswith("[") and not written.endswith("]"):
         return SentinelForm.VALUE, [written]
@@ -80,7 +81,7 @@ def _parts(written: str, length: int | None) -> tuple[SentinelForm, list[str]] |
     if not (written.startswith("[") and written.endswith("]") and inner):
         return _unreadable(written)
     if length is None:
-        return _Problem(SENTINEL_TEXT, f"invalid is {written!r}, but the field is no array", f"write {inner!r}")
+        return Problem(SENTINEL_TEXT, f"invalid is {written!r}, but the field is no array", f"write {inner!r}")
     if inner.endswith(":"):
         first = inner[:-1].strip()
         return (SentinelForm.FIRST, [first]) if first else _unreadable(written)
@@ -92,18 +93,18 @@ def _parts(written: str, length: int | None) -> tuple[SentinelForm, list[str]] |
     if not parts[-1]:
         parts.pop()
     if len(parts) > length:
-        return _Problem(SENTINEL_TEXT, f"invalid is {written!r} for {len(parts)} elements, but the array has {length}")
+        return Problem(SENTINEL_TEXT, f"invalid is {written!r} for {len(parts)} elements, but the array has {length}")
     return SentinelForm.POSITIONS, parts
 
 
-def _unreadable(written: str) -> _Problem:
-    return _Problem(SENTINEL_TEXT, f"invalid is {written!r}, which cannot be read", "write V, [V], [V:] or [V1,,V3]")
+def _unreadable(written: str) -> Problem:
+    return Problem(SENTINEL_TEXT, f"invalid is {written!r}, which cannot be read", "write V, [V], [V:] or [V1,,V3]")
 
 
-def _value(text: str, wire_type: WireType, enum: EnumDefinition | None) -> int | float | _Problem:
+def number_on_wire(text: str, wire_type: WireType, enum: EnumDefinition | None) -> int | float | Problem:
     """The number on the wire that one V stands for."""
     number = _number(text, enum)
-    if isinstance(number, _Problem):
+    if isinstance(number, Problem):
         return number
     if wire_type.kind is Kind.FLOAT:
         try:
@@ -117,16 +118,18 @@ def _value(text: str, wire_type: WireType, enum: EnumDefinition | None) -> int |
     return whole if wire_type.minimum <= whole <= wire_type.maximum else _does_not_fit(text, wire_type)
 
 
-def _does_not_fit(text: str, wire_type: WireType) -> _Problem:
+def _does_not_fit(text: str, wire_type: WireType) -> Problem:
     hint = None
     if wire_type.kind is not Kind.FLOAT:
         hint = f"{wire_type.name} carries whole numbers from {wire_type.minimum} to {wire_type.maximum}"
-    return _Problem(SENTINEL_RANGE, f"a {wire_type.name} cannot carry {text}", hint)
+    return Problem(SENTINEL_RANGE, f"a {wire_type.name} cannot carry {text}", hint)
 
 
-def _number(text: str, enum: EnumDefinition | None) -> int | float | _Problem:
+def _number(text: str, enum: EnumDefinition | None) -> int | float | Problem:
     if text in LIMITS:
         return LIMITS[text]
+    if (beside := _BESIDE_LIMIT.fullmatch(text)) and beside[1] in LIMITS:  # UINT16_MAX-1
+        return LIMITS[beside[1]] - int(beside[2])
     if enum is not None and (entry := enum.entry(text)):
         return entry.value
     if _WHOLE.fullmatch(text):
@@ -142,5 +145,5 @@ def _number(text: str, enum: EnumDefinition | None) -> int | float | _Problem:
         where = (
             f"no limit of a type and no entry of {enum.name}" if enum else "no limit of a type, and there is no enum"
         )
-        return _Problem(SENTINEL_TEXT, f"{text} is {where}", did_you_mean(text, names))
-    return _Problem(SENTINEL_TEXT, f"{text!r} is neither a number nor a name")
+        return Problem(SENTINEL_TEXT, f"{text} is {where}", did_you_mean(text, names))
+    return Problem(SENTINEL_TEXT, f"{text!r} is neither a number nor a name")

@@ -21,6 +21,8 @@ from codegen.model.units.unit import conversion
 from codegen.model.vehicle import Citation, Quantity, QuantityKind
 from codegen.resolve.population.population import Parts
 from codegen.resolve.quantities.state import find_quantity
+from codegen.resolve.receptions.special_values import special_values
+from codegen.source import Place
 
 NOT_RECEIVED = Rule(
     "cannot-receive",
@@ -55,16 +57,22 @@ def resolve_taken(
             if key in written.places:
                 report.add(NOT_RECEIVED, written.at(key), f"{key} says nothing of a text", "leave it out")
         zero = Fraction(0)
+        special_values(field, written, None, report)
         if citation is None:
             return None
         return ReceivedField(field, element, quantity, Fraction(1), zero, zero, written, citation)
     factor = _factor(field, quantity, written, report)
     if factor is None or not _is_kept(field, quantity, factor, written, report):
         return None
-    bounds = _bounds(field, element, quantity, factor, written, report)
+    bounds = _bounds(field, quantity, factor, written, report)
+    special = special_values(field, written, parts.dialect.enums.get(field.definition.enum or ""), report)
     if bounds is None or citation is None:
         return None
-    return ReceivedField(field, element, quantity, factor, *bounds, written, citation)
+    taken = ReceivedField(field, element, quantity, factor, *bounds, written, citation, *special)
+    if taken.low == taken.high and taken.low in taken.special:
+        _nothing_left(taken.low, taken.high, field, quantity, written, report)
+        return None
+    return taken
 
 
 def _target(field: WireField, written: ReceivedFieldSpec, parts: Parts, report: Report) -> Quantity | None:
@@ -197,8 +205,19 @@ def _is_rounded(
     return not problem
 
 
+def _limits_place(written: ReceivedFieldSpec) -> Place:
+    return written.at("min" if written.min is not None else "max" if written.max is not None else "state")
+
+
+def _nothing_left(
+    low: Fraction, high: Fraction, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report
+) -> None:
+    message = f"nothing of {field.name} is left that {quantity.path} takes: {low} to {high}"
+    report.add(EMPTY_LIMITS, _limits_place(written), message)
+
+
 def _bounds(
-    field: WireField, element: int, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
+    field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
 ) -> tuple[Fraction, Fraction] | None:
     """The smallest and the largest number on the wire that is taken; None after a finding."""
     in_wire = Fraction(1)
@@ -214,10 +233,9 @@ def _bounds(
         stated.append(None if value is None else value * in_wire)
     natural = _natural(field, quantity, factor, written).within(dialect_bounds(field))
     low, high = _ends(natural.within(Bounds(*stated)), field, quantity, factor)
-    at = written.at("min" if written.min is not None else "max" if written.max is not None else "state")
-    sentinel = field.sentinel.values[element] if field.sentinel else None
-    if low > high or (low == high == sentinel):
-        report.add(EMPTY_LIMITS, at, f"nothing of {field.name} is left that {quantity.path} takes: {low} to {high}")
+    at = _limits_place(written)
+    if low > high:
+        _nothing_left(low, high, field, quantity, written, report)
         return None
     for key, end, natural_end, sign in (("min", stated[0], natural.low, 1), ("max", stated[1], natural.high, -1)):
         assert natural_end is not None

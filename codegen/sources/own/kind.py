@@ -68,6 +68,7 @@ class OwnSource(Source):
         yield from self.inputs
 
     def facts(self) -> Iterator[SourceFact]:
+        yield SourceFact("class", self.driver.spec.class_name, "driver")
         if self.wires is not None:
             yield SourceFact("connected by", self.wires.opened, "driver")
         for name, value in self.arguments:

@@ -6,6 +6,7 @@ from codegen.model.program import Program
 from codegen.model.spec.command import Sender
 from codegen.model.units.unit import decimal
 from codegen.summaries.fields import in_table
+from codegen.targets.firmware.program.commands import left_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +53,8 @@ def _line(command: Command) -> CommandLine:
 def param_words(param: CommandParam) -> str:
     """``1 duration: 0 to 60 s``."""
     unknown = "" if param.default is None else f", NaN is {decimal(param.default)}"
-    return f"{param.number} {param.name}: {param.limits}{unknown}"
+    left = f", {left_words(param)}: as it is" if left_words(param) else ""
+    return f"{param.number} {param.name}: {param.limits}{unknown}{left}"
 
 
 def when_words(command: Command) -> str:

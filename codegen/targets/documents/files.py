@@ -53,6 +53,7 @@ class ReceptionDocument:
     citation: str
     table: str
     rows: tuple[ReceivedRow, ...]
+    keeps: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +160,7 @@ def _reception(table: Reception, system: System) -> ReceptionDocument:
         citation=str(table.citation),
         table=source_name(system, table.spec.place.file),
         rows=received_rows(table),
+        keeps=any(row.unchanged for row in received_rows(table)),
     )
 
 

@@ -73,7 +73,7 @@ def _received(table: Reception, system: System) -> TableView:
         id=f"received-{table.name.lower()}",
         title=f"{table.title}, received",
         doc=f"{doc} Only with {condition}." if condition else doc,
-        columns=("Field", "Unit", "Sets", "Converted", "Taken", "Sets it unknown", "Too old", "Criterion"),
+        columns=("Field", "Unit", "Sets", "Converted", "Taken", "Sets it unknown", "Leaves it", "Too old", "Criterion"),
         rows=tuple(
             (
                 row.field,
@@ -82,6 +82,7 @@ def _received(table: Reception, system: System) -> TableView:
                 row.conversion,
                 row.taken,
                 row.unknown,
+                row.unchanged,
                 f"after {taken.quantity.trust.stale_after_ms} ms" if taken.quantity.ages else "never",
                 row.criterion,
             )

@@ -23,6 +23,7 @@ from codegen.model.spec.shape import (
     Key,
     ListOf,
     MappingOf,
+    Null,
     Number,
     OneOf,
     RecordOf,
@@ -163,7 +164,7 @@ def _variant(word: str | None, definitions: dict[str, _Schema]) -> _Schema:
     return {"$ref": f"#/$defs/{name}"}
 
 
-def _scalar(shape: Text | AnyScalar | YesNo | Number | Whole | Choice) -> _Schema:
+def _scalar(shape: Text | AnyScalar | YesNo | Number | Whole | Null | Choice) -> _Schema:
     match shape:
         case Text():
             return {"type": "string"} if shape.pattern is None else {"type": "string", "pattern": shape.pattern}
@@ -175,6 +176,8 @@ def _scalar(shape: Text | AnyScalar | YesNo | Number | Whole | Choice) -> _Schem
             return {"type": "number"}
         case Whole():
             return {"type": "integer"}
+        case Null():
+            return {"type": "null"}
         case Choice():
             return {"enum": [word.value for word in shape.words]}
     assert_never(shape)

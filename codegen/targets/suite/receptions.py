@@ -66,6 +66,8 @@ def _field(taken: ReceivedField) -> dict[str, object]:
         "low": int(taken.low) if is_whole else float(taken.low),
         "high": int(taken.high) if is_whole else float(taken.high),
         "sentinel": taken.sentinel,
+        "unchanged": list(taken.unchanged),
+        "unknown": list(taken.absent),
         "speaking": taken.speaking,
         "is_extension": taken.is_extension,
         "stale_ms": quantity.trust.stale_after_ms if quantity.ages else None,

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 6e1f98b0f7d81461
+# Inputs: c7b5183e7852930d
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -85,8 +85,9 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            smallest, largest = self._vehicle.parameters.limits(name)
-            self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
+            from accepted_values import refusal  # noqa: PLC0415  rarely wanted
+
+            self._say(refusal(self._vehicle.parameters, name, value))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

@@ -19,6 +19,9 @@ _PARAMS = const(5)
 _INT_PARAMS = const(6)  # the parameters as COMMAND_INT has them, with a position; () where they are the same
 _FRAMES = const(7)  # in which COMMAND_INT may state it; () for any
 _FRAME_WORDS = const(8)
+# Some have more parts.
+_LEAVES = const(9)  # numbers on the wire that leave things as they are; None among them: NaN
+_ENDS = const(10)  # of the argument, where a float of 32 bits on the wire may be beyond them
 
 # The parts of a parameter in command_table.py.
 _NUMBER = const(0)
@@ -35,6 +38,7 @@ _WHOLE = const(1)
 _ROUNDED = const(2)
 _UNKNOWN_INT = const(0x7FFFFFFF)  # in x and y of COMMAND_INT, which have no NaN
 _QUIET_MS = const(1000)  # between two texts that say the same
+_CANNOT = object()  # what the argument is of a value that cannot be
 
 
 def answer_commands(connection, vehicle):
@@ -135,26 +139,33 @@ def _read(row, command, values):
         return row[_FRAME_WORDS]
     for param in (is_int and row[_INT_PARAMS]) or row[_PARAMS]:
         value = _argument(param, command.param(param[_NUMBER]), is_int)
-        if value is None:
+        if value is _CANNOT:
             return param[_WORDS]
         values.append(value)
     return None
 
 
 def _argument(param, value, is_int):
-    """Return what a value on the wire is for the method; None: it cannot be."""
+    """Return what a value on the wire is for the method, None where nothing is to change; _CANNOT: it cannot be."""
+    leaves = param[_LEAVES] if len(param) > _LEAVES else ()
     if value != value or (is_int and value == _UNKNOWN_INT):  # noqa: PLR0124  NaN
-        return param[_DEFAULT]
-    if not param[_LEAST] <= value <= param[_MOST]:
+        if None in leaves:
+            return None
+        return _CANNOT if param[_DEFAULT] is None else param[_DEFAULT]
+    if value in leaves:
         return None
+    if not param[_LEAST] <= value <= param[_MOST]:
+        return _CANNOT
     if param[_MULTIPLIER] != param[_DIVISOR]:
         value = value * param[_MULTIPLIER] / param[_DIVISOR]
     if not param[_FORM]:
         return value
     whole = round(value) if param[_FORM] == _ROUNDED else int(value)
     if whole != value and param[_FORM] == _WHOLE:
-        return None
-    return whole if _is_among(param[_AMONG], whole) else None
+        return _CANNOT
+    if len(param) > _ENDS:
+        return min(max(whole, param[_ENDS][0]), param[_ENDS][1])
+    return whole if _is_among(param[_AMONG], whole) else _CANNOT
 
 
 def _is_among(among, value):

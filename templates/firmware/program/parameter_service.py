@@ -64,8 +64,9 @@ class ParameterService:
             self._say("the vehicle is about to restart")
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_READ_ONLY)
         elif not self._vehicle.parameters.set(name, value):
-            smallest, largest = self._vehicle.parameters.limits(name)
-            self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
+            from accepted_values import refusal  # noqa: PLC0415  rarely wanted
+
+            self._say(refusal(self._vehicle.parameters, name, value))
             # Before the value: a ground station that takes the value for the answer would not see the reason.
             self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))

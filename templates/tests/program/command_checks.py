@@ -85,6 +85,10 @@ def _is_near(given, expected):
     if len(given) != len(expected):
         return False
     for each, wanted in zip(given, expected):  # noqa: B905  MicroPython
+        if wanted is None or each is None:
+            if each is not wanted:
+                return False
+            continue
         if isinstance(wanted, int) and (not isinstance(each, int) or each != wanted):
             return False
         if abs(each - wanted) > 1e-6 * abs(wanted):

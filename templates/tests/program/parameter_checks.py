@@ -66,6 +66,8 @@ def refused_values_change_nothing():
         if facts["choices"]:
             gaps = [steps for steps in range(facts["minimum"], facts["maximum"]) if steps not in facts["choices"]]
             outside += [_worth(facts, steps) for steps in gaps]
+            if gaps:
+                _names_what_is_accepted(craft, station, facts, _worth(facts, gaps[0]))
         for value in outside:
             answers = _set(craft, station, facts["name"], value)
             assert [type(each) for each in answers] == [messages.ParamError, messages.ParamValue], answers
@@ -75,6 +77,21 @@ def refused_values_change_nothing():
             assert answers[1].param_index == NO_INDEX
             assert getattr(craft.parameters, facts["attribute"]) == facts["default"]
     assert craft.parameters.changes == 0
+
+
+def _names_what_is_accepted(craft, station, facts, value):
+    """The text about a value in a gap has those that are accepted, as many as it has room for."""
+    station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+    run_passes(craft, 4)
+    (said,) = [each.text for each in station.received(*KINDS, messages.Statustext) if each.ID == messages.Statustext.ID]
+    accepted = ["%g" % _worth(facts, steps) for steps in facts["choices"]]  # noqa: UP031  MicroPython
+    head = "%s: %g is not " % (facts["name"], value)  # noqa: UP031
+    whole = head + ", ".join(accepted[:-1]) + " or " + accepted[-1] if len(accepted) > 1 else head + accepted[0]
+    if len(whole) <= 50:
+        assert said == whole, said
+    else:
+        assert said.startswith(head + accepted[0]), said
+        assert said.endswith(", ... " + accepted[-1]), said
 
 
 def values_are_rounded_to_steps():

@@ -5,6 +5,7 @@ import struct
 from fractions import Fraction
 
 GROUND_STATION = 6  # MAV_TYPE_GCS
+AS_IT_WAS = object()  # what the outcome is of a number that leaves the quantity alone
 FLOATS = {"float": "<f", "double": "<d"}
 
 
@@ -55,11 +56,13 @@ class Model:
     def _take(self, table, field, values, version, types):
         path = _path(field)
         if version == 1 and field["is_extension"]:
-            outcome = None
+            outcome = AS_IT_WAS if 0 in field["unchanged"] else None
         elif field["kind"] == "text":
             outcome = _text(field, values[field["field"]])
         else:
             outcome = _number(field, values[field["field"]], types[field["field"]])
+        if outcome is AS_IT_WAS:
+            return
         if outcome is None:
             self.known[path] = self.known[path] if field["kind"] == "boolean" else None
         elif outcome is Ellipsis:
@@ -84,7 +87,7 @@ def _text(field, value):
 
 
 def _number(field, value, kind):
-    """Return the value kept of a number on the wire, None for unknown, or Ellipsis: it is not taken."""
+    """Return the value kept of a number on the wire, None for unknown, Ellipsis: it is not taken, or AS_IT_WAS."""
     speaking = value if field["element"] is None else value[field["speaking"]]
     value = value if field["element"] is None else value[field["element"]]
     if kind in FLOATS:
@@ -92,8 +95,12 @@ def _number(field, value, kind):
             struct.unpack(FLOATS[kind], struct.pack(FLOATS[kind], each))[0] for each in (speaking, value)
         )
         if not math.isfinite(value):
-            return None
-    if speaking == field["sentinel"] and field["kind"] != "boolean":
+            return AS_IT_WAS if "nan" in field["unchanged"] else None
+    if value in field["unchanged"]:
+        return AS_IT_WAS
+    if value in field["unknown"]:
+        return None
+    if speaking == field["sentinel"]:
         return None
     if not field["low"] <= value <= field["high"]:
         return Ellipsis

@@ -39,6 +39,12 @@ class Boat(Craft):
     def pump_cancel(self):
         return self._do("cancel")
 
+    def change_speed(self, kind, speed, throttle):
+        return self._do("speed", kind, speed, throttle)
+
+    def count(self, most, least, beside, wide):
+        return self._do("count", most, least, beside, wide)
+
     def set_lights(self, level, lamps):
         return self._do("lights", level, lamps)
 

@@ -14,12 +14,12 @@ from codegen.model.code.halves import beyond, equal
 from codegen.model.code.payload_code import UNKNOWN, indented
 from codegen.model.code.statements import scaled, tested
 from codegen.model.code.storage import HALF, SMALL_INT_MAX, Storage
-from codegen.model.dialect.dialect import WireField
 from codegen.model.program import RECEIVED
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import Sender
 from codegen.model.system import System
 from codegen.model.vehicle import QuantityKind
+from codegen.targets.firmware.messages.wire_numbers import Machine, Plain, bare, number_of
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
@@ -28,8 +28,6 @@ FIELDS = 16
 """The place at which the counts of the fields begin."""
 _OWN = 3
 """The place of the vehicle's system and component."""
-_GIVEN = 12
-"""The place to which machine code writes a number that becomes a whole one."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 
@@ -97,8 +95,8 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
 
 
 def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, int]) -> TakeView:
-    lines = _lines(table, _Plain(), layout, places)
-    machine_lines = _lines(table, _Machine(), layout, places)
+    lines = _lines(table, Plain(), layout, places)
+    machine_lines = _lines(table, Machine(), layout, places)
     labels = [f'"{taken.label}"' for taken in table.fields]
     return TakeView(
         name=table.name,
@@ -117,7 +115,7 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
     )
 
 
-def _lines(table: Reception, code: "_Plain", layout: Layout, places: dict[str, int]) -> tuple[str, ...]:
+def _lines(table: Reception, code: Plain, layout: Layout, places: dict[str, int]) -> tuple[str, ...]:
     lines = list(_conditions(table, code))
     for number, taken in enumerate(table.fields, 1):
         lines += ["", *_Statements(taken, number, code, layout, places).lines()]
@@ -159,7 +157,7 @@ def _admitted(table: Reception) -> Iterator[str]:
         yield "counts[2] = link[3] + 10 - link[4]  # what its header has less than that of MAVLink 2"
 
 
-def _conditions(table: Reception, code: "_Plain") -> Iterator[str]:
+def _conditions(table: Reception, code: Plain) -> Iterator[str]:
     """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
     places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
     others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
@@ -168,7 +166,7 @@ def _conditions(table: Reception, code: "_Plain") -> Iterator[str]:
         yield "    counts[0] = -1  # for somebody else"
         yield "    return 0"
     if table.conditions:
-        tests = " or ".join(f"{_number(field, field.offset, code)} != {number}" for field, number in table.conditions)
+        tests = " or ".join(f"{number_of(field, field.offset, code)} != {number}" for field, number in table.conditions)
         yield f"if {tests}:"
         yield "    counts[0] = -1  # not for this table"
         yield "    return 0"
@@ -180,50 +178,10 @@ def _any(tests: list[str]) -> str:
     return tests[0] if len(tests) == 1 else " or ".join(f"({test})" for test in tests)
 
 
-class _Plain:
-    """The spelling in plain Python, where it differs."""
-
-    def half(self, offset: int) -> str:
-        """A half of a number on the wire: an expression."""
-        return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
-
-    def whole(self, word: str, low: str, factor: Fraction) -> list[str]:
-        """Store the whole number that comes of a float, the high half of which is ``value``, times a factor."""
-        return [f"{word} = whole_of_float(value, {_bare(low)}, {factor.numerator}, {factor.denominator})"]
-
-
-class _Machine(_Plain):
-    """The spelling in machine code: a half at a multiple of two, as most are, is read at once."""
-
-    def half(self, offset: int) -> str:
-        return super().half(offset) if offset % 2 else f"halves[{offset // 2}]"
-
-    def whole(self, word: str, low: str, factor: Fraction) -> list[str]:
-        given = ("value", _bare(low), factor.numerator, factor.denominator)
-        return [
-            *(f"counts[{at}] = {each}" for at, each in enumerate(given, _GIVEN)),
-            f"whole_of_float(int(counts) + {4 * _GIVEN})",
-            f"{word} = counts[{_GIVEN}]",
-        ]
-
-
-def _bare(half: str) -> str:
-    return half.removeprefix("(").removesuffix(")")
-
-
-def _number(field: WireField, offset: int, code: _Plain) -> str:
-    """The expression of a number of one or two bytes."""
-    plain = f"wire[{offset}]" if field.type.size == 1 else code.half(offset)
-    if field.type.minimum == 0:
-        return _bare(plain)
-    top = 1 << 8 * field.type.size - 1
-    return f"({plain} ^ 0x{top:X}) - 0x{top:X}"
-
-
 class _Statements:
     """The statements of one field, the ``number``-th of its table; ``places`` collects the words that they name."""
 
-    def __init__(self, taken: ReceivedField, number: int, code: _Plain, layout: Layout, places: dict[str, int]) -> None:
+    def __init__(self, taken: ReceivedField, number: int, code: Plain, layout: Layout, places: dict[str, int]) -> None:
         self._taken = taken
         self._number = number
         self._code = code
@@ -239,7 +197,7 @@ class _Statements:
             return [comment, *self._text()]
         # Of a number of several halves `value` is the highest, which is looked at most.
         halves = self._halves(taken.offset) if self._is_long else []
-        read = _bare(halves.pop()) if halves else _number(taken.field, taken.offset, self._code)
+        read = bare(halves.pop()) if halves else number_of(taken.field, taken.offset, self._code)
         before = [f"value = {read}"]
         tests = [*self._unknown(halves), *self._beyond(halves)]
         store = [*self._store(halves), *self._renewed()]
@@ -275,25 +233,44 @@ class _Statements:
     # tests
 
     def _unknown(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
-        """Yield what makes the quantity unknown; a boolean, which is never so, keeps its value."""
+        """Yield what sets no value: it makes the quantity unknown, or leaves it, as all of it does a boolean."""
         taken = self._taken
         is_boolean = taken.quantity.kind is QuantityKind.BOOLEAN
         forget = ["pass"] if is_boolean else [f"{self._word(taken.quantity.attribute)} = {UNKNOWN}"]
         if taken.is_extension:
-            yield "counts[2] != 0", "MAVLink 1 does not have it", forget
+            yield "counts[2] != 0", "MAVLink 1 does not have it", ["pass"] if taken.is_kept_by_absence else forget
         if not taken.field.type.is_integer:
             exponent = 0x7F80 if taken.field.type.size == 4 else 0x7FF0
-            yield f"value & 0x{exponent:X} == 0x{exponent:X}", "NaN, or infinite", forget
+            kept = ["pass"] if taken.is_kept_by_nan else forget
+            yield f"value & 0x{exponent:X} == 0x{exponent:X}", "NaN, or infinite", kept
+        for numbers, remark, inner in (
+            (taken.unchanged, "left as it was", ["pass"]),
+            (taken.absent, "there is none", forget),
+        ):
+            ways = [self._equal(number, halves) for number in numbers if math.isfinite(number)]
+            if ways:
+                yield _any(ways) if self._is_long else " or ".join(ways), remark, inner
         sentinel = taken.sentinel
-        if sentinel is None or not math.isfinite(sentinel):
+        if sentinel is None or not math.isfinite(sentinel) or (sentinel in taken.absent and self._is_own):
             return
         offset = taken.field.offset + taken.speaking * taken.field.type.size
-        is_own = taken.speaking == taken.element
-        if self._is_long:
-            compared = [*halves, "value"] if is_own else self._halves(offset)
-            yield equal(compared, Fraction(sentinel), self._wire_storage), "unknown", forget
+        if self._is_own:
+            yield self._equal(sentinel, halves), "unknown", forget
+        elif self._is_long:
+            yield equal(self._halves(offset), Fraction(sentinel), self._wire_storage), "unknown", forget
         else:
-            yield f"{'value' if is_own else _number(taken.field, offset, self._code)} == {sentinel}", "unknown", forget
+            yield f"{number_of(taken.field, offset, self._code)} == {sentinel}", "unknown", forget
+
+    @property
+    def _is_own(self) -> bool:
+        """Return whether its own number says that it is unknown."""
+        return self._taken.speaking == self._taken.element
+
+    def _equal(self, number: float, halves: list[str]) -> str:
+        """The condition that its own number is one that sets no value."""
+        if self._is_long:
+            return equal([*halves, "value"], Fraction(number), self._wire_storage)
+        return f"value == {number}"
 
     def _beyond(self, halves: list[str]) -> Iterator[tuple[str, str, list[str]]]:
         """Yield what is not taken."""
@@ -334,7 +311,7 @@ class _Statements:
         value = "value"
         if halves:
             # A value within the limits is a number of 30 bits: the halves above its two only have its sign.
-            top = _bare(halves[1]) if len(halves) > 1 else "value"
+            top = bare(halves[1]) if len(halves) > 1 else "value"
             top = f"(({top}) ^ 0x{_TOP:X}) - 0x{_TOP:X}".replace("(value)", "value") if taken.low < 0 else top
             value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")
         if taken.factor != 1:
@@ -346,7 +323,7 @@ class _Statements:
 
     def _extended(self, halves: list[str], count: int) -> Iterator[str]:
         """Yield as many halves as are kept, the sign in those that the wire does not have."""
-        wire = [*(_bare(half) for half in halves), "value" if self._is_long else "value & 0xFFFF"]
+        wire = [*(bare(half) for half in halves), "value" if self._is_long else "value & 0xFFFF"]
         negative = f"value & 0x{_TOP:X} != 0" if self._is_long else "value < 0"
         for at in range(count):
             yield wire[at] if at < len(wire) else f"0xFFFF if {negative} else 0" if self._taken.low < 0 else "0"

@@ -73,7 +73,7 @@ _ROOM = 100
 
 
 def _row(command: Command) -> CommandRow:
-    has_position = any(param.axis for param in command.params)
+    is_other_int = any(param.axis or _is_exact_int(param) for param in command.params)
     return CommandRow(
         number=command.number,
         about=f"{command.name}: {prose(command.spec.doc)}{_cited(command)}",
@@ -83,7 +83,7 @@ def _row(command: Command) -> CommandRow:
         is_for_stations=command.spec.sender is Sender.GROUND_STATION,
         is_long=command.spec.long,
         params=tuple(_param(param, is_int=False) for param in command.params),
-        int_params=tuple(_param(param, is_int=True) for param in command.params) if has_position else (),
+        int_params=tuple(_param(param, is_int=True) for param in command.params) if is_other_int else (),
         frames=tuple(entry.value for entry in command.frames),
         frame_words=_frame_words(command),
     )
@@ -105,6 +105,8 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
     low, high = (None if end is None else end * steps for end in (param.minimum, param.maximum))
     if is_int and param.axis is not None:
         low, high = (None if end is None else Fraction(round(end)) for end in (low, high))
+    elif is_int and _is_exact_int(param):
+        low, high = param.ends
     multiplier, divisor = _factor(scale)
     parts = (
         str(param.number),
@@ -116,12 +118,31 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
         _among(param),
         "None" if param.default is None else argument_text(param, param.default),
         quoted(f"{param.name} must be {param.limits}"),
+        *_further(param),
     )
     line = f"({', '.join(parts)})"
     if len(line) <= _ROOM:
         return line
     own = [each for part in parts for each in ([f"{part},"] if '"' in part else wrap(f"{part},", _ROOM))]
     return "\n                ".join(("(", *own)) + "\n            )"
+
+
+def _is_exact_int(param: CommandParam) -> bool:
+    """Return whether COMMAND_INT carries whole numbers of a parameter of which COMMAND_LONG has the nearest float."""
+    if param.number not in (5, 6) or param.axis is not None or not param.is_whole or param.scale.ratio != 1:
+        return False
+    limits = (param.minimum, param.maximum)
+    return any(end is not None and end != limit for end, limit in zip(param.ends, limits, strict=True))
+
+
+def _further(param: CommandParam) -> Iterator[str]:
+    """The numbers that leave things as they are, and the ends of the argument, as far as there are any."""
+    ends = param.whole_ends
+    left = [*(["None"] if param.is_none_for_nan else []), *map(number_text, param.left)]
+    if left or ends:
+        yield f"({', '.join(left)}{',' if len(left) == 1 else ''})"
+    if ends:
+        yield f"({ends[0]}, {ends[1]})"
 
 
 def _factor(scale: AffineMap) -> tuple[str, str]:
@@ -151,6 +172,12 @@ def _among(param: CommandParam) -> str:
 def argument_text(param: CommandParam, value: Fraction) -> str:
     """An argument of the method as Python writes it."""
     return str(int(value)) if param.is_whole else repr(float(value))
+
+
+def left_words(param: CommandParam) -> str:
+    """``NaN and -1``: the numbers on the wire that leave things as they are, for people; empty for none."""
+    words = [*(["NaN"] if param.is_none_for_nan else []), *map(number_text, param.left)]
+    return " and ".join(words) if len(words) < 3 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def number_text(value: Fraction) -> str:
@@ -196,6 +223,7 @@ def _doc(commands: list[Command]) -> Iterator[str]:
             yield head
         for param in command.params:
             unknown = "" if param.default is None else f", and {argument_text(param, param.default)} for NaN"
+            unknown += f", and None for {left_words(param)}" if left_words(param) else ""
             doc = f": {prose(param.spec.doc)}" if param.spec.doc else ""
             yield f"`{param.name}` is {param.limits}{unknown}{doc}"
     is_long = commands[0].spec.long

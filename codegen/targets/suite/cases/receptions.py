@@ -13,7 +13,6 @@ from codegen.model.dialect.dialect import Kind
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import Sender
 from codegen.model.system import System
-from codegen.model.vehicle import QuantityKind
 
 GROUND_STATION = 255, 190
 _COUNTED = 6  # fields that are refused more than once
@@ -72,6 +71,10 @@ class _Cases:
             values = {f"{taken.field.name}[{taken.speaking}]" if taken.field.is_array else taken.label: value}
             values = {taken.label: value} if taken.is_text else values
             yield self._case(f"{taken.label}-{name}", by_sentinel, self._message(), self._message(values))
+        for number in taken.unchanged:
+            steps = (self._message(), self._message({taken.label: number}))
+            yield self._case(f"{taken.label}-unchanged-{number}", by_sentinel, *steps)
+            yield self._case(f"{taken.label}-unchanged-{number}-alone", by_sentinel, *steps[1:])
         after_ms = taken.quantity.trust.stale_after_ms
         if taken.quantity.ages and after_ms is not None:
             cited = table.cited("stale_after") or own
@@ -79,6 +82,11 @@ class _Cases:
             yield self._case(f"{taken.label}-too-old", cited, self._message(), {"ms": after_ms + 1})
             refreshed = (self._message(), {"ms": after_ms}, self._message(), {"ms": after_ms})
             yield self._case(f"{taken.label}-again", cited, *refreshed)
+            for number in taken.unchanged:  # it grows stale as if that message had not come
+                left = self._message({taken.label: number})
+                yield self._case(
+                    f"{taken.label}-left-{number}", cited, self._message(), {"ms": after_ms}, left, {"ms": 1}
+                )
 
     def _of_table(self) -> Iterator[ReceptionCase]:
         table = self._table
@@ -153,7 +161,11 @@ def _plain(taken: ReceivedField) -> Value:
         low, high = (taken.low, taken.high) if low > high else (low, high)
         return _held(taken, low + (high - low) * Fraction(3, 7))
     number = int(taken.low + (taken.high - taken.low) * Fraction(3, 7))
-    return number if number != taken.sentinel else number + 1 if number < taken.high else number - 1
+    while number in taken.special and number < taken.high:
+        number += 1
+    while number in taken.special:
+        number -= 1
+    return number
 
 
 def _taken_values(taken: ReceivedField) -> dict[str, Value]:
@@ -173,7 +185,7 @@ def _taken_values(taken: ReceivedField) -> dict[str, Value]:
         if not taken.quantity.storage.is_float:  # halves of a step, and what is next to nothing
             near = {"half": Fraction(1, 2), "minus-half": Fraction(-3, 2), "tiny": Fraction(1, 10**30)}
             found |= {name: _held(taken, number / taken.factor) for name, number in near.items()}
-    return {name: value for name, value in found.items() if value != taken.sentinel and _is_within(taken, value)}
+    return {name: value for name, value in found.items() if value not in taken.special and _is_within(taken, value)}
 
 
 def _is_within(taken: ReceivedField, value: Value) -> bool:
@@ -194,16 +206,15 @@ def _refused_values(taken: ReceivedField) -> dict[str, Value]:
     return {
         name: number
         for name, number in limits.items()
-        if smallest <= number <= largest and not low <= number <= high and number != taken.sentinel
+        if smallest <= number <= largest and not low <= number <= high and number not in taken.special
     }
 
 
 def _unknown_values(taken: ReceivedField) -> dict[str, Value]:
-    if taken.quantity.kind is QuantityKind.BOOLEAN:
-        return {}
     found: dict[str, Value] = {}
     if taken.sentinel is not None:
         found["sentinel"] = "" if taken.field.type.kind is Kind.CHAR else taken.sentinel
+    found |= {f"unknown-{number}": number for number in taken.absent}
     if taken.field.type.kind is Kind.FLOAT:
         found |= {"nan": float("nan"), "infinite": float("inf"), "minus-infinite": -float("inf")}
     return found

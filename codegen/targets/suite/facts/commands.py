@@ -86,6 +86,10 @@ def _each_unknown(command: Command) -> Iterator[dict[int, _Sample]]:
     for param in command.params:
         if param.default is not None:
             yield {param.number: _Sample(_NAN, argument_text(param, param.default))}
+        elif param.is_none_for_nan:
+            yield {param.number: _Sample(_NAN, "None")}
+        for number in param.left:
+            yield {param.number: _Sample(repr(float(number)), "None")}
 
 
 def _each_beyond(command: Command) -> Iterator[dict[int, _Sample]]:
@@ -98,6 +102,7 @@ def _ends(param: CommandParam) -> list[_Sample]:
     """The smallest and the largest value, as far as there are any that a float of 32 bits is exactly; at least one."""
     if param.enum is not None:
         values = [Fraction(each) for each in _values(param.enum) if _is_within(param, Fraction(each))]
+        values = [each for each in values if each not in param.left] or values
         return [_sample(param, values[0]), _sample(param, values[-1])]
     ends = [end for end in (param.minimum, param.maximum) if end is not None]
     usable = [end for end in ends if _is_usable(param, end)]
@@ -127,6 +132,8 @@ def _is_usable(param: CommandParam, wire: Fraction) -> bool:
     """Return whether a value stands on the wire as it is, and where the argument
     has to be whole is a whole one there.
     """
+    if wire in param.left:
+        return False
     if not param.is_whole or param.is_rounded:
         return _single(wire) == wire
     argument = param.scale.exact(wire)
@@ -135,6 +142,9 @@ def _is_usable(param: CommandParam, wire: Fraction) -> bool:
 
 def _sample(param: CommandParam, wire: Fraction) -> _Sample:
     argument = param.scale.settled(wire, float)
+    if param.whole_ends is not None:
+        low, high = param.whole_ends
+        argument = min(max(round(argument), low), high)
     text = str(round(argument)) if param.is_whole else repr(argument)
     return _Sample(repr(float(wire)), text)
 
@@ -153,15 +163,25 @@ def _values(enum: EnumDefinition) -> list[int]:
 def _beyond(param: CommandParam) -> Iterator[str]:
     for end, up in ((param.minimum, False), (param.maximum, True)):
         if end is not None and math.isfinite(_beside(end, up=up)):
-            yield repr(_beside(end, up=up))
-    if param.default is None:
+            beside = _beside(end, up=up)
+            if Fraction(beside) not in param.left:
+                yield repr(beside)
+    if param.default is None and not param.is_none_for_nan:
         yield _NAN
     yield _INFINITE
     yield f"-{_INFINITE}"
     if param.enum is not None:
         yield repr(float(next(each for each in range(1 << 20) if not _has(param.enum, each))))
     if param.is_whole and not param.is_rounded and param.scale.ratio == 1:
-        yield repr(float(_ends(param)[0].wire) + 0.5)
+        fraction = _fraction(param)
+        if fraction is not None:
+            yield repr(float(fraction))
+
+
+def _fraction(param: CommandParam) -> Fraction | None:
+    """A number with a fraction that a float of 32 bits is, within the limits; None where these are all whole ones."""
+    near = (Fraction(end) + side for end in (_ends(param)[0].wire, "0") for side in (Fraction(1, 2), Fraction(-1, 2)))
+    return next((each for each in near if _is_within(param, each) and _single(each) == each), None)
 
 
 def _has(enum: EnumDefinition, value: int) -> bool:
@@ -175,6 +195,8 @@ def _as_int(param: CommandParam, good: dict[int, _Sample]) -> _Sample:
     if param.axis is not None:
         units = 10**7 if param.wire_unit.name == "deg" else 1
         return _Sample(str(round(Fraction(sample.wire) * units)), sample.argument)
+    if param.number in (5, 6) and param.is_whole and param.scale.ratio == 1:
+        return _Sample(sample.argument, sample.argument)
     if param.number in (5, 6):
         return _Sample(str(math.floor(float(sample.wire))), sample.argument)
     return sample

@@ -1,0 +1,84 @@
+"""Applies one correction to attributes of a parameter of a command, an entry of MAV_CMD."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from codegen.diagnostics import Report, did_you_mean
+from codegen.measure import UNKNOWN_UNIT
+from codegen.model.dialect.dialect import CommandParameter
+from codegen.model.dialect.literals import exact_number
+from codegen.model.units.nearest_unit import nearest_unit
+from codegen.model.units.unit import Unit
+from codegen.resolve.dialect.corrected import (
+    CORRECTION_ATTRIBUTE,
+    CORRECTION_UNKNOWN,
+    CORRECTION_VALUE,
+    OBSOLETE_CORRECTION,
+    Corrected,
+    entry_to_correct,
+)
+
+if TYPE_CHECKING:
+    from codegen.model.spec.spec import Correction
+
+_NUMBERS = ("minValue", "maxValue", "increment")
+_ATTRIBUTES = ("label", "units", *_NUMBERS, "enum", "default", "description")
+
+
+def correct_parameter(correction: "Correction", result: Corrected, report: Report) -> None:
+    """Set attributes of a parameter; the empty text removes one."""
+    name = correction.enum or ""
+    enum = result.enums.get(name)
+    if enum is None:
+        hint = did_you_mean(name, result.enums)
+        report.add(CORRECTION_UNKNOWN, correction.at("enum"), f"the dialect has no enum {name}", hint)
+        return
+    entry = entry_to_correct(correction, enum, report)
+    if entry is None:
+        return
+    parameter = next((each for each in entry.parameters if each.number == correction.param), None)
+    if parameter is None:
+        known = ", ".join(each.number for each in entry.parameters)
+        message = f"{entry.name} has no parameter {correction.param}"
+        report.add(CORRECTION_UNKNOWN, correction.at("param"), message, f"it has {known}" if known else None)
+        return
+    new = parameter
+    for attribute, text in correction.set.items():
+        new = _corrected(correction, new, attribute, " ".join(text.split()), result, report)
+    parameters = tuple(new if each is parameter else each for each in entry.parameters)
+    corrected = entry._replace(parameters=parameters)
+    entries = tuple(corrected if other is entry else other for other in enum.entries)
+    result.enums[name] = replace(enum, entries=entries)
+
+
+def _corrected(
+    correction: "Correction",
+    parameter: CommandParameter,
+    attribute: str,
+    text: str,
+    result: Corrected,
+    report: Report,
+) -> CommandParameter:
+    """The parameter with an attribute set; as it was after a diagnostic."""
+    place, target = correction.at("set"), f"{correction.entry} {parameter.number}"
+    stated = dict(parameter.attributes)
+    before = parameter.description if attribute == "description" else stated.get(attribute, "")
+    if attribute not in _ATTRIBUTES:
+        hint = did_you_mean(attribute, _ATTRIBUTES)
+        report.add(CORRECTION_ATTRIBUTE, place, f"{target}: {attribute} cannot be corrected", hint)
+    elif attribute in _NUMBERS and text and exact_number(text) is None:
+        report.add(CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}")
+    elif attribute == "units" and text and Unit.parse(text) is None:
+        report.add(UNKNOWN_UNIT, place, f"{target}: {text!r} is not a known unit", nearest_unit(text))
+    elif attribute == "enum" and text and text not in result.enums:
+        hint = did_you_mean(text, result.enums)
+        report.add(CORRECTION_VALUE, place, f"{target}: there is no enum {text}", hint)
+    elif text == before:
+        report.add(OBSOLETE_CORRECTION, place, f"the dialect already has {attribute} {text!r} for {target}")
+    elif attribute == "description":
+        return parameter._replace(description=text)
+    else:
+        stated.pop(attribute, None)
+        more = {attribute: text} if text else {}
+        return parameter._replace(attributes=tuple((stated | more).items()))
+    return parameter

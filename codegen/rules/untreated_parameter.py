@@ -1,0 +1,56 @@
+"""The dialect's words give a number of a parameter a meaning of its own, and the method gets it as a value."""
+
+from collections.abc import Iterator
+
+from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.command import Command, CommandParam
+from codegen.model.dialect.dialect import CommandParameter
+from codegen.model.dialect.stated_values import StatedValue, stated_values
+from codegen.model.system import System
+
+RULE = Rule(
+    "untreated-parameter",
+    "The dialect says in words that a number of a command's parameter means something of its own, such as -1 that "
+    "nothing is to change, and the method would get it as a value, converted like any other. List it under "
+    "'unchanged': the method gets None. Or keep it out with min and max: it is denied. An empty list, 'unchanged: []', "
+    "says that it is a value here. Without a conversion any list says that the others are known.",
+    Severity.WARNING,
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """One finding for each such number of a parameter that the method is given."""
+    enum = system.dialect.enums.get("MAV_CMD")
+    for command in system.program.commands if system.program and enum else ():
+        entry = enum.entry(command.name) if enum else None
+        written = {parameter.number: parameter for parameter in entry.parameters} if entry else {}
+        for param in command.params:
+            parameter = written.get(str(param.number))
+            if parameter is None or param.enum is not None:
+                continue
+            for stated in stated_values(parameter.description):
+                if not _is_treated(stated, param):
+                    yield _finding(command, param, parameter, stated)
+
+
+def _is_treated(stated: StatedValue, param: CommandParam) -> bool:
+    value, unchanged = stated.number, param.spec.unchanged
+    is_below = param.minimum is not None and value < param.minimum
+    is_above = param.maximum is not None and value > param.maximum
+    if is_below or is_above or value in param.left or unchanged == ():
+        return True
+    return unchanged is not None and param.scale.ratio == 1
+
+
+def _finding(command: Command, param: CommandParam, parameter: CommandParameter, stated: StatedValue) -> Diagnostic:
+    wire, unit = param.wire_unit.name, param.unit.name
+    converted = f", converted from {wire} to {unit}" if param.scale.ratio != 1 else ""
+    more = " (the method is then given None)" if stated.is_left else ", or keep it out with min and max"
+    return Diagnostic(
+        param.spec.place,
+        RULE,
+        f"{command.name} {param.number} has a number with a meaning of its own, {stated.words!r}, and {param.name} "
+        f"would get it as a value{converted}",
+        f"write unchanged: [{stated.text}]{more}, or unchanged: [] where it is a value",
+        ((parameter.place, "the dialect says so here"),),
+    )

@@ -1,0 +1,50 @@
+"""The dialect's words give a number of a received field a meaning of its own, and the table takes it as a value."""
+
+from collections.abc import Iterator
+
+from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.dialect.stated_values import StatedValue, stated_values
+from codegen.model.reception import COMPONENT_FIELD, SYSTEM_FIELDS, ReceivedField, Reception
+from codegen.model.system import System
+
+RULE = Rule(
+    "untreated-value",
+    "The dialect says in words that a number of a received field means something of its own, such as that the field is "
+    "to be ignored, and the table takes it for a value like any other. List it under 'unchanged', where it is to leave "
+    "the quantity as it was, under 'unknown', where there is no value then, or keep it out with min and max. An empty "
+    "list, 'unknown: []', says that it is a value here.",
+    Severity.WARNING,
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """One finding for each such number of a field that is taken."""
+    for table in system.receptions:
+        for taken in table.fields:
+            if taken.is_text or taken.field.definition.enum or taken.field.name in (*SYSTEM_FIELDS, COMPONENT_FIELD):
+                continue
+            for stated in stated_values(taken.field.definition.description):
+                if not _is_treated(stated, taken):
+                    yield _finding(table, taken, stated)
+
+
+def _is_treated(stated: StatedValue, taken: ReceivedField) -> bool:
+    """Return whether the table says what becomes of the number: it lists it, or lets nobody take it for a value."""
+    spec, number = taken.spec, stated.number
+    is_beyond = not taken.low <= number <= taken.high
+    if is_beyond or spec.unchanged == () or spec.unknown == () or number in (*taken.unchanged, *taken.absent):
+        return True
+    return number == taken.sentinel and not stated.is_left
+
+
+def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Diagnostic:
+    key = "unchanged" if stated.is_left else "unknown"
+    becomes = "unknown" if stated.number == taken.sentinel else "a value"
+    label = f"{table.wire.name}.{taken.label}"
+    return Diagnostic(
+        taken.spec.place,
+        RULE,
+        f"{label} has a number with a meaning of its own, {stated.words!r}, and it is taken as {becomes}",
+        f"write {key}: [{stated.text}], or {key}: [] where that does not hold",
+        ((taken.field.definition.place, "the dialect says so here"),),
+    )
