@@ -74,21 +74,21 @@ class Parameters:
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
-        about = _about(name)
+        about = facts_of(name)
         return steps * about[2] / about[3]
 
     def limits(self, name):
         """Return the smallest and the largest value of a parameter."""
-        about = _about(name)
+        about = facts_of(name)
         return self.value(name, about[0]), self.value(name, about[1])
 
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE that a parameter goes out as."""
-        return _about(name)[4]
+        return facts_of(name)[4]
 
     def is_after_reboot(self, name):
         """Return whether a new value is used only after the next start."""
-        return _about(name)[5] != 0
+        return facts_of(name)[5] != 0
 
     def set(self, name, value):
         """Take a value over, rounded to the nearest step; return whether it was accepted.
@@ -108,7 +108,7 @@ class Parameters:
         """Return the steps of an acceptable value, else None."""
         if _place(name) < 0:
             return None
-        about = _about(name)
+        about = facts_of(name)
         steps = to_steps(value, about[3], about[2])
         if steps is None or not about[0] <= steps <= about[1] or steps not in (about[6:] or (steps,)):
             return None
@@ -173,7 +173,7 @@ def _place(name):
     return -1 if " " in name else _LINES.find(f"\n{name} ")
 
 
-def _about(name):
+def facts_of(name):
     """Return the numbers in the line of a parameter."""
     start = _place(name) + 1
     return [int(word) for word in _LINES[start : _LINES.find("\n", start)].split()[1:]]

@@ -1,6 +1,6 @@
 """The words for what a parameter accepts; loaded when the first value is refused."""
 
-from parameters import _about as about
+from parameters import facts_of
 
 _TEXT = 50  # characters of a STATUSTEXT
 
@@ -8,7 +8,7 @@ _TEXT = 50  # characters of a STATUSTEXT
 def refusal(parameters, name, value):
     """Return why a value is refused: "A: 99 is not 0 to 60", or "B: 5 is not 0, 4 or 9", as many as fit."""
     said = f"{name}: {value:g} is not "
-    values = [f"{parameters.value(name, steps):g}" for steps in about(name)[6:]]
+    values = [f"{parameters.value(name, steps):g}" for steps in facts_of(name)[6:]]
     if not values:
         smallest, largest = parameters.limits(name)
         return said + f"{smallest:g} to {largest:g}"

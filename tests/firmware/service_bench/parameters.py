@@ -61,6 +61,6 @@ def index_of(name):
     return NAMES.index(name) if name in NAMES else None
 
 
-def _about(_name):
+def facts_of(_name):
     """Return the numbers in the line of a parameter: there are no values that are not all within the limits."""
     return []
