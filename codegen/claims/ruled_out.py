@@ -43,6 +43,8 @@ _HANDLED = (
     r"(?:show|keep|store|log|copy|convert|plot|display|print|cast|allocate|reserve|prefer|round|scale|limit|clip|measured"
     r"|turn|write|save|use the first|read (?:it|them|that)? ?(?:as|into))"
 )
+_DONE = r"filled|sent|wrote|took|packed|assumed|expected|forgot|decoded|parsed|treated"
+"""What a version or somebody did, as release notes tell of what they have mended: "3.3 read it as ..."."""
 _ASIDE = words(
     r"\b(?:draft|proposals?|proposed?|rfc|suggest\w*|wish|idea)\b",
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
@@ -62,6 +64,9 @@ _ASIDE = words(
     r"|generations?|releases?"
     r"|builds?|code|bindings?|drafts?)\b",
     r"\b(?:before|until|up to) (?:version|v\d|release)",
+    r"(?:^\W*|[.;:] )(?:(?:version|release|firmware) )?(?:N|v ?[\dN]+)(?:\.[\dNx]+)* (?:still |also |only )?"
+    rf"(?:{_DONE}|read|put)\b",
+    rf"\b(?:we|i|they) (?:had |first |also |only |once |always |both )*(?:{_DONE})\b",
     r"\bof (?:your|our|my|their) own\b",
     r"\bshould have (?:been|read|said)\b|\bought to (?:be|have been)\b",
     r"\bused to be\b|\bno longer\b|\bback then\b|\bat that time\b",

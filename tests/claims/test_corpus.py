@@ -1,5 +1,7 @@
 """The documents of the corpus: nothing is found wrongly but what is known, and no less than was found once."""
 
+import re
+
 import claims_score
 import pytest
 import yaml
@@ -30,6 +32,7 @@ FOUND = {
     "seen-23": 39,
     "seen-24": 50,
     "seen-25": 44,
+    "seen-26": 31,
 }
 WRONG = {
     "seen-6": 1,
@@ -68,6 +71,7 @@ SURE = {
     "seen-23": 12,
     "seen-24": 13,
     "seen-25": 10,
+    "seen-26": 14,
 }
 TOLD = {
     "seen-1": 45,
@@ -95,6 +99,7 @@ TOLD = {
     "seen-23": 30,
     "seen-24": 33,
     "seen-25": 35,
+    "seen-26": 25,
 }
 """Right findings that say what the dialect has: others say so of a neighbour's number, or guess another name."""
 
@@ -128,3 +133,37 @@ def test_half_of_the_documents_are_right() -> None:
         entries = yaml.safe_load((claims_score.CORPUS / folder / "labels.yaml").read_text())
         wrong = sum(bool(entry["faults"]) for entry in entries)
         assert abs(2 * wrong - len(entries)) <= len(entries) / 3
+
+
+_README = claims_score.CORPUS / "README.md"
+
+
+def _rows(head: str) -> list[list[str]]:
+    """Return the cells of the table of the corpus's README that begins with a head."""
+    table = _README.read_text(encoding="utf-8").partition(f"| {head} |")[2].partition("\n\n")[0]
+    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines()[2:]]
+
+
+@pytest.mark.parametrize("folder", claims_score.FOLDERS)
+def test_labels_are_of_known_kinds_and_of_lines_that_there_are(folder: str) -> None:
+    """A label that names no line, or is of a kind that nobody described, is a fault that nothing can find."""
+    kinds = {name for row in _rows("Kind") for name in re.findall(r"`([a-z-]+)`", row[0])}
+    for path, faults in claims_score.documents(folder):
+        lines = len(path.read_text(encoding="utf-8").splitlines())
+        for fault in faults:
+            assert set(fault) == {"line", "kind", "message", "field", "claimed", "dialect", "sure"}, path.name
+            assert fault["kind"] in kinds, path.name
+            assert 1 <= fault["line"] <= lines, path.name
+            assert fault["sure"] in ("sure", "probable"), path.name
+            assert fault["dialect"] is not None, path.name
+
+
+def test_the_readme_counts_the_documents() -> None:
+    """Shares of faults are told of these numbers."""
+    counted = []
+    for folder in sorted(claims_score.FOLDERS, key=lambda name: int(name.partition("-")[2])):
+        faults = [found for _, found in claims_score.documents(folder)]
+        wrong = sum(map(bool, faults))
+        counted.append((f"`{folder}`", len(faults), len(faults) - wrong, wrong, sum(map(len, faults))))
+    total = ("all", *(sum(row[at] for row in counted) for at in range(1, 5)))  # type: ignore[misc]
+    assert _rows("Folder") == [[str(cell) for cell in row] for row in (*counted, total)]

@@ -66,6 +66,8 @@ _NO_VALUE = pattern(
 _GAP = pattern(r"[.;|]|[MEVCTUQ]|\b(?:but|while|whereas|otherwise|however)\b")
 _OF_MESSAGE = pattern(r" (?:of|in|from) M\b|;? *(?://|#|/\*)(?: M:?)?")
 _FAR = 70
+_GIVEN_TO = pattern(r" (?:as|for) (?:the |an? )?[FP]\b")
+"""Behind a value, the name of the field that has it: "`a` is in hPa. INT16_MAX as temperature: not available"."""
 _QUESTION = pattern(r"\? (?:then|so|in that case|send|use|set|fill|it|write|put|F|N|S)\b")
 _SMALL = (0, 1)
 """Numbers that a field may really have while something else is unknown."""
@@ -126,7 +128,8 @@ def _told(
         if not tied or not names:
             continue
         at = min(tied, key=lambda value: start - value if value < start else value - end)
-        before = [name for name in names if name < at]
+        given = _GIVEN_TO.match(span.text, at + 1)
+        before = [name for name in names if name < at] if given is None else [given.end() - 1]
         behind = [name for name in names if name > at and not _GAP.search(span.text, at + 1, name)]
         name = before[-1] if before else next(iter(behind), None)
         if name is not None and not _is_element(span, name):

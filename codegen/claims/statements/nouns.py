@@ -55,6 +55,8 @@ _TEXT = pattern(
     r"|in a line|wide))",
     needs="characters|chars|letters",
 )
+_OF_SEVERAL = pattern(r"N(?:,|,? (?:and|or)) $")
+"""Before the last of several lengths, as of texts that somebody has tried: "texts of 1, 50 and 120 characters"."""
 _LIMIT = pattern(
     r"\b(?:up to|at most|of|to|at|maximum|max|exactly|has|have|holds?|takes?|are|limited|limit|fits?|only|after|than)\b"
 )
@@ -151,6 +153,7 @@ def _texts(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         lead = span.source_text(low, span.text.index("N", found.start())).lower()
         if (
             not _LIMIT.search(lead)
+            or _OF_SEVERAL.search(span.text, low, span.text.index("N", found.start()))
             or not _SUBJECT.search(span.text[low : found.end()])
             or re.search(
                 r"\bnot\b|n't|\bour\b|\blonger than\b|\bmore than\b|\bfirst\b|\blast\b|\babout\b|\bshorter\b"

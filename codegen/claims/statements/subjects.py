@@ -38,7 +38,27 @@ _OF = pattern(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<messa
 
 
 def about(reading: Reading, span: Span, offset: int) -> About | None:
-    """The field whose name stands at an offset."""
+    """The field whose name stands at an offset; none of a message that the sentence only tells it apart from."""
+    found = _meant(reading, span, offset)
+    if found is not None and found.message.name in _told_apart(span, *span.bounds(offset)):
+        return None
+    return found
+
+
+_TOLD_APART = pattern(
+    r"\b(?:unlike|in contrast to|as opposed to|other than)(?: in)? (?:the )?(?:fields? |ones? |those |that )?"
+    r"(?:of the same names? |with the same names? |so called )?(?:(?:in|of|from) (?:the )?)?M\b",
+    needs="unlike|in contrast to|as opposed to|other than",
+)
+
+
+def _told_apart(span: Span, low: int, high: int) -> set[str]:
+    """The messages that a sentence says something else of: "floats here, unlike those in NAME"."""
+    return {str(span.sentence.term(found.end() - 1).value) for found in _TOLD_APART.finditer(span.text, low, high)}
+
+
+def _meant(reading: Reading, span: Span, offset: int) -> About | None:
+    """The field whose name stands at an offset, of the message that is meant."""
     value = span.sentence.term(offset).value
     assert isinstance(value, NamedField)
     if value.message is not None:

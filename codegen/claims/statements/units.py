@@ -56,6 +56,7 @@ _NOT = words(
     r"\berror", r"\baccura", r"\bresol", r"\btimeout\b", r"\bneed", r"/ ?N|\* ?N", r"\bcomputed", r"\bfrom U",
     r"\bsteps\b(?! of)", r"\btimes\b", r"\bbetween\b", r"\bfeed", r"\bread(?:ing)?s? as\b", r"\byou get\b", r"\btake",
     r"\b(?:and|while|whereas|but) (?:the|its|all|both|their) ", r"(?<!^)[,;] the (?!unit|value|field|number)\w",
+    r"^; the (?!unit|value|field|number)[a-z]+ (?:is|are)\b",
 )  # fmt: skip
 _SCALED_AFTER = pattern(
     r"[^.;|]{0,3}(?:times\b|from the (?:start|beginning|end)|x ?N|\* ?N|/ ?N|after|by us|in our|on (?:the|our)"
