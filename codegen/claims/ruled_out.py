@@ -44,7 +44,7 @@ _HANDLED = (
     r"|turn|write|save|use the first|read (?:it|them|that)? ?(?:as|into))"
 )
 _DONE = r"filled|sent|wrote|took|packed|assumed|expected|forgot|decoded|parsed|treated"
-"""What a version or somebody did, as release notes tell of what they have mended: "3.3 read it as ..."."""
+"""Verbs of what a version or somebody did, as release notes tell of what they have mended: "3.3 read it as ..."."""
 _ASIDE = words(
     r"\b(?:draft|proposals?|proposed?|rfc|suggest\w*|wish|idea)\b",
     rf"\b(?:our|my|their) (?:[a-z]+ ){{0,2}}{_OWN_THINGS}\b",
