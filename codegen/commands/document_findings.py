@@ -7,7 +7,7 @@ meanwhile, such as dialects that have a message of the same name. While these ar
 import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from codegen.decode.decoded import decoded, with_files_read
 from codegen.diagnostics import Diagnostic, Report
@@ -15,12 +15,13 @@ from codegen.frozen import dataclass
 from codegen.load.files import Files, asked_once
 from codegen.model.price import sent_sizes
 from codegen.model.system import System
-from codegen.tool.cache import entry, pickled
+from codegen.tool.cache import entry, keep_object, kept_object, pickled
 from codegen.tool.digest import tool_digest
 
 if TYPE_CHECKING:
     from codegen.claims.reading import Reference
     from codegen.commands.documents import OfDialect
+    from codegen.importing.stated import StatedFields
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +53,7 @@ def check_project_documents(systems: Sequence[System], files: Files, report: Rep
     for path in paths:
         text = files.read_text(path, report)
         if text is not None:
-            find = _finder(text, path, systems, reference, (dialects, looked_at))
+            find = _finder(text, path, systems, reference, (compared_with, dialects, looked_at))
             inputs = compared_with, path, text
             found[path] = with_files_read(inputs, find, seen, files) if compared_with else find(files)
     for of_document in found.values():
@@ -111,16 +112,17 @@ def _finder(
     path: str,
     systems: Sequence[System],
     reference: "Callable[[Files], Reference]",
-    known_by: tuple[str, dict[str, str]],
+    known_by: tuple[str, str, dict[str, str]],
 ) -> Callable[[Files], Found]:
     """Return what finds what is wrong in a document: it imports all that this needs.
 
-    ``known_by`` has the hash of the dialects, and by path what was found at files that were compared before.
+    ``known_by`` has the hashes of the systems and of the dialects, and by path what was found at files that were
+    compared before.
     """
+    compared_with, dialects, seen = known_by
 
     def find(noting: Files) -> Found:
         from codegen.commands.documents import found_claims, of_dialects
-        from codegen.importing.drift import drift
         from codegen.importing.stated import stated_fields
 
         stated = decoded("stated fields", text, path, lambda _: stated_fields(text, path), Report())
@@ -129,9 +131,25 @@ def _finder(
         def compare(inner: Files) -> "OfDialect":
             return of_dialects(text, path, reference(inner), inner)
 
-        dialects, seen = known_by
         known = with_files_read((dialects, path, text), compare, seen, noting) if dialects else None
         claims = found_claims(text, path, reference(noting), noting, known)
-        return Found((*stated.findings, *drift(stated, systems)), tuple(claims))
+        return Found((*stated.findings, *_drift(stated, systems, compared_with)), tuple(claims))
 
     return find
+
+
+def _drift(stated: "StatedFields", systems: Sequence[System], compared_with: str) -> tuple[Diagnostic, ...]:
+    """The drift of the lists of fields of a document; most edits leave these as they are, and where they stand."""
+    if not stated.lists:
+        return ()
+    lists = [(each.rows, each.place, each.context, sorted(role.value for role in each.roles)) for each in stated.lists]
+    name = entry("drift", compared_with, pickled(lists)) if compared_with else ""
+    known = kept_object(name) if name else None
+    if known is not None:
+        return cast("tuple[Diagnostic, ...]", known)
+    from codegen.importing.drift import drift
+
+    found = tuple(drift(stated, systems))
+    if name:
+        keep_object(name, found)
+    return found

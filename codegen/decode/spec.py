@@ -186,15 +186,21 @@ class _SpecReader:
 
     def _main_project(self) -> Project | None:
         text = self._text(self._project_file, None)
-        node = None if text is None else parse_yaml(text, self._project_file, self._report)
-        if isinstance(node, MappingNode):
-            for key, value in node.entries:
-                if key.text == "base":
-                    self._hashes.clear()  # nothing else here would be read as it is meant
-                    hint = "run codegen on the project that lists it: --project FILE"
-                    self._report.add(PROGRAM_ALONE, value.place, "this is a program of another project", hint)
-                    return None
-        return None if node is None else decode_record(node, Project, self._report)
+        if text is None:
+            return None
+
+        def read(found: Report) -> Project | None:
+            node = parse_yaml(text, self._project_file, found)
+            if isinstance(node, MappingNode):
+                for key, value in node.entries:
+                    if key.text == "base":
+                        self._hashes.clear()  # nothing else here would be read as it is meant
+                        hint = "run codegen on the project that lists it: --project FILE"
+                        found.add(PROGRAM_ALONE, value.place, "this is a program of another project", hint)
+                        return None
+            return None if node is None else decode_record(node, Project, found)
+
+        return decoded("main project", text, self._project_file, read, self._report)
 
     def _program_project(self, program: ListedProgram) -> Project | None:
         """Return what the program states, and its base for the rest."""

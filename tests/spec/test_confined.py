@@ -12,7 +12,7 @@ import yaml
 from fuzzing.watch import watched
 
 from codegen.cli import main
-from codegen.load import yaml_tree
+from codegen.load import yaml_composer
 
 ROOT = Path(__file__).resolve().parents[2]
 HIDDEN = "do not: [quote this\n"
@@ -38,13 +38,13 @@ def test_a_project_file_is_not_parsed_for_each_question(project: Path, monkeypat
 
     The programs are asked for once all other files have been read.
     """
-    parsed, read = [], yaml_tree._Composer.read
+    parsed, read = [], yaml_composer._Composer.read
 
-    def noted(self: yaml_tree._Composer, text: str, loader: type[yaml.SafeLoader]) -> None:
+    def noted(self: yaml_composer._Composer, text: str, loader: type[yaml.SafeLoader]) -> None:
         parsed.append(text)
         read(self, text, loader)
 
-    monkeypatch.setattr(yaml_tree._Composer, "read", noted)
+    monkeypatch.setattr(yaml_composer._Composer, "read", noted)
     edit(project / "specs" / "codegen.yaml", "no_such_key: 1\n")
     assert main(["build"]) == 1
     assert len([text for text in parsed if "no_such_key" in text]) == 2
