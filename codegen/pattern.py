@@ -5,7 +5,7 @@ rare: a run needs few. What they are compiled to is kept for later runs.
 """
 
 import re
-from functools import partial
+from functools import cache, partial
 from typing import Any, cast
 
 from codegen.tool.pattern_codes import compiled
@@ -14,6 +14,7 @@ _SEARCHES = ("findall", "finditer", "fullmatch", "match", "search")
 _ATTRIBUTES = (*_SEARCHES, "flags", "groupindex", "groups", "pattern", "split", "sub", "subn")
 
 
+@cache
 def pattern(expression: str, flags: int = 0, *, needs: str = "") -> "re.Pattern[str]":
     """Return what stands for ``re.compile(expression, flags)``, and compiles it when it is first asked for something.
 

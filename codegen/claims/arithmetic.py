@@ -73,7 +73,7 @@ def _in_small(value: Fraction, result: "re.Match[str]") -> Fraction:
     ``1/9600 = 104 us``: the quotient is in seconds.
     """
     unit = Unit.parse((result["unit"] or "").replace("kB", "kbytes").replace("MB", "Mbytes"))
-    plain = Unit.parse(re.sub(r"^[munkcdMG](?=[A-Za-z])", "", result["unit"] or "").replace("B", "bytes"))
+    plain = Unit.parse(pattern(r"^[munkcdMG](?=[A-Za-z])").sub("", result["unit"] or "").replace("B", "bytes"))
     factor = ratio(plain, unit) if unit is not None and plain is not None else None
     return value if factor is None else value * factor
 
@@ -142,7 +142,7 @@ def _assertions(code: CodeBlock, line: Line, result: "re.Match[str]") -> Iterato
         found = demanded.search(other.text)
         if found:
             place = other.place._replace(column=other.place.column + found.start())
-            tolerance = Fraction(found[1]) if found[1] and re.fullmatch(r"\d+(\.\d+)?", found[1]) else None
+            tolerance = Fraction(found[1]) if found[1] and pattern(r"\d+(\.\d+)?").fullmatch(found[1]) else None
             yield place, "asserted here", tolerance
 
 

@@ -42,7 +42,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         role: str | None = None
         for line in code.lines:
             yield from _always(reading, line)
-            opened = re.search(r"[{\[(]", line.text)
+            opened = pattern(r"[{\[(]").search(line.text)
             if opened is not None and not _BRANCH.search(line.text) and not _NAMED.match(line.text.lstrip()):
                 own = _role(line.text if line.text.rstrip().endswith("{") else line.text[: opened.start()])
                 role = own or (role if line.text.startswith((" ", "\t")) else None)

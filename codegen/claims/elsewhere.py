@@ -177,7 +177,7 @@ def _signatures(reading: Reading) -> tuple[tuple[int, frozenset[str]], ...]:
     for part in reading.prose.passages:
         if part.kind is PassageKind.HEADING:
             call = _SIGNATURE.search(part.text)
-            names = frozenset(re.findall(r"[A-Za-z_]\w*", call["arguments"])) if call is not None else frozenset()
+            names = frozenset(pattern(r"[A-Za-z_]\w*").findall(call["arguments"])) if call is not None else frozenset()
             found.append((part.place.line, names))
     return tuple(found)
 

@@ -1,6 +1,5 @@
 """Fields that a document quotes or defines: against the dialect, and against what it says elsewhere."""
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
@@ -86,7 +85,7 @@ def _in_words(field: WireField) -> str:
     """The sentinel of the dialect, by the attribute or by the text that names a value first."""
     if field.sentinel is not None:
         return f", and is unknown when it is {field.sentinel.written}"
-    words = re.search(r"(?<![\w.-])(-?\d+|U?INT\d+_M(?:IN|AX)): [^.]*\bnot\b", field.definition.description)
+    words = pattern(r"(?<![\w.-])(-?\d+|U?INT\d+_M(?:IN|AX)): [^.]*\bnot\b").search(field.definition.description)
     return f" (its text says {words[1]} for unknown)" if words else ""
 
 

@@ -78,6 +78,6 @@ def is_negative_unknown(field: WireField) -> bool:
 
 def number_of(written: str) -> int | float | None:
     """The number that a text names: ``UINT16_MAX``, ``NaN``, decimal, ``0xFFFF``."""
-    if re.fullmatch(r"0[xX][0-9a-fA-F]{1,16}", written):
+    if pattern(r"0[xX][0-9a-fA-F]{1,16}").fullmatch(written):
         return int(written, 16)
     return named_number(written)

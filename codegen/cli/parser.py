@@ -8,12 +8,13 @@ from importlib import import_module
 
 from codegen import __version__
 from codegen.cli.usage import COMMANDS, HELP
+from codegen.pattern import pattern
 
 TYPE_CHECKING = False  # typing takes longer to import than a command that does nothing may take
 if TYPE_CHECKING:
     from typing import Any, NoReturn
 
-_INVALID = re.compile(r"invalid choice: '?(.*?)'? \(choose from (.*)\)", re.DOTALL)
+_INVALID = pattern(r"invalid choice: '?(.*?)'? \(choose from (.*)\)", re.DOTALL)
 _UNRECOGNIZED = "unrecognized arguments: "
 _MODULES = {"import": "importing"}
 """Modules of commands that are words of Python."""

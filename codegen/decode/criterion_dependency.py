@@ -6,6 +6,7 @@ Parentheses that say anything else are prose; those that begin with a criterion 
 import re
 
 from codegen.diagnostics import Report, Rule
+from codegen.pattern import pattern
 from codegen.source import Place
 
 CRITERION_DEPENDS = Rule(
@@ -15,8 +16,8 @@ CRITERION_DEPENDS = Rule(
 )
 
 _ID = r"[A-Z]+-[0-9a-z]+"
-_CLAUSE = re.compile(rf"\(depends on ((?:{_ID}|criteri(?:on|a) \d)[^()]*)\)", re.IGNORECASE)
-_PART = re.compile(rf"\s*(?:,|\band\b|, and\b)?\s*(?:({_ID}(?:\.\d+)?)|criteri(?:on|a) (\d+)|(\d+))(?=,|\s|$)")
+_CLAUSE = pattern(rf"\(depends on ((?:{_ID}|criteri(?:on|a) \d)[^()]*)\)", re.IGNORECASE)
+_PART = pattern(rf"\s*(?:,|\band\b|, and\b)?\s*(?:({_ID}(?:\.\d+)?)|criteri(?:on|a) (\d+)|(\d+))(?=,|\s|$)")
 
 
 def dependencies_of(text: str, document: str, place: Place, report: Report) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from codegen.frozen import dataclass
 from codegen.load.files import Files
 from codegen.model.program_folders import COMMON, SHARED_PARTS
 from codegen.model.spec.spec import ProgramProject, Project
+from codegen.pattern import pattern
 from codegen.source import Place, shown_path
 
 PROGRAM_ALONE = Rule(
@@ -88,7 +89,7 @@ def list_programs(project_file: str, files: Files, report: Report) -> tuple[List
 
 
 def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> Iterator[str]:
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+    if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name):
         yield f"{name} is no name for a program: lower-case letters, digits and underscores"
     if re.fullmatch(_DEVICES, name):
         yield f"{name} is no name for a program: Windows keeps it for a device, and could not check out its folder"

@@ -17,6 +17,7 @@ from codegen.diagnostics import Report, Rule, Severity
 from codegen.frozen import dataclass
 from codegen.load.markdown import Document, Item, Section
 from codegen.model.spec.spec import Criterion, HostLimit, Requirement
+from codegen.pattern import pattern
 from codegen.source import Place
 
 REQUIREMENT_TITLE = Rule(
@@ -53,10 +54,10 @@ METADATA_SPELLING = Rule(
 )
 
 _ID = r"[A-Z]+-[0-9a-z]+"
-_TITLE = re.compile(rf"({_ID})\s*\|\s*(\S.*)")
-_LINK = re.compile(rf"(?<![A-Za-z0-9-]){_ID}")
-_ENTRY = re.compile(r"([^:]{1,40}):\s*(.*)", re.DOTALL)
-_LIMITED = re.compile(r"Criteri(?:on|a) (\d[\d, and]*): *(\S.*)", re.DOTALL)
+_TITLE = pattern(rf"({_ID})\s*\|\s*(\S.*)")
+_LINK = pattern(rf"(?<![A-Za-z0-9-]){_ID}")
+_ENTRY = pattern(r"([^:]{1,40}):\s*(.*)", re.DOTALL)
+_LIMITED = pattern(r"Criteri(?:on|a) (\d[\d, and]*): *(\S.*)", re.DOTALL)
 _READ_ENTRIES = ("type", "status", "aliases")
 _NEEDS_CRITERIA = ("FR", "NFR")
 
@@ -173,7 +174,7 @@ def _host_limits(document: Document) -> Iterator[HostLimit]:
     for item in _items(document, "what a host cannot show"):
         match = _LIMITED.fullmatch(item.text) if item.depth == 0 else None
         if match is not None:
-            numbers = tuple(map(int, re.findall(r"\d+", match[1])))
+            numbers = tuple(map(int, pattern(r"\d+").findall(match[1])))
             yield HostLimit(place=item.place, numbers=numbers, text=match[2])
 
 

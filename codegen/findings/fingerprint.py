@@ -2,14 +2,15 @@
 
 import hashlib
 import os
-import re
+
+from codegen.pattern import pattern
 
 LENGTH = 12
 """Hex digits of a fingerprint: 48 bits, more than any project has findings for."""
 
-_MARKUP = re.compile(r"[*`~\\]")
-_UNDERSCORES = re.compile(r"(?<!\w)_+|_+(?!\w)")  # those within a name stay
-_HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]+")
+_MARKUP = pattern(r"[*`~\\]")
+_UNDERSCORES = pattern(r"(?<!\w)_+|_+(?!\w)")  # those within a name stay
+_HEXADECIMAL = pattern(r"0[xX][0-9a-fA-F]+")
 
 
 def fingerprint(rule_id: str, file: str, text: str) -> str:

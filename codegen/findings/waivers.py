@@ -10,6 +10,7 @@ from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.findings.fingerprint import LENGTH
 from codegen.frozen import dataclass
 from codegen.model.spec.waiver import WaiverSpec
+from codegen.pattern import pattern
 
 WAIVER_UNUSED = Rule(
     "waiver-unused",
@@ -40,8 +41,8 @@ WAIVER_FORM = Rule(
     "One that cannot be read is not applied.",
 )
 
-_FINGERPRINT = re.compile(rf"[0-9a-f]{{{LENGTH}}}", re.IGNORECASE)
-_DAY = re.compile(r"\d{4}-\d\d-\d\d", re.ASCII)
+_FINGERPRINT = pattern(rf"[0-9a-f]{{{LENGTH}}}", re.IGNORECASE)
+_DAY = pattern(r"\d{4}-\d\d-\d\d", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,5 +152,5 @@ def _judged(finding: Diagnostic, readable: _Readable, today: date, report: Repor
 
 def _is_about(document: str, file: str) -> bool:
     """Return whether ``file`` (absolute) is the one that a waiver calls ``document``: the last parts of its path."""
-    wanted = [part for part in re.split(r"[/\\]", document) if part not in ("", ".")]
+    wanted = [part for part in pattern(r"[/\\]").split(document) if part not in ("", ".")]
     return bool(wanted) and file.replace(os.sep, "/").split("/")[-len(wanted) :] == wanted

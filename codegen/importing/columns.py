@@ -1,11 +1,11 @@
 """Recognises the columns of a document's table by their headings, in any order and case."""
 
-import re
 from collections.abc import Mapping
 from enum import Enum
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.markdown_table import Row
+from codegen.pattern import pattern
 
 COLUMN_TWICE = Rule(
     "column-twice",
@@ -42,7 +42,7 @@ _HEADINGS: Mapping[Role, tuple[str, ...]] = {
 """The headings by their meaning, in small letters; of two in one table the one that comes first here counts more."""
 
 
-_MESSAGE = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?: fields?)?")
+_MESSAGE = pattern(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?: fields?)?")
 """A message may stand for its fields: | HEARTBEAT | Value |."""
 
 
@@ -81,4 +81,4 @@ def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
 
 def _plain(heading: str) -> str:
     """The heading in small letters, without what stands in brackets and without marks at its ends."""
-    return " ".join(re.sub(r"\([^)]*\)|\[[^\]]*\]", " ", heading).casefold().strip(" :*?.").split())
+    return " ".join(pattern(r"\([^)]*\)|\[[^\]]*\]").sub(" ", heading).casefold().strip(" :*?.").split())

@@ -10,14 +10,15 @@ from codegen.frozen import dataclass
 from codegen.importing.columns import Role, column_roles
 from codegen.load.markdown_blocks import Block, BlockKind, parse_blocks, read_inline
 from codegen.load.markdown_table import Cell, Row, Table, parse_tables
+from codegen.pattern import pattern
 from codegen.source import Place
 
 # name, name[2], name[1..9], name[1-9], name[1:9], name[1…9]; with a dash of any length.
-_LABEL = re.compile(
+_LABEL = pattern(
     r"(?:[A-Z][A-Z0-9_]*\.)?([A-Za-z_]\w*)\s*(?:\[\s*(\d{1,3})\s*(?:(?:\.{2,3}|…|-|\u2013|:|,|to)\s*(\d{1,3}))?\s*\])?"
 )
 # A field at the begin of a list item: in code, or bare; then a mark and the answer.
-_ITEM = re.compile(
+_ITEM = pattern(
     r"(?P<mark>`{0,2}|\*\*`?|__)(?P<label>[A-Za-z_][\w.]*(?:\\?\[[^\]`]{1,12}\])?)(?:`?\*\*|`{0,2}|__)"
     r"\s*(?::|=|→|->|[\u2013\u2014-]\s)(?:\*\*)?\s*(?P<answer>\S.*)",
     re.DOTALL,

@@ -11,21 +11,22 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.dialect.wire_types import SPELLINGS
+from codegen.pattern import pattern
 
 MAX_TOKENS = 60
 """Longest expression that is looked at."""
 
-_IN_PROSE = re.compile(
+_IN_PROSE = pattern(
     r"\s*(?:(?P<number>0[xX][0-9a-fA-F]{1,16}|\d{1,3}(?:,\d{3}){1,4}(?!\d)(?:\.\d{1,15})?|\d{1,18}(?:\.\d{1,15})?"
     r"(?:[eE][-+]?\d{1,2})?)(?:[ ]?(?P<unit>%|(?!x[ \d])[A-Za-zµ°][A-Za-z°]{0,8}(?:/[A-Za-z]{1,3})?)(?![\w(]))?"
     r"|(?P<mark>\*\*|[-+*/^()\u00d7\u00b7\u00f7\u2212]|x(?=[ ]?[\d(])))"
 )
-_IN_COLUMN = re.compile(
+_IN_COLUMN = pattern(
     r"\s*(?:(?P<number>\d{1,15}(?:_\d{1,12})*(?:\.\d{0,15})?(?:[eE][-+]?\d{1,2})?)"
     r"|(?P<name>[A-Za-z_]\w*(?:\[\d{1,3}\])?(?:(?:\.|::|->)[A-Za-z_]\w*(?:\[\d{1,3}\])?)*(?:\(\))?)"
     r"|(?P<mark>[*/()\u00d7\u00b7]))"
 )
-_NO_PART = re.compile(r"[=<>:;|\"'`?!{}\[\]&#$@\n]")
+_NO_PART = pattern(r"[=<>:;|\"'`?!{}\[\]&#$@\n]")
 _SIGNS = {"\u00d7": "*", "\u00b7": "*", "x": "*", "\u00f7": "/", "\u2212": "-", "^": "**"}
 _POWERS_OF = (2, 10)
 """Bases for which ``^`` is a power, and not the exclusive or of a program."""

@@ -1,20 +1,20 @@
 """Markdown as headings, sections and list items that know their lines (CommonMark, read by markdown-it)."""
 
 import os
-import re
 from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import block_tokens, read_inline
+from codegen.pattern import pattern
 from codegen.source import Place
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
 
-_LINE_END = re.compile(r"\r\n?|\n")
-_CHECK_BOX = re.compile(r"^\[[ xX]\]\s+")
+_LINE_END = pattern(r"\r\n?|\n")
+_CHECK_BOX = pattern(r"^\[[ xX]\]\s+")
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,21 +4,21 @@ Tables are not blocks of CommonMark: their lines are those of a paragraph, which
 """
 
 import os
-import re
 from collections.abc import Iterator, Sequence
 from enum import Enum
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
+from codegen.pattern import pattern
 from codegen.source import Place
 
 if TYPE_CHECKING:
     from markdown_it import MarkdownIt
     from markdown_it.token import Token
 
-_LINE_END = re.compile(r"\r\n?|\n")
-_MARKUP = re.compile(r"[\\`*_\[\]<>&!]")
+_LINE_END = pattern(r"\r\n?|\n")
+_MARKUP = pattern(r"[\\`*_\[\]<>&!]")
 _CODE_TOKENS = ("fence", "code_block")
 
 
@@ -81,9 +81,10 @@ def parse_blocks(text: str, path: str) -> tuple[Block, ...]:
     return tuple(_blocks(block_tokens(text), _LINE_END.split(text), os.path.abspath(path)))
 
 
-def block_tokens(text: str) -> list["Token"]:
+@lru_cache(maxsize=4)  # a document is read for its criteria, and then for what it says of fields
+def block_tokens(text: str) -> tuple["Token", ...]:
     """The tokens of a text. Inline markup is read only where its text is wanted, by ``read_inline``."""
-    return _markdown().disable("inline").parse(text)
+    return tuple(_markdown().disable("inline").parse(text))
 
 
 @cache

@@ -4,7 +4,6 @@ A Markdown parser never complains: it fills a row up, drops what is too much, or
 these is a finding at its place, and the cells are read as they are written.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import pairwise
@@ -12,6 +11,7 @@ from itertools import pairwise
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Block, BlockKind, Line, parse_blocks, read_inline
+from codegen.pattern import pattern
 from codegen.source import Place
 
 TABLE_DELIMITER = Rule(
@@ -47,9 +47,9 @@ TABLE_RUN_TOGETHER = Rule(
     Severity.WARNING,
 )
 
-_DELIMITER_CELL = re.compile(r":?-+:?")
-_DASHES = re.compile(r"[\s|:+=_\u2010-\u2015-]*")  # what word processors make of hyphens, and other styles of tables
-_BACKTICKS = re.compile(r"`+")
+_DELIMITER_CELL = pattern(r":?-+:?")
+_DASHES = pattern(r"[\s|:+=_\u2010-\u2015-]*")  # what word processors make of hyphens, and other styles of tables
+_BACKTICKS = pattern(r"`+")
 
 
 @dataclass(frozen=True, slots=True)

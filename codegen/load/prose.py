@@ -5,27 +5,27 @@ statement does not hide it, and its place is still that of the source.
 """
 
 import os
-import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from enum import Enum
 
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Block, BlockKind, Line, parse_blocks
+from codegen.pattern import pattern
 from codegen.source import Place
 
 # Lengths are bounded and repetitions possessive, so that a hostile text costs no more than an honest one.
 _TARGET = r"\([^()\s]{0,900}+(?:\([^()\s]{0,200}+\)[^()\s]{0,200}+)?(?:[ \t]{1,9}+\"[^\"]{0,200}+\")?\)"
-_MARK = re.compile(
+_MARK = pattern(
     r"(?P<code>(?<!`)(?P<ticks>`{1,3})(?!`)(?P<inner>[^`]{1,1000}+)(?P=ticks)(?!`))"
     r"|(?P<escape>\\)[!-/:-@\[-`{-~]"
     rf"|(?P<link>!?\[(?P<label>[^\[\]]{{0,300}}+)\](?P<target>{_TARGET}))"
     r"|(?P<address><?https?://[^\s<>|)]{1,2000}+>?)"
     r"|(?P<emphasis>(?<![\w)*])\*{1,3}(?=[^\s*])|(?<=[^\s*])\*{1,3}(?![\w(*]))"
 )
-_DISCUSSION = re.compile(r"/(?:pull|issues|commit|discussions|merge_requests)/")
-_SENTENCE_END = re.compile(r"[.!?;](?=\s)|\|")
-_DELIMITER_ROW = re.compile(r"(?=[^|]{0,99}\|)[ \t]*+\|?(?:[ \t]*+:?-++:?[ \t]*+(?:\||$))+[ \t]*")
+_DISCUSSION = pattern(r"/(?:pull|issues|commit|discussions|merge_requests)/")
+_SENTENCE_END = pattern(r"[.!?;](?=\s)|\|")
+_DELIMITER_ROW = pattern(r"(?=[^|]{0,99}\|)[ \t]*+\|?(?:[ \t]*+:?-++:?[ \t]*+(?:\||$))+[ \t]*")
 _WINDOW = 400
 """The distance from a place within which a sentence is looked for, in characters."""
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from codegen.diagnostics import Report, Rule
 from codegen.load.files import Files
 from codegen.load.text import decode_text
+from codegen.pattern import pattern
 from codegen.source import Place
 
 if TYPE_CHECKING:
@@ -40,10 +41,10 @@ _ENCODINGS = frozenset({"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252"})
 _UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _DECLARED_ENCODING = re.compile(rb"""<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([A-Za-z][\w.\-]*)["']""")
 # Possessive: whatever stands before the root is walked over once. libxml2 skips a second byte order mark, so this does.
-_PROLOGUE = re.compile(r"(?:[\s\ufeff]+|<\?.*?\?>|<!--.*?-->)*+", re.DOTALL)
+_PROLOGUE = pattern(r"(?:[\s\ufeff]+|<\?.*?\?>|<!--.*?-->)*+", re.DOTALL)
 # In well-formed XML a "<" outside of these three opens or closes an element.
-_MARKUP = re.compile(r"<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|[^/!?])", re.DOTALL)
-_PLACE_IN_MESSAGE = re.compile(r", line \d+, column \d+$")
+_MARKUP = pattern(r"<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|[^/!?])", re.DOTALL)
+_PLACE_IN_MESSAGE = pattern(r", line \d+, column \d+$")
 
 
 class XmlElement(NamedTuple):

@@ -1,8 +1,9 @@
 """Values of unquoted YAML scalars under the core schema of YAML 1.2 (section 10.3.2 of its specification)."""
 
 import math
-import re
 from fractions import Fraction
+
+from codegen.pattern import pattern
 
 ScalarValue = str | bool | Fraction | float | None
 """Text, a boolean, an exact number or nothing; a float stands for a number without an exact value here:
@@ -13,15 +14,15 @@ MAX_EXPONENT = 400
 """Longest number and largest power of ten that are read exactly: enough for every double, and no number of a few
 characters can take up gigabytes."""
 
-_MAY_BE_VALUE = re.compile(r"[-+.0-9~nNtTfF]|$")
+_MAY_BE_VALUE = pattern(r"[-+.0-9~nNtTfF]|$")
 """The beginnings of all that is no text: most scalars are names and sentences, which begin otherwise."""
-_NULL = re.compile(r"null|Null|NULL|~|")
-_TRUE = re.compile(r"true|True|TRUE")
-_FALSE = re.compile(r"false|False|FALSE")
-_DECIMAL = re.compile(r"[-+]?[0-9]+")
-_OCTAL = re.compile(r"0o([0-7]+)")
-_HEXADECIMAL = re.compile(r"0x([0-9a-fA-F]+)")
-_FLOAT = re.compile(r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE]([-+]?[0-9]+))?")
+_NULL = pattern(r"null|Null|NULL|~|")
+_TRUE = pattern(r"true|True|TRUE")
+_FALSE = pattern(r"false|False|FALSE")
+_DECIMAL = pattern(r"[-+]?[0-9]+")
+_OCTAL = pattern(r"0o([0-7]+)")
+_HEXADECIMAL = pattern(r"0x([0-9a-fA-F]+)")
+_FLOAT = pattern(r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE]([-+]?[0-9]+))?")
 _SPECIAL = {f"{sign}{name}": float(sign + "inf") for sign in ("", "+", "-") for name in (".inf", ".Inf", ".INF")}
 _SPECIAL |= dict.fromkeys((".nan", ".NaN", ".NAN"), math.nan)
 
@@ -43,8 +44,8 @@ def plain_value(text: str) -> ScalarValue:
 def _number(text: str) -> Fraction | float | None:
     if text in _SPECIAL:
         return _SPECIAL[text]
-    for pattern, base in ((_OCTAL, 8), (_HEXADECIMAL, 16)):
-        if digits := pattern.fullmatch(text):
+    for form, base in ((_OCTAL, 8), (_HEXADECIMAL, 16)):
+        if digits := form.fullmatch(text):
             return math.inf if len(text) > MAX_DIGITS else Fraction(int(digits[1], base))
     if _DECIMAL.fullmatch(text):
         return math.inf if len(text) > MAX_DIGITS else Fraction(int(text))

@@ -1,11 +1,11 @@
 """Resolves the instances of a component, and the facts about each."""
 
-import re
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule
 from codegen.model.spec.spec import Spec
 from codegen.model.vehicle import Component, Instance
+from codegen.pattern import pattern
 from codegen.resolve.quantities.component import find_component
 from codegen.source import Place
 
@@ -17,7 +17,7 @@ BAD_INSTANCES = Rule(
 )
 MOST_INSTANCES = 16
 
-_PREFIX = re.compile(r"[A-Z][A-Z0-9_]{0,14}")
+_PREFIX = pattern(r"[A-Z][A-Z0-9_]{0,14}")
 
 
 def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, ...]]:

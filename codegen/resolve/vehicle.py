@@ -13,6 +13,7 @@ from codegen.model.spec.board import AdcSpec, BoardSpec
 from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
 from codegen.model.units.unit import decimal, unit_named
 from codegen.model.vehicle import AdcChannel, Citation, Parameter, Stream
+from codegen.pattern import pattern
 from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
@@ -23,7 +24,7 @@ BAD_ADC = Rule(
     "An ADC channel cannot be built: its pin is an input of the board's converter, a count has 8 bits to as many as "
     "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only.",
 )
-_NAME = re.compile("[A-Z][A-Z0-9_]{0,15}")
+_NAME = pattern("[A-Z][A-Z0-9_]{0,15}")
 """Of a parameter, as PARAM_VALUE carries it."""
 
 BAD_PARAMETER = Rule(

@@ -1,6 +1,5 @@
 """Numbers that a driver gives which is not codegen's: what they are is declared in YAML."""
 
-import re
 from collections.abc import Iterable
 from fractions import Fraction
 
@@ -10,9 +9,10 @@ from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.source_kind import Output
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.units.unit import ratio
+from codegen.pattern import pattern
 from codegen.sources.kind import BAD_SOURCE, Around
 
-_NAME = re.compile(r"[a-z][a-z0-9_]*")
+_NAME = pattern(r"[a-z][a-z0-9_]*")
 
 
 def in_tuple(items: Iterable[str]) -> str:

@@ -31,7 +31,7 @@ def of_message(reading: Reading, span: Span, at: int, name: str, rule: str) -> E
     if span.kind is PassageKind.ROW:
         alone = [offset for offset in named if is_alone(span, offset)]
         is_only = {str(term.value) for _, term in span.sentence.within(*near(at), "M")} == {name}
-        is_amount = re.fullmatch(r"\s*N bytes\s*", span.text[slice(*around(span, at))]) is not None
+        is_amount = pattern(r"\s*N bytes\s*").fullmatch(span.text[slice(*around(span, at))]) is not None
         is_of_field = (
             rule == SIZE.id and _names_field(span, reading.messages[name]) and not _OF_MESSAGE.search(head_of(span, at))
         )

@@ -1,7 +1,5 @@
 """Ties of a value to a name: in its cell, behind it with a few linking words between, or as a clause of its item."""
 
-import re
-
 from codegen.claims.parts.sentence import NamedField
 from codegen.claims.parts.span import Span
 from codegen.load.prose import PassageKind
@@ -87,7 +85,7 @@ def is_beside(span: Span, name: int, at: int, message: str = "") -> bool:
         return False
     others = span.sentence.within(low + 1, high, "MCEVFP")
     is_listed = all(term.letter in "FP" or str(term.value) == message or term.value is None for _, term in others)
-    if message and re.search(r"\band\b(?! [FP])", gap):
+    if message and pattern(r"\band\b(?! [FP])").search(gap):
         return False  # what follows may be the next field's
     return is_listed and closed(gap) and not _RATIO.match(span.text, high + 1)
 
@@ -100,4 +98,4 @@ def closed(gap: str) -> bool:
     """Return whether all words between two places are links; capitals are terms."""
     if len(gap) > _LEAD:
         return False
-    return all(word in _LINKS or word[0].isupper() for word in re.findall(r"[A-Za-z]+", gap))
+    return all(word in _LINKS or word[0].isupper() for word in pattern(r"[A-Za-z]+").findall(gap))

@@ -75,7 +75,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
         yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True)
         if note and line.text.strip():  # what stands above a member is said of it
             joined = " ".join(_DECLARES.sub("", each.text).replace("*/", "").strip() for each in note)
-            name = re.search(r"\b[A-Za-z_]\w*\s*[?:;=\[]", line.text)
+            name = pattern(r"\b[A-Za-z_]\w*\s*[?:;=\[]").search(line.text)
             if name is not None and len(note) < 4:
                 text = f"{name[0][:-1].strip()}: {joined}"
                 shift = len(text) - len(joined)

@@ -1,6 +1,5 @@
 """Comments in blocks of JSON and YAML, each with the field that it stands beside."""
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -72,7 +71,7 @@ def _is_told(sentence: Sentence) -> bool:
 
 def _names(text: str, words: Vocabulary) -> Iterator[tuple[int, str]]:
     """The names of fields in backticks: there, everyday words are names, too."""
-    for found in re.finditer(r"`(\w+)`", text):
+    for found in pattern(r"`(\w+)`").finditer(text):
         if found[1] in words.fields:
             yield found.start(1), found[1]
 

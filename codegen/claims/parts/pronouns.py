@@ -97,7 +97,7 @@ _THE_FIELD = pattern(
 def _agrees(pronoun: "re.Match[str]", before: list[Term]) -> bool:
     """Return whether a pronoun, singular or plural, agrees with the number of names before it."""
     if pronoun["one"]:
-        is_raw = re.search(r"\b(?:divide|multiply) $", pronoun.string[: pronoun.start()]) is not None
+        is_raw = pattern(r"\b(?:divide|multiply) $").search(pronoun.string[: pronoun.start()]) is not None
         return len(before) == 1 or (is_raw and bool(before))
     if pronoun["many"] == "both":
         return len(before) == _AT_LEAST_TWO
@@ -111,7 +111,7 @@ def _is_of_many(term: Term) -> bool:
 def _subject(sentence: Sentence, low: int, high: int) -> list[Term]:
     """The names that a sentence is about: its only ones, or those that it begins with."""
     groups = list(_GROUP.finditer(sentence.marked, low, high))
-    begins = groups and not re.search(r"[a-z]{3,}[^a-z]+[a-z]{3,}", sentence.marked[low : groups[0].start()])
+    begins = groups and not pattern(r"[a-z]{3,}[^a-z]+[a-z]{3,}").search(sentence.marked[low : groups[0].start()])
     if len(groups) != 1 and not begins:
         return []
     return [term for _, term in sentence.within(*groups[0].span(), "F")]

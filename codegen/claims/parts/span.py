@@ -101,7 +101,7 @@ class Span:
         is_same = first is None or re.fullmatch(
             r"[F ,/&+]|F(?:(?:, | and | or | to | ?[/&+] ?)F)*", self.text[first:offset]
         )
-        return not is_same and re.match(r"[^a-zA-Z]*(?:the )?F", self.text[low:offset]) is not None
+        return not is_same and pattern(r"[^a-zA-Z]*(?:the )?F").match(self.text[low:offset]) is not None
 
     def source_text(self, low: int, high: int) -> str:
         """The words of the source that a part of the short text stands for."""

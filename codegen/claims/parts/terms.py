@@ -186,7 +186,7 @@ def _is_place(text: str, start: int) -> bool:
     before = text[max(start - _PLACE_MOST, 0) : start]
     if _PLACE.search(before):
         return True
-    return _PLACE_ALONE.search(before) is not None and re.match(r"\d+:", text[start : start + 8]) is not None
+    return _PLACE_ALONE.search(before) is not None and pattern(r"\d+:").match(text[start : start + 8]) is not None
 
 
 def _of_capitals(found: "re.Match[str]", words: Vocabulary) -> _Made | None:
@@ -257,7 +257,7 @@ def _is_unit_word(word: str, before: str) -> bool:
             )
             is not None
         )
-    return word != "seconds" or not re.search(r"\b(?:few|some|several|many|of|every|wait|after) $", before)
+    return word != "seconds" or not pattern(r"\b(?:few|some|several|many|of|every|wait|after) $").search(before)
 
 
 def _of_quantity(found: "re.Match[str]") -> Unit | None:
@@ -271,7 +271,7 @@ def _of_number(found: "re.Match[str]") -> _Made | None:
     if found["constant"]:
         return "S", constant_value(found[0])
     if found["quantity"]:
-        return "Q", (_number(re.split(r"[^\d.,+-]", found[0])[0]), _of_quantity(found))
+        return "Q", (_number(pattern(r"[^\d.,+-]").split(found[0])[0]), _of_quantity(found))
     value = _number(found[0]) if found["number"] else None
     return None if value is None else ("N", value)
 
@@ -284,7 +284,7 @@ def _name(
     index = bisect_right(codes, (start, len(text))) - 1
     is_code = index >= 0 and end <= codes[index][1]
     if name in words.fields:
-        held = re.fullmatch(r"(\d{1,3})\]", rest)
+        held = pattern(r"(\d{1,3})\]").fullmatch(rest)
         value = NamedField(name, None, int(held[1]) if held else None)
         is_name = (
             is_code or "_" in name or any(character.isdigit() for character in name) or name[1:].lower() != name[1:]
@@ -318,7 +318,7 @@ def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
     """``RcChannels``: a message as languages spell types."""
     if not name[:1].isupper() or "_" in name or name.isupper():
         return None
-    spelled = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).upper()
+    spelled = pattern(r"(?<=[a-z0-9])(?=[A-Z])").sub("_", name).upper()
     return Term("M", spelled, name, start, end) if "_" in spelled and spelled in words.messages else None
 
 
@@ -326,7 +326,7 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     """The symbol of a unit; one that is a word as often has to stand where a unit does."""
     if text[max(start - 1, 0) : start] == "/":
         return None  # what something is divided by, "ft/min", where the unit before it is not known
-    if re.match(r"\w+(?:\.|->)[A-Za-z_]", text[start : start + 40]):
+    if pattern(r"\w+(?:\.|->)[A-Za-z_]").match(text[start : start + 40]):
         return None  # the variable of a member, "g.lat"
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
@@ -361,7 +361,7 @@ def constant_value(written: str) -> int | float | None:
         return float("nan")
     if written[:2].lower() == "0x":
         return int(written, 16)
-    rust = re.fullmatch(r"([ui])(\d+)::M(AX|IN)", written)
+    rust = pattern(r"([ui])(\d+)::M(AX|IN)").fullmatch(written)
     if rust:
         return named_number(f"{'U' if rust[1] == 'u' else ''}INT{rust[2]}_M{rust[3]}")
     return named_number(written)
@@ -371,7 +371,7 @@ def _scalar(written: str, length: int | None) -> StatedType:
     """The type of a spelling in any language."""
     spelled = {"f32": "float", "float32": "float", "f64": "double", "float64": "double"}.get(written, written)
     name = SPELLINGS.get(spelled) or (f"{spelled}_t" if spelled[-1].isdigit() else spelled)
-    bits = {"float": 32, "double": 64, "char": 8}.get(name) or int(re.sub(r"\D", "", name) or 0)
+    bits = {"float": 32, "double": 64, "char": 8}.get(name) or int(pattern(r"\D").sub("", name) or 0)
     sign = "f" if name in ("float", "double") else None if name == "char" else name[0]
     return StatedType(name, bits, sign, length)
 
@@ -381,7 +381,7 @@ def _count(written: str) -> int:
 
 
 def _number(written: str) -> Fraction | None:
-    text = re.sub(r"[ ,\u00a0\u202f]", "", written).replace("\u2212", "-").replace("**", "^").lstrip("+")
+    text = pattern(r"[ ,\u00a0\u202f]").sub("", written).replace("\u2212", "-").replace("**", "^").lstrip("+")
     if text[:2].lower() == "0x":
         return Fraction(int(text, 16))
     if "<<" in text:

@@ -8,6 +8,7 @@ from functools import lru_cache
 from codegen.model.units.nearest_unit import worded_unit as unit_of_word
 from codegen.model.units.unit import Unit, unit_named
 from codegen.model.units.unit_table import PREFIX_WORDS, PREFIXES
+from codegen.pattern import pattern
 
 
 @lru_cache(maxsize=4096)
@@ -90,8 +91,8 @@ def unit_of_words(written: str) -> Unit | None:
         return other
     text = " ".join(written.replace("-", " ").split())
     text = re.sub(rf"\b({'|'.join(_PREFIXES)}) ", r"\1", text)
-    text = re.sub(r"/(?:sec|second)\b", " per second", text)
-    squared = re.sub(r" (?:a|per) second (?:squared|per second)$", "", text)
+    text = pattern(r"/(?:sec|second)\b").sub(" per second", text)
+    squared = pattern(r" (?:a|per) second (?:squared|per second)$").sub("", text)
     if squared != text:
         inner = worded_unit(squared)
         return Unit.parse(f"{inner.name}/s/s") if inner is not None else None

@@ -4,7 +4,6 @@ Whatever the words: a sentence that says that something is absent, with one valu
 it is about, says which value stands for unknown there.
 """
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -176,7 +175,7 @@ def _is_tied(text: str, at: int, start: int, end: int) -> bool:
         return True
     low, high = (at + 1, start) if at < start else (end, at)
     gap = _OF_MESSAGE.sub(" ", text[low:high].replace("? ", " ", 1)).replace("i.e.", "ie").removeprefix(" while")
-    return high - low <= _FAR and not _GAP.search(gap) and not re.search(r"[NS]", gap)
+    return high - low <= _FAR and not _GAP.search(gap) and not pattern(r"[NS]").search(gap)
 
 
 def _is_right(one: About, value: float | Fraction | None, *, is_tied: bool) -> bool:

@@ -1,6 +1,5 @@
 """Amounts beside the numbers that stand for them on the wire: "12.6 V is sent as 12600", "`alt` = 1500 means 1.5 m"."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -177,14 +176,14 @@ def _is_together(span: Span, low: int, start: int, end: int) -> bool:
 def _is_tied(span: Span, start: int, end: int) -> bool:
     """Return whether only words that tie an amount to its number stand between them."""
     gap = span.text[start + 1 : end]
-    if span.kind is PassageKind.ROW and re.fullmatch(r"\s*\|\s*", gap):
+    if span.kind is PassageKind.ROW and pattern(r"\s*\|\s*").fullmatch(gap):
         return span.text.count("N") == 1 and span.text.count("Q") == 1
-    if re.search(r"[QNUSTVC;|]|\.\s", gap):
+    if pattern(r"[QNUSTVC;|]|\.\s").search(gap):
         return False
     if gap == " (":
-        return re.search(r"[:=] $", span.text[:start]) is not None and span.text[end + 1 : end + 2] == ")"
-    names = re.findall(r"[a-z]+", _NOUNS.sub("", gap))
-    return all(word in _LINKS for word in names) and re.search(r"[a-z=:\u2192#/*]|->|, ", gap) is not None
+        return pattern(r"[:=] $").search(span.text[:start]) is not None and span.text[end + 1 : end + 2] == ")"
+    names = pattern(r"[a-z]+").findall(_NOUNS.sub("", gap))
+    return all(word in _LINKS for word in names) and pattern(r"[a-z=:\u2192#/*]|->|, ").search(gap) is not None
 
 
 def _field(reading: Reading, span: Span, inner: tuple[int, int], outer: tuple[int, int], unit: Unit) -> About | None:
@@ -194,7 +193,7 @@ def _field(reading: Reading, span: Span, inner: tuple[int, int], outer: tuple[in
     between = [at for at, _ in span.sentence.within(start, end, "FP")]
     behind = [at for at, _ in span.sentence.within(end, high, "F")]
     before = [at for at, _ in span.sentence.within(low, start, "FP")][::-1]
-    tied = [at for at in behind[:1] if not re.search(r"[;Q]|, (?!in )|\band\b", span.text[end + 1 : at])]
+    tied = [at for at in behind[:1] if not pattern(r"[;Q]|, (?!in )|\band\b").search(span.text[end + 1 : at])]
     for at in (*between[:1], *tied, *(before[:1] if not between and not tied else ())):
         one = about(reading, span, at)
         if one is not None and _in_own(one.field, Fraction(1), unit) is not None:
@@ -224,7 +223,7 @@ _ROUNDED = 100
 
 def _is_right(one: About, value: int | Fraction, amount: Fraction, unit: Unit, written: str) -> bool:
     """Return whether a number is an amount, as exactly as it is written, in the unit of any field that may be meant."""
-    places = len(re.split(r"[^\d]", written.partition(".")[2])[0]) if "." in written else 0
+    places = len(pattern(r"[^\d]").split(written.partition(".")[2])[0]) if "." in written else 0
     for field in (one.field, *one.others):
         own, next_one = _in_own(field, amount, unit), _in_own(field, amount + Fraction(1, 10**places), unit)
         if own is None or next_one is None:

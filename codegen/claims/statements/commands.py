@@ -154,7 +154,7 @@ def _amount(
 
 
 def _content(text: str) -> list[str]:
-    return [word for word in re.findall(r"[a-z0-9]+", text) if word not in _IDLE]
+    return [word for word in pattern(r"[a-z0-9]+").findall(text) if word not in _IDLE]
 
 
 def _label(parameter: CommandParameter) -> list[str]:

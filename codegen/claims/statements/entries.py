@@ -228,7 +228,7 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
             offset in told
             or _RESPECTIVELY.search(before)
             or _IN_TURN.match(span.text, offset + 1)
-            or _NOT.search(re.split(r"[,.;(]", before)[-1])
+            or _NOT.search(pattern(r"[,.;(]").split(before)[-1])
         ):
             continue
         meant = known.meant_otherwise(value, words)
@@ -249,7 +249,7 @@ def _as_meant(subject: _Subject, span: Span, pairs: list[_Pair]) -> list[_Pair]:
 
     "bit 1 healthy, 2 retracted, 4 moving" gives values, "bits: 0 healthy, 1 retracted" gives their places.
     """
-    if len(pairs) < _FEWEST or not re.search(r"\bbits?\b", span.text):
+    if len(pairs) < _FEWEST or not pattern(r"\bbits?\b").search(span.text):
         return pairs
     known = meaning(subject.enum)
     raw = [(int(number(span.sentence.term(at)) or 0), words, at) for _, words, at in pairs]
@@ -281,10 +281,10 @@ def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
             scope = None
             continue
         named = [str(term.value) for _, term in span.sentence.within(0, len(span.text), "E")]
-        if named and (span.is_comment or re.search(r"\benum\b|\bclass\b", span.text)):
+        if named and (span.is_comment or pattern(r"\benum\b|\bclass\b").search(span.text)):
             scope = _Subject(named[-1], reading.enums[named[-1]])
             continue
-        declared = re.search(r"\b(?:enum|class)(?: class)? (?P<name>[a-z_]\w*|[PMCE])", span.text)
+        declared = pattern(r"\b(?:enum|class)(?: class)? (?P<name>[a-z_]\w*|[PMCE])").search(span.text)
         if declared is not None:
             called = _enum_called(reading, span, declared)
             scope = called or (scope if "enum" in declared[0] else None)
@@ -313,7 +313,7 @@ def _source(span: Span) -> str:
 
 
 def _words(name: str) -> str:
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name).replace("_", " ").lower()
+    return pattern(r"(?<=[a-z0-9])(?=[A-Z])").sub(" ", name).replace("_", " ").lower()
 
 
 def _enum_called(reading: Reading, span: Span, found: "re.Match[str]") -> _Subject | None:

@@ -73,8 +73,8 @@ def named(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             name = span.sentence.term(found.start("name")).written
             yield from _value(reading, span, name, values.get(name), found)
     if span.is_code and not span.is_comment:
-        comment = re.search(r"(?:#|//|/\*) ?(?:M |(?:[a-z_]+|[FP]): ?)?(?P<name>V)\b", span.text)
-        stated = re.search(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))", span.text)
+        comment = pattern(r"(?:#|//|/\*) ?(?:M |(?:[a-z_]+|[FP]): ?)?(?P<name>V)\b").search(span.text)
+        stated = pattern(r"^(?:[^#/]*?[=:( ])? ?(?P<value>N)[,;)]*\s*(?=(?:#|//|/\*))").search(span.text)
         if comment is not None and stated is not None and len(list(span.sentence.within(0, comment.start(), "N"))) == 1:
             name = span.sentence.term(comment.start("name")).written
             yield from _value(reading, span, name, values.get(name), stated)
@@ -88,12 +88,12 @@ def _is_beside_by_chance(span: Span, low: int, high: int) -> bool:
     text = span.text
     if text[low + 1 : high].strip() != ",":
         return False
-    if _CALLED.search(text, 0, low) or _IN_LIST.search(text, 0, low) or re.match(r", [NQSV]\b", text[high + 1 :]):
+    if _CALLED.search(text, 0, low) or _IN_LIST.search(text, 0, low) or pattern(r", [NQSV]\b").match(text[high + 1 :]):
         return True
     if not span.is_code or span.is_comment:
         return False
-    is_pair = re.search(r"(?<![\w)\]])[({\[] ?$", text[:low]) and re.match(r" ?[)}\]]", text[high + 1 :])
-    is_table = span.language in _OF_VALUES and not re.search(r"[({\[]", text)
+    is_pair = pattern(r"(?<![\w)\]])[({\[] ?$").search(text[:low]) and pattern(r" ?[)}\]]").match(text[high + 1 :])
+    is_table = span.language in _OF_VALUES and not pattern(r"[({\[]").search(text)
     return not (is_pair or is_table)
 
 

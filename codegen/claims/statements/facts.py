@@ -118,8 +118,8 @@ def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         gap = _AND_REST.sub("", text[found.end() : kind.start()]) if kind is not None else ""
         resumed = _RESUMED.search(gap)
         gap = gap[resumed.start("what") - 2 :] if resumed is not None else gap
-        words = re.findall(r"[A-Za-z]+", gap)
-        is_tied = bool(_VERBS & set(words)) or re.search(r"[:(,|\u2013]", gap) is not None
+        words = pattern(r"[A-Za-z]+").findall(gap)
+        is_tied = bool(_VERBS & set(words)) or pattern(r"[:(,|\u2013]").search(gap) is not None
         if (
             kind is None
             or not is_tied
@@ -176,7 +176,7 @@ def _kinds(
 ) -> Iterator[Diagnostic]:
     """Yield a finding for each named field that is no extension though called one, or the reverse."""
     low, high = span.bounds(names[0])
-    if re.search(r"\bwithout\b|\bpropos|\bwould\b|\bshould\b|\bmake\b|\?", span.text[low:high]):
+    if pattern(r"\bwithout\b|\bpropos|\bwould\b|\bshould\b|\bmake\b|\?").search(span.text[low:high]):
         return
     for offset in names:
         one = about(reading, span, offset)

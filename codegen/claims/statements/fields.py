@@ -115,7 +115,7 @@ def _is_name(span: Span, found: "re.Match[str]") -> bool:
         return text[max(found.start() - 40, 0) : found.start()].rstrip().endswith("|") or begins
     if begins and span.kind is PassageKind.ITEM and behind in ("", "(", ":", ",", "=", "-", "\u2013", "\u2014", "["):
         return True
-    if len(found[0]) > 3 and re.match(r" (?:are )?(?:all )?in U", text[found.end() : found.end() + 14]):
+    if len(found[0]) > 3 and pattern(r" (?:are )?(?:all )?in U").match(text[found.end() : found.end() + 14]):
         return True
     is_first = begins or _SENTENCE.search(text, max(found.start() - 8, 0), found.start()) is not None
     if is_first and span.kind is PassageKind.TEXT and _SUBJECT.match(text, found.end()):
@@ -151,7 +151,7 @@ def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField
     is_of_all = len(said.names) > 1 and re.match(
         r"\s*(?:[:|(\[=\u2013-]|\)? ?(?:are|both|all|each|have|hold)\b|# )", gap
     )
-    if is_of_all and gap.strip() == "(" and re.search(r"\band\b", said.span.text[said.start : said.end]):
+    if is_of_all and gap.strip() == "(" and pattern(r"\band\b").search(said.span.text[said.start : said.end]):
         is_of_all = None  # "`a` and `b` (uint32)" may be said of the last one only
     for at, one in found if is_of_all else found[-1:]:
         if at in said.names and one.is_wrong(fits):
@@ -161,7 +161,7 @@ def claimed(reading: Reading, said: Said, offset: int, fits: Callable[[WireField
 
 def made_of(text: str, words: Collection[str]) -> bool:
     """Return whether every word of a text is in a set."""
-    return all(word in words for word in re.findall(r"[A-Za-z]+", text))
+    return all(word in words for word in pattern(r"[A-Za-z]+").findall(text))
 
 
 def number(term: Term) -> int | float | Fraction | None:

@@ -196,12 +196,12 @@ def _length(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if _VALUE_OF.search(span.text, max(said.start - 40, 0), said.start):
         return
     gap = span.text[said.end : found.start()]
-    before = re.search(r"(?:\bin |\bthan )$", gap)
+    before = pattern(r"(?:\bin |\bthan )$").search(gap)
     is_listed = (
         said.is_listed
-        and not re.search(r"\.\s", gap)
-        and re.search(r"[,(|:/#*]\s*(?:up to |at most )?$", gap)
-        and re.match(r"\s*(?:[,;.)|]|$|\*/|long)", span.text[found.end() :])
+        and not pattern(r"\.\s").search(gap)
+        and pattern(r"[,(|:/#*]\s*(?:up to |at most )?$").search(gap)
+        and pattern(r"\s*(?:[,;.)|]|$|\*/|long)").match(span.text[found.end() :])
     )
     if (
         before

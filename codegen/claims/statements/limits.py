@@ -143,7 +143,7 @@ def _said(reading: Reading, said: Said, one: About) -> Iterator[Diagnostic]:
         end = _end(span, at)
         if end is None:
             continue
-        end = replace(end, is_wrapped=re.search(r"wrap|overflow|roll", found[0]) is not None)
+        end = replace(end, is_wrapped=pattern(r"wrap|overflow|roll").search(found[0]) is not None)
         lower = _end(span, found.start("low")) if not is_certain else None
         if end.unit is None and any(
             _is_of_other(term.value, one) for _, term in span.sentence.within(said.end, said.until, "U")
@@ -261,7 +261,7 @@ def _is_told(field: WireField, end: _End) -> bool:
 
 
 def _is_number(text: str | None) -> bool:
-    return text is not None and re.fullmatch(r"-?\d{1,12}(?:\.\d{1,9})?", text) is not None
+    return text is not None and pattern(r"-?\d{1,12}(?:\.\d{1,9})?").fullmatch(text) is not None
 
 
 def _is_turn(field: WireField, raw: Fraction) -> bool:

@@ -83,7 +83,7 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         name = str(span.sentence.term(found.start()).value)
         offset = found.start("number")
         called = found["called"] or found["mark"] or ""
-        is_discussed = "#" in called and "id" not in called and re.match(r"\)?[\s.,;]*$", text[offset + 1 :])
+        is_discussed = "#" in called and "id" not in called and pattern(r"\)?[\s.,;]*$").match(text[offset + 1 :])
         is_told = "_" in name or called or span.kind is PassageKind.HEADING or _is_id(span, offset)
         if not is_discussed and is_told:
             yield from _id(reading, span, offset, (reading.messages[name],))
@@ -92,7 +92,7 @@ def _ids(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         yield from _id(reading, span, offset, (reading.messages[str(span.sentence.term(text.index("M")).value)],))
     for found in _PAIR.finditer(text):
         lead = text[span.bounds(found.start())[0] : found.start()]
-        if re.search(r"\b(?:ids?|messages?|numbers?)\b", lead) and not _OTHER.search(lead):
+        if pattern(r"\b(?:ids?|messages?|numbers?)\b").search(lead) and not _OTHER.search(lead):
             message = reading.messages[str(span.sentence.term(found.end() - 2).value)]
             yield from _id(reading, span, found.start(), (message,))
     yield from _plain(reading, span)
@@ -158,7 +158,7 @@ def _worded(reading: Reading, span: Span, found: "re.Match[str]") -> Iterator[Di
     offset = found.start("number") if found["number"] else found.start("alone")
     low, high = span.bounds(offset)
     lead, called = text[low:offset], found["own"] or "message"
-    if _OTHER.search(lead) or _UNSURE.search(lead) or re.match(r" ?[FP]\b", text[offset + 1 : offset + 3]):
+    if _OTHER.search(lead) or _UNSURE.search(lead) or pattern(r" ?[FP]\b").match(text[offset + 1 : offset + 3]):
         return
     messages, is_sure = subjects(reading, span, offset)
     own = [name for _, name in span.named(low, high)]
@@ -245,7 +245,7 @@ def _crcs(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             or any(message.crc_extra == value or message.id < 0 for message in (own or messages))
         ):
             continue
-        if re.match(r" of (?!M)", text[offset + 1 :]):
+        if pattern(r" of (?!M)").match(text[offset + 1 :]):
             continue
         first, written = messages[0], int(value)
         words = f"{first.name} has the CRC_EXTRA {first.crc_extra}, not {written}"

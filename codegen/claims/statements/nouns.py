@@ -84,7 +84,7 @@ def _units(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         ):
             continue
         noun = span.source_text(found.start("noun"), found.end("noun")).lower()
-        words = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
+        words = [word for word in pattern(r"[a-z]+").findall(noun) if word not in IDLE]
         messages, is_sure = subjects(reading, span, found.start())
         unit = span.sentence.term(found.end() - 1).value
         if not words or not is_sure or not isinstance(unit, Unit):
@@ -124,14 +124,14 @@ def _is_note(span: Span, found: "re.Match[str]") -> bool:
 def _is_called(field: WireField, words: list[str]) -> bool:
     """Return whether all words occur in the name or in the first sentence of the description of a field."""
     text = field.definition.description.lower().partition(".")[0]
-    tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " ")) + re.findall(r"[a-z]+", text)
+    tokens = pattern(r"[a-z]+").findall(field.name.lower().replace("_", " ")) + pattern(r"[a-z]+").findall(text)
     return all(any(is_like(word, token) for token in tokens) for word in words)
 
 
 def _is_kin(field: WireField, unit: Unit, words: list[str]) -> bool:
     """Return whether a unit has the dimension of a field's, or all words occur in the field's name."""
     own = Unit.parse(field.definition.units)
-    tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
+    tokens = pattern(r"[a-z]+").findall(field.name.lower().replace("_", " "))
     return own is not None and (
         own.dimension == unit.dimension or all(any(is_like(word, token) for token in tokens) for word in words)
     )
@@ -205,15 +205,15 @@ def _arrays(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             not isinstance(stated, StatedType)
             or stated.length is None
             or not is_sure
-            or re.search(r"[FC]", span.text[low:high])
-            or re.search(r"\bP\b", span.text[low:high])
+            or pattern(r"[FC]").search(span.text[low:high])
+            or pattern(r"\bP\b").search(span.text[low:high])
         ):
             continue
         fields = [field for field in messages[0].fields if field.is_array and 8 * field.type.size == stated.bits]
         if (
             len(fields) == 1
             and fields[0].count != stated.length
-            and not re.search(r"\bour\b|\bwe\b|\bnot\b", span.text[low:high])
+            and not pattern(r"\bour\b|\bwe\b|\bnot\b").search(span.text[low:high])
         ):
             yield _length(reading, span, offset, messages[0], fields[0])
 

@@ -170,7 +170,7 @@ def _sequence(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         if (
             not _IN_ORDER.search(span.text, max(low - 120, 0), high)
             or _XML.search(span.text, low, high)
-            or re.search(r"\bnot\b", span.text[low:high])
+            or pattern(r"\bnot\b").search(span.text[low:high])
         ):
             continue
         fields = [about(reading, span, at) for at in range(found.start(), found.end()) if span.text[at] in "FP"]

@@ -178,7 +178,7 @@ class _Size:
     def sentence(self) -> str:
         """The whole sentence."""
         low, high = self.span.bounds(self.offset)
-        return re.sub(r"\bnot (?:being )?signed\b", "unsigned", self.span.text[low:high])
+        return pattern(r"\bnot (?:being )?signed\b").sub("unsigned", self.span.text[low:high])
 
     @property
     def clause(self) -> str:
@@ -218,7 +218,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 
 def _is_room(size: _Size, message: WireMessage, value: int | Fraction) -> bool:
     """Return whether a number is the size of an array of the message: "180 bytes in one message" of data."""
-    is_held = re.match(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b", size.behind)
+    is_held = pattern(r" (?:in|into|per|at) (?:one|a|an|each|every)? ?(?:message|packet|time)\b").match(size.behind)
     return is_held is not None and value in {field.size for field in message.fields if field.is_array}
 
 
@@ -242,7 +242,7 @@ def _stated(span: Span) -> Iterator[_Size]:
     for each in _LENGTH.finditer(span.text):
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
         at = each.start("number") if each["number"] else each.start("sizeof")
-        is_argument = span.is_code and not span.is_comment and re.search(r", ?$", each[0][:-1]) is not None
+        is_argument = span.is_code and not span.is_comment and pattern(r", ?$").search(each[0][:-1]) is not None
         is_word = span.sentence.term(at).written.isalpha()  # "payload: five arrays" counts something else
         if at not in paired and not is_of_frame and not is_argument and not is_word:
             yield _Size(span, at, each.end(), each[0])
@@ -266,7 +266,7 @@ def _kind(size: _Size) -> str | None:
     if not kinds:
         low, _ = size.span.bounds(size.offset)
         is_word = size.span.sentence.term(size.offset).written.isalpha()
-        return None if not size.is_first or is_word or re.search(r"[FP]|\?", size.span.text[:low]) else "message"
+        return None if not size.is_first or is_word or pattern(r"[FP]|\?").search(size.span.text[:low]) else "message"
     kind = "message" if {"payload", "frame"} <= set(kinds) else "payload" if "payload" in kinds else kinds[-1]
     is_beside = size.is_first or _BESIDE.search(size.before + size.span.text[size.offset : size.end])
     return None if kind == "message" and not is_beside else kind
@@ -314,7 +314,7 @@ def _is_amount(size: _Size) -> bool:
     return (
         span.kind is PassageKind.ROW
         and len(span.heads) == _CLAIM_AND_AMOUNT
-        and re.search(r"\bM, [^|]*\bframe\b[^|]*\|\s*$", span.text[: size.offset]) is not None
+        and pattern(r"\bM, [^|]*\bframe\b[^|]*\|\s*$").search(span.text[: size.offset]) is not None
     )
 
 
@@ -352,7 +352,7 @@ def _versions(size: _Size) -> set[object]:
     """The versions of MAVLink that a sentence is about, or else those that are named before it."""
     span = size.span
     low, high = span.bounds(size.offset)
-    found: set[object] = {Fraction(int(at[1])) for at in re.finditer(r"\bv([12])\b", size.sentence)}
+    found: set[object] = {Fraction(int(at[1])) for at in pattern(r"\bv([12])\b").finditer(size.sentence)}
     found |= {number(span.sentence.term(low + at.end() - 1)) for at in _VERSION.finditer(span.text[low:high])}
     if found or _EXTENDED.search(size.sentence):  # extensions are of MAVLink 2, whatever was told of before
         return found

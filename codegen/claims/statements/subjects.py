@@ -1,6 +1,5 @@
 """The fields and the messages that a statement is about: those that stand beside it, above it, or in the headings."""
 
-import re
 from collections.abc import Callable, Iterable
 
 from codegen.claims.parts.sentence import NamedField
@@ -9,6 +8,7 @@ from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 
 _FAR = 2000
@@ -40,8 +40,11 @@ _OF = pattern(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<messa
 def about(reading: Reading, span: Span, offset: int) -> About | None:
     """The field whose name stands at an offset; none of a message that the sentence only tells it apart from."""
     found = _meant(reading, span, offset)
-    if found is not None and found.message.name in _told_apart(span, *span.bounds(offset)):
-        return None
+    if found is not None and _told_apart(span):
+        low, high = span.bounds(offset)
+        apart = [at for at in _told_apart(span) if low <= at < high]
+        if any(str(span.sentence.term(at).value) == found.message.name for at in apart):
+            return None
     return found
 
 
@@ -52,9 +55,10 @@ _TOLD_APART = pattern(
 )
 
 
-def _told_apart(span: Span, low: int, high: int) -> set[str]:
-    """The messages that a sentence says something else of: "floats here, unlike those in NAME"."""
-    return {str(span.sentence.term(found.end() - 1).value) for found in _TOLD_APART.finditer(span.text, low, high)}
+@once
+def _told_apart(span: Span) -> tuple[int, ...]:
+    """The messages that a text tells others apart from: "floats here, unlike those in NAME"."""
+    return tuple(found.end() - 1 for found in _TOLD_APART.finditer(span.text))
 
 
 def _meant(reading: Reading, span: Span, offset: int) -> About | None:
@@ -76,7 +80,7 @@ def _meant(reading: Reading, span: Span, offset: int) -> About | None:
         reading.messages[name]
         for at, name in span.named(low, high)
         if at > offset
-        and not (_ITSELF.match(span.text, at) and re.search(r"[,;:] ?[a-z ]*$", span.text[offset + 1 : at]))
+        and not (_ITSELF.match(span.text, at) and pattern(r"[,;:] ?[a-z ]*$").search(span.text[offset + 1 : at]))
     ]
     if found := _about(value.name, before, [], is_sure=True):
         return found

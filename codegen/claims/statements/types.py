@@ -76,7 +76,7 @@ def has_type(field: WireField, stated: StatedType) -> bool:
 
 def _is_plain(gap: str) -> bool:
     """Return whether only words that introduce a type, or that say nothing else, stand between a name and its type."""
-    if re.search(r"[;.|]", gap):
+    if pattern(r"[;.|]").search(gap):
         return False
     return made_of(gap, _IDLE) or (len(gap) < _LONG_GAP and _LEADS.search(gap) is not None and not _OTHER.search(gap))
 
@@ -98,7 +98,7 @@ def _is_foreign(span: Span, stated: StatedType, offset: int) -> bool:
         "char",
     ):
         return True
-    comment = re.search(r"//|#|/\*", span.text)
+    comment = pattern(r"//|#|/\*").search(span.text)
     is_comment = span.is_comment or (comment is not None and comment.start() < offset)
     return span.language in _NO_WIRE and not is_comment and stated.name in ("float", "double", "char")
 
@@ -143,22 +143,22 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
-            and re.search(r"[,(|:\[#/*\u2013-]\s*(?:(?:and )?(?:thus|hence|so|that is) )?$", gap)
-            and re.match(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)", behind)
+            and pattern(r"[,(|:\[#/*\u2013-]\s*(?:(?:and )?(?:thus|hence|so|that is) )?$").search(gap)
+            and pattern(r"\s*(?:[,)|;:.\]}]|$|\*/|U|in U)").match(behind)
         )
         if _NOT.search(gap) or _AFTER.match(behind) or not (_is_plain(gap) or is_bounded):
             return
         if (
             span.is_code
             and not span.is_comment
-            and re.match(r"\s*=", gap)
-            and not re.search(r"#|//|\*", gap)
+            and pattern(r"\s*=").match(gap)
+            and not pattern(r"#|//|\*").search(gap)
             and not is_data(span)
         ):
             return
-        if re.match(r"\s*[A-Za-z_]*\s?F", behind) and not re.match(r"\s*[,;]", behind) and _NEXT.search(gap):
+        if pattern(r"\s*[A-Za-z_]*\s?F").match(behind) and not pattern(r"\s*[,;]").match(behind) and _NEXT.search(gap):
             return  # "`a`, uint16 `b`", "`a` and a uint16 `b`"
-        if re.match(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T|::", behind):
+        if pattern(r"(?:,| or|/| ?\|)? ?T|,? (?:or|and) T|::").match(behind):
             return  # a choice of types, or a conversion
         stated = stated_type(term)
         if _is_foreign(span, stated, offset):
@@ -218,7 +218,7 @@ _BESIDE = 80
 
 def _counts_fields(span: Span, offset: int, one: About, stated: StatedType) -> bool:
     """Return whether a number of elements counts fields: "`a`, `b` and `c`: three floats", "three floats `d_x/y/z`"."""
-    if stated.length is None or one.field.is_array or re.search(r"\[|;", span.sentence.term(offset).written):
+    if stated.length is None or one.field.is_array or pattern(r"\[|;").search(span.sentence.term(offset).written):
         return False
     single = StatedType(stated.name, stated.bits, stated.sign)
     alike = [field for field in one.message.fields if not field.is_array and has_type(field, single)]

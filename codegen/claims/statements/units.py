@@ -160,7 +160,7 @@ def _unit(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             or is_after_factor(said, offset)
         ):
             continue
-        if len(said.names) > 1 and re.match(r"U(?:,? and |, ?| ?/ ?)U", text[offset:]):
+        if len(said.names) > 1 and pattern(r"U(?:,? and |, ?| ?/ ?)U").match(text[offset:]):
             yield from _each(reading, said, offset)
         else:
             yield from _found(reading, said, offset)
@@ -176,7 +176,7 @@ def _before(said: Said) -> int | None:
     text = said.span.text
     before = _UNIT_OF.search(text, max(said.before, said.start - 30), said.start)
     is_held = text[said.start - 1 : said.start] == "(" and text[said.end : said.end + 1] == ")"
-    held = re.search(r"U \($", text[max(said.before, said.start - 4) : said.start]) if is_held else None
+    held = pattern(r"U \($").search(text[max(said.before, said.start - 4) : said.start]) if is_held else None
     return text.rindex("U", 0, said.start) if held is not None or (before and "U" in before[0]) else None
 
 
@@ -192,7 +192,7 @@ def _is_of_else(said: Said, gap: str, behind: str) -> bool:
     if "}" in gap and not said.span.is_code:
         return True  # `{"yaw": 90}`, degrees: a key of somebody's own data
     is_factor = said.span.is_code and "N" in gap and "[" not in gap and not is_data(said.span)
-    names_other = "M" in re.sub(r"(?:#|//|/\*) M[,:]", "", gap).replace("of M", "").replace("in M", "").replace(
+    names_other = "M" in pattern(r"(?:#|//|/\*) M[,:]").sub("", gap).replace("of M", "").replace("in M", "").replace(
         "from M", ""
     )
     return is_factor or names_other or ("Q" in gap and not said.is_listed)
@@ -206,7 +206,7 @@ def _is_own(span: Span, offset: int) -> bool:
             or _SHOWN_KEY.search(span.text, max(offset - 24, 0), offset) is not None
         )
     if span.is_code and not span.is_comment and not span.sentence.term(offset).is_quoted:
-        return re.search(r"#|//|/\*|;|--", span.text[:offset]) is None
+        return pattern(r"#|//|/\*|;|--").search(span.text[:offset]) is None
     return span.kind is PassageKind.ROW and _OWN_COLUMN.search(head_of(span, offset)) is not None
 
 
@@ -227,7 +227,7 @@ _OWN_COLUMN = pattern(
 
 def _each(reading: Reading, said: Said, offset: int) -> list[Diagnostic]:
     """ "`a`, `b`: floats (m and m/s)": as many units as names."""
-    listed = re.match(r"U(?:(?:,? and |, ?| ?/ ?)U)+", said.span.text[offset : said.until])
+    listed = pattern(r"U(?:(?:,? and |, ?| ?/ ?)U)+").match(said.span.text[offset : said.until])
     if listed is None or listed[0].count("U") != len(said.names):
         return []
     units = [at for at, _ in said.span.sentence.within(offset, offset + listed.end(), "U")]

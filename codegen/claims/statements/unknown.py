@@ -186,6 +186,6 @@ def _is_stated(text: str, said: Said, offset: int) -> bool:
     before = text[low:offset]
     return (
         not _NOT.search(before + text[offset])
-        and not re.search(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $", before)
+        and not pattern(r"[NSUQ] ?$|\d$|[<>]=? ?$|\b(?:until|than|above|below|bit|version) $").search(before)
         and not _COUNTS.match(text, offset + 1)
     )

@@ -1,6 +1,5 @@
 """Numbers that stand for an amount beside them, with the same digits, but other zeros than the unit of a field asks."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -67,7 +66,7 @@ def of_encoded(pair: Pair) -> Iterator[Comparison]:
 
 def _described(pair: Pair, amount: Fraction) -> list[Fraction]:
     """The number of an amount by the factor in a description: "(unitless * 100)"."""
-    found = re.search(r"\* ?(?P<by>10+)\b|\*1E(?P<tens>\d)", pair.one.field.definition.description)
+    found = pattern(r"\* ?(?P<by>10+)\b|\*1E(?P<tens>\d)").search(pair.one.field.definition.description)
     if found is None:
         return []
     return [amount * (int(found["by"]) if found["by"] else 10 ** int(found["tens"]))]

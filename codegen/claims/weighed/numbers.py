@@ -1,6 +1,5 @@
 """Numbers in the reach of a field's name: elements, values for unknown, factors, values of an enum."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -220,6 +219,6 @@ def _factor(pair: Pair, value: Number) -> Iterator[Comparison]:
         return
     shown = f"{found[0].strip()} {pair.term.written}"
     unit = f"is in {shown_units(field)}" if shown_units(field) else "has no unit"
-    there = traits(sign=not re.search("[a-z]", found[0]), unit_behind=_UNIT_BEHIND.match(pair.behind(14)))
+    there = traits(sign=not pattern("[a-z]").search(found[0]), unit_behind=_UNIT_BEHIND.match(pair.behind(14)))
     text = f"{pair.one.name} {unit}, which {shown} does not agree with"
     yield Comparison("factor" if is_scaled else "factor of none", SCALING, is_right=False, text=text, traits=there)

@@ -1,7 +1,6 @@
 """The links of the board to ground stations."""
 
 import keyword
-import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule
@@ -11,6 +10,7 @@ from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec.board import BoardSpec, LinkSpec
 from codegen.model.spec.spec import Requirement
 from codegen.model.units.unit import unit_named
+from codegen.pattern import pattern
 from codegen.resolve.citation import cite_optional
 from codegen.source import Place
 
@@ -93,7 +93,7 @@ def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]]
 
 
 def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Problem]:
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
+    if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name) or keyword.iskeyword(name):
         yield "", f"{name} cannot be the name of a link", None
     needed = _OF_KIND[kind]
     for key in needed:
@@ -103,7 +103,7 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
     for key in dict.fromkeys((*(key for keys in _OF_KIND.values() for key in keys), *_ONLY_OF)):
         if getattr(spec, key) is not None and key not in needed and _ONLY_OF.get(key) is not kind:
             yield key, f"{key} says nothing about a link over {kind.words}", None
-    if spec.to is not None and not re.fullmatch(r"\d{1,3}(\.\d{1,3}){3}", spec.to):
+    if spec.to is not None and not pattern(r"\d{1,3}(\.\d{1,3}){3}").fullmatch(spec.to):
         message = f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
         yield "to", message, None
     elif kind is LinkKind.TCP_CLIENT and spec.to is not None and spec.to.endswith(".255"):

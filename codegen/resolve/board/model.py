@@ -1,7 +1,6 @@
 """Resolves the kind of board of a project: its pins as sets of numbers."""
 
 import ast
-import re
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
@@ -9,6 +8,7 @@ from codegen.measure import read_amount, read_time
 from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Timing, Uart, shown_pins
 from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.units.unit import decimal, unit_named
+from codegen.pattern import pattern
 from codegen.source import Place
 
 MOST_GPIO = 127
@@ -26,7 +26,7 @@ BAD_BOARD = Rule(
     "shortest timeout of a watchdog is not above its longest, and causes of a reset are numbers of "
     "machine.reset_cause().",
 )
-_RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
+_RUN = pattern(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
 
 def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardModel | None:

@@ -14,6 +14,10 @@ FIELD_NUMBER = Rule(
 )
 
 
+_ONE = Fraction(1)
+"""The multiplier of most fields: one object for all of them, which is kept once with a dialect and read once."""
+
+
 def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
     """Return what a number on the wire is multiplied with to be in the units of the field; 1 where nothing is stated.
 
@@ -30,11 +34,11 @@ def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
     if default is not None and entry_value(default) is None and exact_number(default) is None and default != "NaN":
         _report(field, "default", default, report)
     if field.multiplier is None:
-        return Fraction(1)
+        return _ONE
     multiplier = exact_number(field.multiplier)
     if multiplier is None or multiplier <= 0:
         _report(field, "multiplier", field.multiplier, report)
-        return Fraction(1)
+        return _ONE
     return multiplier
 
 

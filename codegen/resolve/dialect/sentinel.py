@@ -1,13 +1,13 @@
 """The text of ``invalid`` becomes the value, or values, that mean "unknown" in a field."""
 
 import math
-import re
 import struct
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, Kind, Sentinel, SentinelForm, WireType
 from codegen.model.dialect.literals import LIMITS, is_identifier
+from codegen.pattern import pattern
 from codegen.source import Place
 
 SENTINEL_TEXT = Rule(
@@ -22,10 +22,10 @@ SENTINEL_RANGE = Rule(
 )
 
 # Lengths are bounded, so that a hostile number costs no more than an honest one.
-_BESIDE_LIMIT = re.compile(r"(\w+) ?- ?([0-9]{1,5})")
-_WHOLE = re.compile(r"[+-]?[0-9]{1,20}")
-_HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
-_DECIMAL = re.compile(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?")
+_BESIDE_LIMIT = pattern(r"(\w+) ?- ?([0-9]{1,5})")
+_WHOLE = pattern(r"[+-]?[0-9]{1,20}")
+_HEXADECIMAL = pattern(r"0[xX][0-9a-fA-F]{1,16}")
+_DECIMAL = pattern(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?")
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,5 @@
 """Failsafes: what they watch, their levels with thresholds and times, and their actions."""
 
-import re
 from collections.abc import Mapping
 from itertools import pairwise
 
@@ -13,6 +12,7 @@ from codegen.model.spec.spec import ParametersSpec, Requirement
 from codegen.model.spec.state import StateSpec
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.pattern import pattern
 from codegen.resolve.citation import cite, cite_aspects, cite_optional
 from codegen.resolve.failsafes.condition import arming_conditions, check_order, level_conditions
 from codegen.resolve.failsafes.scope import FailsafeScope
@@ -46,7 +46,7 @@ def resolve_failsafes(
 
 
 def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope) -> Failsafe | None:
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+    if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name):
         scope.bad(spec, None, f"{name!r} is no name of a failsafe: small letters, digits and _")
     citation = cite(spec.requirement, spec.at("requirement"), scope.index, scope.report)
     quantity = None if spec.watches is None else scope.quantity(spec, "watches", spec.watches, None)
@@ -127,7 +127,7 @@ def _levels(
 ) -> tuple[FailsafeLevel, ...]:
     found = []
     for number, (name, written) in enumerate(spec.levels.items(), 1):
-        if not re.fullmatch(r"[a-z][a-z0-9_ ]*", name):
+        if not pattern(r"[a-z][a-z0-9_ ]*").fullmatch(name):
             scope.bad(written, None, f"{name!r} is no name of a level: small letters, digits, _ and spaces")
         found.append(
             FailsafeLevel(

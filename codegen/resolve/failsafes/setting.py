@@ -1,6 +1,5 @@
 """Thresholds and times of failsafes: parameters, or amounts."""
 
-import re
 from collections.abc import Mapping
 from fractions import Fraction
 
@@ -12,6 +11,7 @@ from codegen.model.failsafe import Setting
 from codegen.model.spec.spec import ParametersSpec
 from codegen.model.units.unit import NUMBER, ratio, unit_named
 from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.pattern import pattern
 from codegen.resolve.failsafes.finding import BAD_FAILSAFE
 from codegen.resolve.families import is_single
 from codegen.resolve.vehicle import find_parameter
@@ -103,4 +103,4 @@ class SettingReader:
 
 
 def _is_parameter(text: str) -> bool:
-    return re.fullmatch(r"[A-Z][A-Z0-9_]*", text) is not None
+    return pattern(r"[A-Z][A-Z0-9_]*").fullmatch(text) is not None

@@ -1,17 +1,16 @@
 """Texts of failsafes as they are written, with quantities in braces: ``{name} is {level}[ {voltage:.2}V]``."""
 
-import re
-
 from codegen.diagnostics import Report, did_you_mean
 from codegen.model.failsafe import Clause, FailsafeText, Shown
 from codegen.model.vehicle import Component, Quantity
+from codegen.pattern import pattern
 from codegen.resolve.failsafes.finding import BAD_FAILSAFE
 from codegen.source import Place
 
 NAME, LEVEL, VALUE = "name", "level", "value"
 
-_CLAUSE = re.compile(r"\[([^][]*)\]")
-_FIELD = re.compile(r"([^{}]*)\{([a-z_][a-z0-9_]*)(?: or ([^{}:]*?))?(?::\.([0-9])f?)?\}")
+_CLAUSE = pattern(r"\[([^][]*)\]")
+_FIELD = pattern(r"([^{}]*)\{([a-z_][a-z0-9_]*)(?: or ([^{}:]*?))?(?::\.([0-9])f?)?\}")
 
 
 def read_text(

@@ -1,6 +1,5 @@
 """Assigns the elements of a message to the keys of its population table."""
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
@@ -10,6 +9,7 @@ from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.model.spec.population import FieldAnswer, PopulationSpec
 from codegen.model.spec.spec import Requirement
 from codegen.model.vehicle import Citation
+from codegen.pattern import pattern
 from codegen.resolve.citation import cite
 from codegen.source import Place
 
@@ -25,7 +25,7 @@ UNANSWERED_FIELD = Rule(
     "Answer 'unknown' where nothing measures the value, or say 'others: unknown' for all that is not listed.",
 )
 
-_KEY = re.compile(r"([A-Za-z_]\w*)(?:\[(\d{1,3})(?:\.\.(\d{1,3}))?\])?")
+_KEY = pattern(r"([A-Za-z_]\w*)(?:\[(\d{1,3})(?:\.\.(\d{1,3}))?\])?")
 
 
 def answered_elements(

@@ -17,10 +17,11 @@ from codegen.model.spec.derivation import MeasuredSpec
 from codegen.model.spec.spec import Requirement
 from codegen.model.units.unit import Unit, read_measure, unit_named
 from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.pattern import pattern
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.quantities.kept import resolve_kept
 
-_IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
+_IDENTIFIER = pattern(r"[a-z][a-z0-9_]*")
 # Names that the generated code uses itself, beside Python's own.
 _RESERVED_QUANTITIES = {
     "instance",

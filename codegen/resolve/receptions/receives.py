@@ -8,6 +8,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import ReceivedFieldSpec, ReceiveSpec
+from codegen.pattern import pattern
 from codegen.resolve.citation import cite, cite_aspects
 from codegen.resolve.population.elements import ANSWERED_TWICE, UNKNOWN_ELEMENT, UNKNOWN_FIELD, answered_ranges
 from codegen.resolve.population.population import BAD_TABLE_NAME, UNKNOWN_MESSAGE, Parts
@@ -27,7 +28,7 @@ BAD_CONDITION = Rule(
     "'where' names a field that is no single whole number, or a number that the field cannot carry: no message would "
     "ever be taken.",
 )
-_ELEMENT = re.compile(r"(\w+)(\[.*\])?")
+_ELEMENT = pattern(r"(\w+)(\[.*\])?")
 
 
 def resolve_reception(spec: ReceiveSpec, parts: Parts, report: Report) -> Reception | None:

@@ -1,6 +1,5 @@
 """The courses of a scenario: which quantity each is about, its points in the unit of that, and the way it takes."""
 
-import re
 from collections.abc import Mapping
 
 from codegen.diagnostics import Rule, did_you_mean
@@ -9,6 +8,7 @@ from codegen.model.scenario import Course, Point
 from codegen.model.spec.scenario import BesideSpec, CourseSpec, EventSpec, ScenarioSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.pattern import pattern
 from codegen.resolve.scenarios.board import SCENARIO_PARAMETER
 from codegen.resolve.scenarios.values import SCENARIO_POINTS, ScenarioValues
 from codegen.source import Place
@@ -19,7 +19,7 @@ SCENARIO_COURSE = Rule(
     "instance. It is measured, or set by code of the vehicle: what the firmware makes of others, and what the program "
     "itself sets, follows by itself.",
 )
-_LABEL = re.compile(r"(\w+)(?:\[(\d{1,3})\])?\.(\w+)")
+_LABEL = pattern(r"(\w+)(?:\[(\d{1,3})\])?\.(\w+)")
 _EVERY_MS = 100
 
 

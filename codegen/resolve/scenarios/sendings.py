@@ -1,6 +1,5 @@
 """Resolves a message that a scenario sends to the vehicle: from its fields to the bytes of its payload."""
 
-import re
 import struct
 from fractions import Fraction
 
@@ -11,6 +10,7 @@ from codegen.model.reception import SYSTEM_FIELDS
 from codegen.model.scenario import Sending
 from codegen.model.spec.scenario import EventSpec
 from codegen.model.system import System
+from codegen.pattern import pattern
 from codegen.resolve.scenarios.values import ScenarioValues
 from codegen.source import Place
 
@@ -20,7 +20,7 @@ SCENARIO_SEND = Rule(
     "0, or the vehicle's own ids for its target. A value is a number in the unit of the field, an amount in any unit "
     "that fits, an entry of its enum, a text.",
 )
-_NAME = re.compile(r"(\w+)(?:\[(\d{1,3})\])?")
+_NAME = pattern(r"(\w+)(?:\[(\d{1,3})\])?")
 
 
 def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues) -> Sending | None:

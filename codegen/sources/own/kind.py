@@ -13,14 +13,15 @@ from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source
 from codegen.model.spec.described import Verbatim
 from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
+from codegen.pattern import pattern
 from codegen.source import Place
 from codegen.sources.declared import declared_output
 from codegen.sources.kind import BAD_SOURCE, Around, check_class
 from codegen.sources.module_names import taken_by
 from codegen.sources.wires import Bus, Serial, bus, serial
 
-_CLASS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-_WHOLE = re.compile(r"[-+]?(0x[0-9a-fA-F]{1,8}|\d{1,10})")
+_CLASS = pattern(r"[A-Za-z_]\w*", re.ASCII)
+_WHOLE = pattern(r"[-+]?(0x[0-9a-fA-F]{1,8}|\d{1,10})")
 _OF_BUS: Mapping[BusKind | None, tuple[str, ...]] = {
     None: (),
     BusKind.I2C: ("i2c", "sda", "scl"),

@@ -9,11 +9,12 @@ from codegen.model.quantities.source_kind import Output, Polling, Source, Source
 from codegen.model.spec.described import described
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
+from codegen.pattern import pattern
 from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource, check_class
 from codegen.sources.module_names import taken_by
 
-_CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
+_CLASS = pattern(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -66,7 +66,7 @@ def _nearest(value: Fraction) -> Fraction:
 def _parts(examples: Examples, statement: Statement, value: Amount, said: "re.Match[str]") -> Iterator[Diagnostic]:
     """ "Parts of a centiampere for a millisecond in 1 mAh | 360000"."""
     whole = statement.label.amounts[-1:]
-    names = [*re.split(r" times an? ", said["units"]), said["time"]]
+    names = [*pattern(r" times an? ").split(said["units"]), said["time"]]
     units = [worded_unit(name) for name in names]
     if whole and None not in units and not whole[0].is_plain:
         part = prod((unit.scale for unit in units if unit is not None), start=Fraction(1))

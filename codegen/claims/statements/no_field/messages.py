@@ -1,7 +1,5 @@
 """The messages that a statement may be about which names no field."""
 
-import re
-
 from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.statements.subjects import subjects
@@ -19,7 +17,7 @@ def meant(reading: Reading, span: Span, offset: int) -> tuple[WireMessage, ...]:
     low, high = (0, len(span.text)) if is_listed else span.bounds(offset)
     if any(span.sentence.within(low, high, "CV")):
         return ()  # something else that has a name
-    if span.kind is PassageKind.ROW and (re.search("[FP]", span.text) or not _FIRST_COLUMN.match(span.text)):
+    if span.kind is PassageKind.ROW and (pattern("[FP]").search(span.text) or not _FIRST_COLUMN.match(span.text)):
         return ()  # what is said of a field, or of something else
     own = tuple(dict.fromkeys(name for _, name in span.named(low, high)))
     if own:

@@ -55,7 +55,7 @@ def factors(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     )
     if lead is not None:
         start = max(said.before, said.start - 40) + lead.start()
-    elif re.search(r"\b(?:divid|multipl)\w*\b[^.;]{0,25}$", text[max(said.before, said.start - 40) : said.start]):
+    elif pattern(r"\b(?:divid|multipl)\w*\b[^.;]{0,25}$").search(text[max(said.before, said.start - 40) : said.start]):
         return
     yield from _named_factor(reading, said)
     wanted = _WANTED.search(text, max(said.before, said.start - 40), said.start)

@@ -4,7 +4,6 @@ Where the line scales the number that it reads, the comment may tell the unit be
 neither is found: "distance: p.getUint16(18) * 100, // m" of a field in dam.
 """
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -83,7 +82,7 @@ def _factor(span: Span, at: int, start: int, end: int) -> Fraction | None:
     if reads is None:
         member = _MEMBER.search(span.text, max(at - 24, 0), at)
         is_filled = member is not None and member["of"] not in _OWN_THINGS and "=" in span.text[at + 1 : start]
-        return Fraction(0) if is_filled and re.search(r"[a-zN(]", code) else None
+        return Fraction(0) if is_filled and pattern(r"[a-zN(]").search(code) else None
     bare = _BRACKETS.sub("", _BRACKETS.sub("", _BRACKETS.sub("", code)))
     scaled = _SCALED.search(bare)
     if _ARITHMETIC.search(bare, 0, scaled.start() if scaled is not None else len(bare)):

@@ -82,7 +82,7 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
             continue
         messages, is_sure = subjects(reading, span, found.start())
         noun = span.source_text(*found.span("noun")).lower()
-        words_of = [word for word in re.findall(r"[a-z]+", noun) if word not in IDLE]
+        words_of = [word for word in pattern(r"[a-z]+").findall(noun) if word not in IDLE]
         stated = stated_type(span.sentence.term(at))
         meant = _called(messages[:1], words_of)
         if stated.length is not None and not any(field.is_array for field in meant):
@@ -141,5 +141,5 @@ def _is_made_of(field: WireField, words_of: list[str]) -> bool:
 
 
 def _has_words(field: WireField, words_of: list[str]) -> bool:
-    tokens = re.findall(r"[a-z]+", field.name.lower().replace("_", " "))
+    tokens = pattern(r"[a-z]+").findall(field.name.lower().replace("_", " "))
     return all(any(is_like(word, token) for token in tokens) for word in words_of)

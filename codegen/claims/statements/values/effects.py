@@ -69,10 +69,10 @@ def _effects(message: WireMessage) -> tuple[_Effects, ...]:
     """The fields of a message whose descriptions say what values do."""
     found = []
     for field in message.fields:
-        digits = re.search(r"\d+", field.name)
+        digits = pattern(r"\d+").search(field.name)
         told: dict[str, frozenset[int]] = {}
         for each in _DESCRIBED.finditer(field.definition.description) if digits is not None else ():
-            told[each["verb"].lower()] = frozenset(map(_value, re.split(r" or |, ", each["values"])))
+            told[each["verb"].lower()] = frozenset(map(_value, pattern(r" or |, ").split(each["values"])))
         if digits is not None and told:
             found.append(_Effects(int(digits[0]), field.name, told))
     return tuple(found)
@@ -137,7 +137,7 @@ def _told_before(span: Span, end: int) -> tuple[tuple[int, int], range] | None:
     names = [
         (at, int(digits[0]))
         for at, term in span.sentence.within(0, end, "F")
-        if isinstance(term.value, NamedField) and (digits := re.search(r"\d+", term.value.name)) is not None
+        if isinstance(term.value, NamedField) and (digits := pattern(r"\d+").search(term.value.name)) is not None
     ]
     if names and (not ranges or names[-1][0] > ranges[-1].start()):
         return (names[max(len(names) - 2, 0)][1], names[-1][1]), range(0)

@@ -4,7 +4,6 @@
 is what people get wrong.
 """
 
-import re
 from collections.abc import Collection, Iterator
 from fractions import Fraction
 
@@ -137,4 +136,4 @@ def _is_tenfold(value: Fraction, own: Fraction) -> bool:
 
 def _digits(value: Fraction) -> str:
     """The digits of a number without the zeros around them."""
-    return re.sub(r"[-.]", "", f"{float(abs(value)):.10f}").strip("0")
+    return pattern(r"[-.]").sub("", f"{float(abs(value)):.10f}").strip("0")

@@ -1,6 +1,5 @@
 """Parameters of commands: units and numbers in their reach, compared with what the command says of that parameter."""
 
-import re
 from collections.abc import Iterator
 
 from codegen.claims.parts.span import Span
@@ -70,7 +69,7 @@ def _meant(reading: Reading, own: CommandParameter, value: int, words: str) -> t
         entry = meaning(enum).meant_otherwise(value, words)
         return (False, f"{entry.value} is {entry.name}") if entry is not None else None
     pairs = {int(found["value"]): _content(found["words"]) for found in _PAIR.finditer(own.description.lower())}
-    said = _content(re.split(r"[,;.|(]", words)[0])
+    said = _content(pattern(r"[,;.|(]").split(words)[0])
     if len(pairs) < _LEAST or not said:
         return None
     scores = {each: len(said & content) - len(content - said) / 10 for each, content in pairs.items() if said & content}
