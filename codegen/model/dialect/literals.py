@@ -6,7 +6,6 @@ from fractions import Fraction
 
 from codegen.model.dialect.dialect import Kind
 from codegen.model.dialect.wire_types import WIRE_TYPES
-from codegen.pattern import pattern
 
 LIMITS: dict[str, int] = {
     f"{wire_type.name.removesuffix('_t').upper()}_{end}": value
@@ -17,12 +16,12 @@ LIMITS: dict[str, int] = {
 """Value by name: ``UINT16_MAX`` and its kin, for every integer type of the wire."""
 
 # Lengths are bounded, so that a hostile number costs no more than an honest one.
-_DECIMAL = pattern(r"0|[1-9][0-9]{0,19}")
-_HEXADECIMAL = pattern(r"0[xX][0-9a-fA-F]{1,16}")
-_BINARY = pattern(r"0[bB][01]{1,64}")
-_POWER_OF_TWO = pattern(r"2\*\*([0-9]{1,2})")
-_ARRAY = pattern(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
-_EXACT = pattern(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?")
+_DECIMAL = re.compile(r"0|[1-9][0-9]{0,19}")
+_HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
+_BINARY = re.compile(r"0[bB][01]{1,64}")
+_POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
+_ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
+_EXACT = re.compile(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?")
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 

@@ -1,14 +1,14 @@
 """Finds the unit that was probably meant by a spelling that is none."""
 
+import re
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 
 from codegen.model.units.unit import Unit, symbols
 from codegen.model.units.unit_table import PREFIX_WORDS, SCALED, SHOWN, WORDS
-from codegen.pattern import pattern
 
-_OPERATORS = pattern(r"([*/]|\^-?\d)")
-_POWER = pattern(r"([A-Za-z])([2-9])(?![0-9])")
+_OPERATORS = re.compile(r"([*/]|\^-?\d)")
+_POWER = re.compile(r"([A-Za-z])([2-9])(?![0-9])")
 _EXAMPLES = "V, mA, degC, m/s, degE7"
 _LONGEST = 60
 
@@ -37,7 +37,7 @@ def worded_unit(written: str) -> Unit | None:
     names = list(dict.fromkeys(_worded(folded)))
     if len(names) == 1:
         return Unit.parse(names[0])
-    per = pattern(r"(\w+|\u00b0)(?:\s+per\s+|/)(\w+)").fullmatch(folded)
+    per = re.fullmatch(r"(\w+|\u00b0)(?:\s+per\s+|/)(\w+)", folded)
     parts = [worded_unit(part) for part in per.groups()] if per else []
     return Unit.parse("/".join(part.name for part in parts if part)) if parts and all(parts) else None
 

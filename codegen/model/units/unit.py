@@ -8,7 +8,6 @@ from functools import cache
 from codegen.frozen import dataclass
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit_table import BASES, ONLY_WITH_PREFIX, PREFIXES, SHOWN, SYMBOLS, ZEROS
-from codegen.pattern import pattern
 
 Dimension = tuple[tuple[str, int], ...]
 """The base units that a unit is made of with their powers, by name: m/s/s is (("m", 1), ("s", -2))."""
@@ -95,8 +94,8 @@ def symbols() -> Mapping[str, tuple[str, str]]:
 
 
 # A symbol, its power, and what the number was multiplied with (E7).
-_PART = pattern(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:\^(?P<power>-?[1-9]))?(?:E(?P<tens>\d))?")
-_NUMBER = pattern(r"\d{1,9}(?:\.\d{1,9})?")
+_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:\^(?P<power>-?[1-9]))?(?:E(?P<tens>\d))?")
+_NUMBER = re.compile(r"\d{1,9}(?:\.\d{1,9})?")
 _MOST_PARTS = 8
 
 
@@ -167,7 +166,7 @@ def _spelled(dimension: Dimension) -> str:
 
 
 # As long as any quantity of a vehicle needs, and short enough to compute with. A digit does not begin a unit by itself.
-_AMOUNT = pattern(
+_AMOUNT = re.compile(
     r"\s*([-+]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})(?:[eE][-+]?\d{1,2})?)(?:\s+|(?![\d.]))(\S{1,60})\s*"
 )
 
