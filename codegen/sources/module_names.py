@@ -2,21 +2,21 @@
 
 # fmt: off
 FIRMWARE = frozenset((
-    "absences", "access", "adc_faults", "adc_inputs", "ages", "board", "checksum", "clock_plain", "clock_service",
-    "clock_viper", "command_cancel", "command_table", "commands", "connection", "conversion", "curve", "dialect",
-    "doubles", "enums", "failsafe", "failsafes", "fields", "floats_plain", "floats_viper", "frames", "frames_plain",
-    "frames_viper", "further_reading", "guard", "heard", "ina219", "ina226", "inbox", "key_service", "letters",
-    "listed_stations", "listeners", "listening", "lists", "live_fields", "long_commands", "made_floats", "main",
-    "mavlink", "message", "message_fields", "messages", "mode_service", "nearest", "network_port", "nmea",
-    "nmea_plain", "nmea_viper", "own_commands", "parameter_service", "parameters", "polling", "pulse",
-    "rare_commands", "readiness", "reading_turns", "reals_plain", "reals_viper", "receiver", "receiving",
-    "receiving_plain", "receiving_viper", "reception", "registers", "rows", "samples_plain",
-    "samples_viper", "satellite_clock", "scan_plain", "scan_viper", "scheduler", "sender", "sentences_plain",
-    "sentences_viper", "serial_port", "services", "set_mode", "signing", "sources", "state", "state_plain",
-    "state_viper", "station", "stations", "storage", "streams", "tcp_client", "tcp_peer", "tcp_port", "tcp_server",
-    "tcp_stations", "telemetry", "telemetry_plain", "telemetry_viper", "texts", "thresholds", "turns_plain",
-    "turns_viper", "twins", "udp_port", "user_source", "vehicle", "watchdog", "wholes_plain", "wholes_viper",
-    "wide", "words",
+    "absences", "accepted_values", "access", "adc_faults", "adc_inputs", "ages", "board", "checksum",
+    "clock_plain", "clock_service", "clock_viper", "command_cancel", "command_table", "commands", "connection",
+    "conversion", "curve", "dialect", "doubles", "enums", "failsafe", "failsafes", "fields", "floats_plain",
+    "floats_viper", "frames", "frames_plain", "frames_viper", "further_reading", "guard", "heard", "ina219",
+    "ina226", "inbox", "key_service", "letters", "listed_stations", "listeners", "listening", "lists",
+    "live_fields", "long_commands", "made_floats", "main", "mavlink", "message", "message_fields", "messages",
+    "mode_service", "nearest", "network_port", "nmea", "nmea_plain", "nmea_viper", "own_commands",
+    "parameter_service", "parameters", "polling", "pulse", "rare_commands", "readiness", "reading_turns",
+    "reals_plain", "reals_viper", "receiver", "receiving", "receiving_plain", "receiving_viper", "reception",
+    "registers", "rows", "samples_plain", "samples_viper", "satellite_clock", "scan_plain", "scan_viper",
+    "scheduler", "sender", "sentences_plain", "sentences_viper", "serial_port", "services", "set_mode", "signing",
+    "sources", "state", "state_plain", "state_viper", "station", "stations", "storage", "streams", "tcp_client",
+    "tcp_peer", "tcp_port", "tcp_server", "tcp_stations", "telemetry", "telemetry_plain", "telemetry_viper",
+    "texts", "thresholds", "turns_plain", "turns_viper", "twins", "udp_port", "user_source", "vehicle", "watchdog",
+    "wholes_plain", "wholes_viper", "wide", "words",
 ))
 """Modules that some firmware has; a project has those of them that it needs, tomorrow perhaps another one."""
 

@@ -27,6 +27,10 @@ RIGHT = {
         "| Where | Unit | Remark |\n|---|---|---|\n| SET_POSITION_TARGET_LOCAL_NED | rad | `yaw`; the rate is rad/s |\n",
     "a value of the field behind it":
         "BATTERY_STATUS: `current_battery` in cA. INT16_MAX as temperature: not available.\n",
+    "a value of a parameter of the command":
+        "MAV_CMD_DO_CHANGE_SPEED has -1 for no change and -2 for the vehicle's own speed.\n",
+    "the number of a parameter":
+        "A correction holds: `{enum: MAV_CMD, entry: MAV_CMD_DO_SET_PARAMETER, param: 4}`, `{entry: ..., param: 4, set: 0}`.\n",
     "a value for the field behind it":
         "BATTERY_STATUS: `current_battery` in cA. INT16_MAX for `temperature`: not available.\n",
 }  # fmt: skip

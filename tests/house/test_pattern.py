@@ -175,9 +175,11 @@ def test_a_pattern_is_compiled_once_and_only_for_a_text_with_a_word_that_it_need
         return re.compile(expression, flags)
 
     monkeypatch.setattr(patterns, "compiled", noted)
+    pattern.cache_clear()
     late = pattern(EXPRESSION, re.IGNORECASE, needs="crc|seed")
     assert late.search("a size") is None
     assert compiled == []
     assert late.search("a CRC") is not None
     assert late.search("a Seed") is not None
     assert compiled == [EXPRESSION]
+    assert pattern(EXPRESSION, re.IGNORECASE, needs="crc|seed") is late

@@ -228,6 +228,7 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
             offset in told
             or _RESPECTIVELY.search(before)
             or _IN_TURN.match(span.text, offset + 1)
+            or _NUMBERED.search(before)
             or _NOT.search(pattern(r"[,.;(]").split(before)[-1])
         ):
             continue
@@ -235,6 +236,10 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
         if meant is not None and not _is_sum(subject.enum, value, meant.value):
             told.add(offset)
             yield _finding(reading, span, subject, meant, value, offset, words)
+
+
+_NUMBERED = pattern(r"\bparam(?:eter)?s?(?: number)?:? $")
+"""Before the number of a parameter, ``param: 4``, which is no value of an entry."""
 
 
 def _is_sum(enum: EnumDefinition, value: int, part: int) -> bool:

@@ -121,6 +121,7 @@ def _value(reading: Reading, span: Span, name: str, own: int | None, found: "re.
         own is None
         or stated is None
         or stated == own
+        or stated < 0 <= own  # a value of one of its parameters: "NAME has -1 for no change"
         or re.search(
             r"\b(?:component|system|(?<!command )id|param\w*|than|after|about|least|most|up to|channel|instance"
             r"|see|section"
