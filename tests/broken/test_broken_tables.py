@@ -63,14 +63,6 @@ CASES = [
     Case("no-sentinel", SYS, "load: {state: vehicle.load}", "load: §unknown", "corrections"),
     Case("no-sentinel", "state.yaml", "        max: 100\n        initial: 0", "        max: 100"),
     Case("unit-mismatch", BATTERY, "{state: battery.consumed, ", "{state: §battery.current, ", "current (A)"),
-    Case(
-        "unit-mismatch",
-        HEARTBEAT,
-        "{state: vehicle.mode}",
-        "{state: §battery.current}",
-        "can say that custom_mode is in",
-        is_alone=False,
-    ),
     Case("unit-mismatch", "state.yaml", "stored: mA", "stored: §mAh", is_alone=False),
     Case("constant-out-of-range", SYS, "drop_rate_comm: {constant: 0", "drop_rate_comm: {constant: §70000 c%", "65535"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §0.5}"),
@@ -702,6 +694,14 @@ CASES = [
     ),
     Case(
         "unit-mismatch", "state.yaml", "reaches: charging_maximum_voltage", "reaches: §12 A", "12 A is no amount in V"
+    ),
+    Case(
+        "unit-mismatch",
+        HEARTBEAT,
+        "{state: vehicle.mode}",
+        "{state: §battery.current}",
+        "can say that custom_mode is in",
+        is_alone=False,
     ),
 ]
 

@@ -21,6 +21,8 @@ def compared(tmp_path, capsys):
             shutil.copytree(PROJECT / "specs", tmp_path / side / "specs")
             board = tmp_path / side / "specs" / "board.yaml"
             board.write_text(board.read_text().replace("{driver: compass,", "{driver: compass, requirement: FR-9.6,"))
+            code = tmp_path / side / "specs" / CODE
+            code.write_text(code.read_text() + "\n\nNeedle = Compass\n")
             sent = tmp_path / side / "specs" / "messages" / "gps_raw_int.yaml"
             sent.write_text(sent.read_text().replace("{state: gps.course}", "{state: compass.heading}"))
         path = tmp_path / "new" / "specs" / file

@@ -31,10 +31,10 @@ def test_received_messages_are_shown_field_by_field(tmp_path: Path) -> None:
     """The page has what each sets, which numbers are taken, what makes it unknown, and when it is too old."""
     page = built("received", tmp_path)
     assert rows(page, "received-rc_channels_override") == [
-        ["Field", "Unit", "Sets", "Taken", "Sets it unknown", "Too old", "Criterion"],
-        ["chan1_raw", "us", "rc.rudder", "0..65534 us", "65535", "after 500 ms", "FR-1.3"],
-        ["chan2_raw", "us", "rc.throttle", "1000..2000 us", "65535", "never", "FR-1.4"],
-        ["chan9_raw", "us", "rc.extra", "1..65535 us", "0, MAVLink 1", "never", "FR-1.3"],
+        ["Field", "Unit", "Sets", "Taken", "Sets it unknown", "Leaves it", "Too old", "Criterion"],
+        ["chan1_raw", "us", "rc.rudder", "1..65534 us", "0", "65535", "after 500 ms", "FR-1.3"],
+        ["chan2_raw", "us", "rc.throttle", "1000..2000 us", "0", "65535", "never", "FR-1.4"],
+        ["chan9_raw", "us", "rc.extra", "1..65533 us", "65534", "0, 65535, MAVLink 1", "never", "FR-1.3"],
     ]
     assert "From a system of which a ground station is heard on that link" in page
     assert "Only with gps_id 1." in page

@@ -128,7 +128,7 @@ CASES = [
     (
         "received",
         "receives/gps_input.yaml",
-        "  hdop: {state: fix.hdop}\n",
+        "  hdop: {state: fix.hdop, unchanged: [99.99]}\n",
         "  hdop: {state: §stick.pressed}\n",
         "hdop is a float, and stick.pressed a boolean quantity",
     ),
