@@ -75,7 +75,7 @@ def _readings(system: System, program: Program) -> Iterator[Job]:
             _read(component, None) + _guarded(guards, None),
         )
     beside = [each for each in program.failsafes if not program.looks_with_readings(each)]
-    is_often = bool(measured) and measured[-1].read_every_ms * 1000 <= program.checks_us
+    is_often = bool(measured) and program.reads_often(measured[-1])
     if beside or (not is_often and (_can_arm(program) or _tells_load(system))):
         words = "failsafes look" if beside else "what the vehicle tells about itself is found out"
         yield Job("checks", words, program.checks_us, _guarded(beside, system), _guarded(beside, None))

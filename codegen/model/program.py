@@ -14,7 +14,7 @@ from codegen.model.failsafe import Failsafe
 from codegen.model.spec.access import SETUP_SIGNING
 from codegen.model.spec.board import LinkSpec
 from codegen.model.spec.program import ActionSpec, VehicleSpec
-from codegen.model.vehicle import Citation
+from codegen.model.vehicle import Citation, Component
 from codegen.model.watchdog import Watchdog
 
 
@@ -135,9 +135,11 @@ class Program:
         it may be set meanwhile, and a time may end.
         """
         component = failsafe.component
-        if failsafe.quantity is None or component is None or not component.readings:
-            return False
-        return component.read_every_ms * 1000 <= self.checks_us
+        return failsafe.quantity is not None and component is not None and self.reads_often(component)
+
+    def reads_often(self, component: Component) -> bool:
+        """Return whether the ADC reads a component, and at least once in ``checks_us``."""
+        return component.readings != () and component.read_every_ms * 1000 <= self.checks_us
 
     @property
     def cancels(self) -> bool:

@@ -126,15 +126,10 @@ def correct_as_shipped(shipped: FieldCorrection, result: Corrected) -> None:
 
 def correct_entry(correction: "Correction", result: Corrected, report: Report) -> None:
     """Set the value of an enum's entry."""
-    name = correction.enum or ""
-    enum = result.enums.get(name)
-    if enum is None:
-        hint = did_you_mean(name, result.enums)
-        report.add(CORRECTION_UNKNOWN, correction.at("enum"), f"the dialect has no enum {name}", hint)
+    found = entry_to_correct(correction, result, report)
+    if found is None:
         return
-    entry = entry_to_correct(correction, enum, report)
-    if entry is None:
-        return
+    enum, entry = found
     place = correction.at("set")
     for attribute, text in correction.set.items():
         value = entry_value(text)
@@ -150,16 +145,25 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
         else:
             new = entry._replace(value=value, is_implicit=False)
             entries = tuple(new if other is entry else other for other in enum.entries)
-            result.enums[name] = replace(enum, entries=entries)
+            result.enums[enum.name] = replace(enum, entries=entries)
 
 
-def entry_to_correct(correction: "Correction", enum: EnumDefinition, report: Report) -> EnumEntry | None:
-    """The entry that a correction names; None after a finding."""
+def entry_to_correct(
+    correction: "Correction", result: Corrected, report: Report
+) -> tuple[EnumDefinition, EnumEntry] | None:
+    """The enum and the entry that a correction names; None after a finding."""
+    name = correction.enum or ""
+    enum = result.enums.get(name)
+    if enum is None:
+        hint = did_you_mean(name, result.enums)
+        report.add(CORRECTION_UNKNOWN, correction.at("enum"), f"the dialect has no enum {name}", hint)
+        return None
     entry = enum.entry(correction.entry or "")
     if entry is None:
         hint = did_you_mean(correction.entry or "", [entry.name for entry in enum.entries])
         report.add(CORRECTION_UNKNOWN, correction.at("entry"), f"{enum.name} has no entry {correction.entry}", hint)
-    return entry
+        return None
+    return enum, entry
 
 
 def _message(correction: "Correction", result: Corrected, report: Report) -> MessageDefinition | None:

@@ -27,15 +27,10 @@ _ATTRIBUTES = ("label", "units", *_NUMBERS, "enum", "default", "description")
 
 def correct_parameter(correction: "Correction", result: Corrected, report: Report) -> None:
     """Set attributes of a parameter; the empty text removes one."""
-    name = correction.enum or ""
-    enum = result.enums.get(name)
-    if enum is None:
-        hint = did_you_mean(name, result.enums)
-        report.add(CORRECTION_UNKNOWN, correction.at("enum"), f"the dialect has no enum {name}", hint)
+    found = entry_to_correct(correction, result, report)
+    if found is None:
         return
-    entry = entry_to_correct(correction, enum, report)
-    if entry is None:
-        return
+    enum, entry = found
     parameter = next((each for each in entry.parameters if each.number == correction.param), None)
     if parameter is None:
         known = ", ".join(each.number for each in entry.parameters)
@@ -48,7 +43,7 @@ def correct_parameter(correction: "Correction", result: Corrected, report: Repor
     parameters = tuple(new if each is parameter else each for each in entry.parameters)
     corrected = entry._replace(parameters=parameters)
     entries = tuple(corrected if other is entry else other for other in enum.entries)
-    result.enums[name] = replace(enum, entries=entries)
+    result.enums[enum.name] = replace(enum, entries=entries)
 
 
 def _corrected(

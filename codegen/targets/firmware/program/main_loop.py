@@ -52,7 +52,8 @@ def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, .
     ]
     checked = tuple(_checks(each for each in failsafes if not each.is_measured))
     told = _about_itself(system, program)
-    if checked or (told and (not jobs or jobs[-1].period_us > program.checks_us)):
+    is_often = bool(names) and program.reads_often(system.components[names[-1]])
+    if checked or (told and not is_often):
         jobs.append(JobView("checks", "_watch", None, program.checks_us, checked))
     return (*jobs[:-1], *(replace(job, statements=(*job.statements, *told)) for job in jobs[-1:]))
 
