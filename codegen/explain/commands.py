@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from codegen.explain.corrections import correction_facts
 from codegen.model.command import BuiltInCommand, Command, CommandParam, Mode
-from codegen.model.dialect.dialect import EnumEntry
+from codegen.model.dialect.dialect import Dialect, EnumEntry
 from codegen.model.system import System
 from codegen.model.units.unit import decimal, map_words
 from codegen.model.vehicle import Citation
@@ -25,11 +26,11 @@ def command_story(topic: str, system: System) -> Story | None:
         return None
     for command in program.commands if program else ():
         if command.name == topic:
-            return _command(command)
+            return _command(command, system.dialect)
     for built_in in program.built_in if program else ():
         if built_in.name == topic:
             return _built_in(built_in, entry)
-    return _unknown(entry)
+    return _unknown(entry, system.dialect)
 
 
 def command_topics(system: System) -> list[str]:
@@ -39,12 +40,12 @@ def command_topics(system: System) -> list[str]:
     return [*(entry.name for entry in (enum.entries if enum else ())), *(mode.name for mode in modes)]
 
 
-def _command(command: Command) -> Story:
+def _command(command: Command, dialect: Dialect) -> Story:
     spec = command.spec
     method = f"{spec.method}({', '.join(param.name for param in command.params)})"
     facts = [
         ("done by", f"{method} of the vehicle, which code overrides"),
-        *(fact for param in command.params for fact in _param(param)),
+        *(fact for param in command.params for fact in _param(param, command, dialect)),
         ("frames", ", ".join(frame.name for frame in command.frames)),
         ("allowed", spec.allowed.value),
         ("from", spec.sender.value.replace("_", " ")),
@@ -56,7 +57,7 @@ def _command(command: Command) -> Story:
     return f"{command.name} ({command.number})", spec.doc, facts
 
 
-def _param(param: CommandParam) -> Iterator[tuple[str, str]]:
+def _param(param: CommandParam, command: Command, dialect: Dialect) -> Iterator[tuple[str, str]]:
     words = [f"{param.name} is {param.limits}"]
     if param.scale.ratio != 1:
         words.append(f"on the wire {param.wire_unit.name} {map_words(param.scale)}")
@@ -66,17 +67,22 @@ def _param(param: CommandParam) -> Iterator[tuple[str, str]]:
         words.append("NaN is denied" if param.default is None else f"{decimal(param.default)} for NaN")
     words += [f"None for {left_words(param)}, which leaves it as it is"] if left_words(param) else []
     yield f"param {param.number}", ", ".join(words)
+    yield from correction_facts(dialect, command.name, str(param.number))
 
 
 def _built_in(command: BuiltInCommand, entry: EnumEntry) -> Story:
     return f"{command.name} ({entry.value})", command.doc, [("answered", command.configured)]
 
 
-def _unknown(entry: EnumEntry) -> Story:
+def _unknown(entry: EnumEntry, dialect: Dialect) -> Story:
     params = [
-        (f"param {param.number}", f"{dict(param.attributes).get('label', '')} {param.description}".strip())
+        fact
         for param in entry.parameters
         if param.description not in ("", "Empty", "Reserved")
+        for fact in (
+            (f"param {param.number}", f"{dict(param.attributes).get('label', '')} {param.description}".strip()),
+            *correction_facts(dialect, entry.name, param.number),
+        )
     ]
     answer = ("answered", "MAV_RESULT_UNSUPPORTED; an entry of commands.yaml lets a method of the vehicle do it")
     return f"{entry.name} ({entry.value})", entry.description, [*params, answer]

@@ -1,22 +1,22 @@
-"""Explains the corrections of a field: the attribute, the grounds, and where both are stated."""
+"""Explains corrections of fields and of parameters of commands: what is set, the grounds, and where both stand."""
 
 from collections.abc import Iterator
 
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
-from codegen.model.dialect.dialect import Dialect, FieldCorrection, Standing
+from codegen.model.dialect.dialect import AttributeCorrection, Dialect, Standing
 from codegen.source import Place
 
 _LONGEST = 40
 """Most lines of XML that a description takes."""
 
 
-def correction_facts(dialect: Dialect, message: str, field: str) -> list[tuple[str, str]]:
-    """Title and text of all that is said about the corrections of a field; empty where it has none."""
-    return [fact for correction in dialect.corrections_of(message, field) for fact in _facts(correction)]
+def correction_facts(dialect: Dialect, owner: str, part: str) -> list[tuple[str, str]]:
+    """Title and text of what is said about corrections of a field, or of a parameter of a command; may be empty."""
+    return [fact for correction in dialect.corrections_of(owner, part) for fact in _facts(correction)]
 
 
-def _facts(correction: FieldCorrection) -> Iterator[tuple[str, str]]:
+def _facts(correction: AttributeCorrection) -> Iterator[tuple[str, str]]:
     before = "nothing" if correction.before is None else repr(correction.before)
     change = f"{correction.attribute}: {correction.text or 'none'} in place of {before}  ({correction.place.shown()})"
     match correction.standing:

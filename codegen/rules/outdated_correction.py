@@ -20,15 +20,15 @@ def check(system: System) -> Iterator[Diagnostic]:
     populated = {message.name: message.wire for message in system.messages}
     told = set()
     for correction in system.dialect.corrections:
-        message = populated.get(correction.message)
-        field = message.field(correction.field) if message else None
+        message = populated.get(correction.owner)
+        field = message.field(correction.part) if message else None
         if correction.standing is not Standing.OUTDATED or field is None or correction.place in told:
             continue
         told.add(correction.place)
         yield Diagnostic(
             field.definition.place,
             RULE,
-            f"{correction.message}.{correction.field} no longer says {correction.grounds!r}, so {correction.attribute} "
+            f"{correction.owner}.{correction.part} no longer says {correction.grounds!r}, so {correction.attribute} "
             f"is not corrected to {correction.text}",
             "state it in a correction of the project, or refuse it there",
             ((correction.place, "the correction that comes with codegen"),),

@@ -85,6 +85,18 @@ def test_a_corrected_limit_holds(checked):
     assert "error" not in found.replace("0 errors", "")
 
 
+@pytest.mark.parametrize("is_answered", [True, False])
+def test_a_corrected_parameter_is_explained(checked, capsys, is_answered):
+    """Of a command of the project as of another one: what was set, in place of what, why, and where that stands."""
+    checked("  MAV_CMD_USER_2:\n", (CAPTURE if is_answered else "") + "  MAV_CMD_USER_2:\n", "minValue: 0")
+    assert main(["explain", "MAV_CMD_IMAGE_START_CAPTURE"]) == 0
+    told = capsys.readouterr().out.splitlines()
+    of_four = next(index for index, line in enumerate(told) if line.startswith("param 4"))
+    assert "corrected    minValue: 0 in place of '1'  (specs/fixed.yaml:2:5)" in told[of_four:]
+    assert "reason       Its words say that it is 0 otherwise." in told[of_four:]
+    assert "stated in    common.xml" in told[of_four:]
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [

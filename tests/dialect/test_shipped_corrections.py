@@ -18,7 +18,7 @@ from codegen.explain.corrections import line_of
 from codegen.explain.story import explain
 from codegen.load.files import DISK
 from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dialect_path
-from codegen.model.dialect.dialect import Dialect, DialectFile, FieldCorrection, SentinelForm, Standing
+from codegen.model.dialect.dialect import AttributeCorrection, Dialect, DialectFile, SentinelForm, Standing
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.spec.spec import Correction, Refusal, ShippedCorrection
 from codegen.model.units.unit import Unit
@@ -61,7 +61,7 @@ def test_every_correction_holds_for_the_installed_release(path: Path) -> None:
     assert shipped
     for correction in shipped:
         fields = matching(correction.fields, [field.name for field in dialect.messages[correction.message].fields])
-        done = {(one.field, one.attribute): one for one in dialect.corrections if one.place == correction.place}
+        done = {(one.part, one.attribute): one for one in dialect.corrections if one.place == correction.place}
         assert fields, correction
         assert set(done) == {(field, attribute) for field in fields for attribute in correction.set}
         assert {one.standing for one in done.values()} == {Standing.APPLIED}
@@ -69,7 +69,7 @@ def test_every_correction_holds_for_the_installed_release(path: Path) -> None:
             check_words(one)
 
 
-def check_words(one: FieldCorrection) -> None:
+def check_words(one: AttributeCorrection) -> None:
     """The line on which the words begin; and they name the value, at least as its number or its unit is written."""
     assert one.stated is not None
     place = line_of(one.grounds, one.stated)
@@ -117,9 +117,9 @@ def test_every_unit_is_named_in_words() -> None:
 def found_phrases(dialects: dict) -> Iterator[tuple[str, str]]:
     """Each phrase of the dialects that may state something, with its text, for which there is no correction."""
     for dialect, files, _ in dialects.values():
-        corrected = {(one.attribute, one.message, one.field) for one in dialect.corrections}
+        corrected = {(one.attribute, one.owner, one.part) for one in dialect.corrections}
         by_message = {
-            (one.attribute, one.message) for one in dialect.corrections if one.stated and is_message(one, dialect)
+            (one.attribute, one.owner) for one in dialect.corrections if one.stated and is_message(one, dialect)
         }
         for message in (message for file in files for message in file.messages):
             for one in candidates(message):
@@ -130,8 +130,8 @@ def found_phrases(dialects: dict) -> Iterator[tuple[str, str]]:
                     yield f"{one.kind} {one.name}", f"{zlib.crc32(text.encode()):08x}"
 
 
-def is_message(one: FieldCorrection, dialect: Dialect) -> bool:
-    return one.stated == dialect.messages[one.message].definition.place
+def is_message(one: AttributeCorrection, dialect: Dialect) -> bool:
+    return one.stated == dialect.messages[one.owner].definition.place
 
 
 def test_every_phrase_is_corrected_or_was_looked_at(dialects: dict) -> None:
@@ -164,7 +164,7 @@ def test_sentinels_of_what_is_sent_most(dialects: dict) -> None:
     missing_cells = dialect.messages["BATTERY_STATUS"].field("voltages_ext").sentinel
     assert (missing_cells.form, missing_cells.values) == (SentinelForm.EACH, (0, 0, 0, 0))
     assert dialect.messages["GPS2_RAW"].field("eph").definition.multiplier == "1E-2"
-    assert len([one for one in dialect.corrections if one.message == "RC_CHANNELS"]) == 19
+    assert len([one for one in dialect.corrections if one.owner == "RC_CHANNELS"]) == 19
 
 
 WORDS = "A value of UINT16_MAX implies the channel is unused."
@@ -191,7 +191,7 @@ def resolved(tmp_path: Path) -> Callable[..., SimpleNamespace]:
         dialect = resolve_dialect("common", found, own, report, shipped, refuse)
         message = dialect.messages["RC_CHANNELS"]
         written = {field.name: field.definition.invalid for field in message.fields}
-        standing = {one.field: one.standing for one in dialect.corrections}
+        standing = {one.part: one.standing for one in dialect.corrections}
         return SimpleNamespace(written=written, standing=standing, report=list(report), dialect=dialect)
 
     return resolve

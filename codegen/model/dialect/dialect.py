@@ -165,15 +165,18 @@ class Standing(Enum):
     OUTDATED = "outdated"
 
 
-class FieldCorrection(NamedTuple):
-    """A correction of one attribute of a field: its new text, and the one ``before`` (None: there was none).
+class AttributeCorrection(NamedTuple):
+    """A correction of one attribute: its new text, and the one ``before`` (None: there was none).
+
+    It is an attribute of the field ``part`` of the message ``owner``, or of the parameter with the number ``part`` of a
+    command.
 
     ``grounds`` are the reason that a project gives, with its ``source``; of a correction that comes with codegen the
     words of the dialect, which stand in the element at ``stated``. ``refusal`` is the reason of one, and its place.
     """
 
-    message: str
-    field: str
+    owner: str
+    part: str
     attribute: str
     text: str
     before: str | None
@@ -332,7 +335,7 @@ class Dialect:
     ``messages`` by name in order of id, ``enums`` by name, ``files`` every XML file that was read (absolute paths,
     each once), ``version`` the value of ``uint8_t_mavlink_version`` fields. ``overlays`` are those of ``files`` that
     the project adds, ``known`` the messages of other dialects that share a name or an id with a message of these.
-    ``corrections`` are all of fields, those of the project and those that come with codegen.
+    ``corrections`` are all of fields and of parameters, those of the project and those that come with codegen.
     ``digest`` is a hash of everything that it was made of; without one that is not known.
     """
 
@@ -343,13 +346,13 @@ class Dialect:
     files: tuple[str, ...]
     overlays: frozenset[str] = frozenset()
     known: tuple[KnownMessage, ...] = ()
-    corrections: tuple[FieldCorrection, ...] = ()
+    corrections: tuple[AttributeCorrection, ...] = ()
     digest: str = field(default="", compare=False, repr=False)
 
     def added_messages(self) -> Iterator[WireMessage]:
         """The messages that the overlays add, in order of id."""
         return (message for message in self.messages.values() if message.definition.place.file in self.overlays)
 
-    def corrections_of(self, message: str, field: str) -> Iterator[FieldCorrection]:
-        """The corrections of a field, in the order in which they were applied."""
-        return (each for each in self.corrections if (each.message, each.field) == (message, field))
+    def corrections_of(self, owner: str, part: str) -> Iterator[AttributeCorrection]:
+        """The corrections of a field, or of a parameter of a command, in the order in which they were applied."""
+        return (each for each in self.corrections if (each.owner, each.part) == (owner, part))

@@ -9,9 +9,9 @@ from codegen.frozen import dataclass
 from codegen.measure import UNKNOWN_UNIT
 from codegen.model.dialect.dialect import (
     MAX_MESSAGE_ID,
+    AttributeCorrection,
     EnumDefinition,
     EnumEntry,
-    FieldCorrection,
     FieldDefinition,
     MessageDefinition,
 )
@@ -55,14 +55,14 @@ class Corrected:
     """Definitions while corrections are applied to them, and after that.
 
     ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated;
-    ``of_fields``: what the corrections changed in fields.
+    ``of_attributes``: what the corrections changed in fields and in parameters of commands.
     """
 
     messages: dict[str, MessageDefinition]
     enums: dict[str, EnumDefinition]
     added: Set[str]
     sentinel_places: dict[tuple[str, str], Place] = field(default_factory=dict)
-    of_fields: list[FieldCorrection] = field(default_factory=list)
+    of_attributes: list[AttributeCorrection] = field(default_factory=list)
 
 
 def correct_message(correction: "Correction", result: Corrected, report: Report) -> None:
@@ -94,18 +94,8 @@ def correct_field(correction: "Correction", result: Corrected, report: Report) -
         change = _field_change(correction, new, attribute, written, result, report)
         if change is None:
             continue
-        result.of_fields.append(
-            FieldCorrection(
-                message=name,
-                field=new.name,
-                attribute=attribute,
-                text=written,
-                before=attribute_text(new, attribute),
-                grounds=" ".join(correction.reason.split()),
-                place=correction.place,
-                source=" ".join(correction.source.split()),
-            )
-        )
+        before = attribute_text(new, attribute)
+        result.of_attributes.append(as_stated(correction, (name, new.name), attribute, written, before))
         new = new._replace(**change)
         if attribute == "invalid":
             result.sentinel_places[name, new.name] = correction.place
@@ -113,15 +103,30 @@ def correct_field(correction: "Correction", result: Corrected, report: Report) -
     result.messages[name] = replace(message, fields=fields)
 
 
-def correct_as_shipped(shipped: FieldCorrection, result: Corrected) -> None:
+def as_stated(
+    correction: "Correction", corrected: tuple[str, str], attribute: str, text: str, before: str | None
+) -> AttributeCorrection:
+    """Return what a correction of the project changes in an attribute of ``corrected``, the owner and its part."""
+    return AttributeCorrection(
+        *corrected,
+        attribute=attribute,
+        text=text,
+        before=before,
+        grounds=" ".join(correction.reason.split()),
+        place=correction.place,
+        source=" ".join(correction.source.split()),
+    )
+
+
+def correct_as_shipped(shipped: AttributeCorrection, result: Corrected) -> None:
     """Set the attribute that a correction states which comes with codegen, and which holds."""
-    message = result.messages[shipped.message]
+    message = result.messages[shipped.owner]
     key, read = _READ[shipped.attribute]
     change = {key: read(shipped.text)}
-    fields = (each._replace(**change) if each.name == shipped.field else each for each in message.fields)
+    fields = (each._replace(**change) if each.name == shipped.part else each for each in message.fields)
     if shipped.attribute == "invalid":
-        result.sentinel_places[shipped.message, shipped.field] = shipped.place
-    result.messages[shipped.message] = replace(message, fields=tuple(fields))
+        result.sentinel_places[shipped.owner, shipped.part] = shipped.place
+    result.messages[shipped.owner] = replace(message, fields=tuple(fields))
 
 
 def correct_entry(correction: "Correction", result: Corrected, report: Report) -> None:

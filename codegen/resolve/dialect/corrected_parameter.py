@@ -15,6 +15,7 @@ from codegen.resolve.dialect.corrected import (
     CORRECTION_VALUE,
     OBSOLETE_CORRECTION,
     Corrected,
+    as_stated,
     entry_to_correct,
 )
 
@@ -39,7 +40,12 @@ def correct_parameter(correction: "Correction", result: Corrected, report: Repor
         return
     new = parameter
     for attribute, text in correction.set.items():
-        new = _corrected(correction, new, attribute, " ".join(text.split()), result, report)
+        written, before = " ".join(text.split()), _text(new, attribute)
+        changed = _corrected(correction, new, attribute, written, result, report)
+        if changed is not new:
+            target = entry.name, parameter.number
+            result.of_attributes.append(as_stated(correction, target, attribute, written, before or None))
+        new = changed
     parameters = tuple(new if each is parameter else each for each in entry.parameters)
     corrected = entry._replace(parameters=parameters)
     entries = tuple(corrected if other is entry else other for other in enum.entries)
@@ -57,7 +63,6 @@ def _corrected(
     """The parameter with an attribute set; as it was after a diagnostic."""
     place, target = correction.at("set"), f"{correction.entry} {parameter.number}"
     stated = dict(parameter.attributes)
-    before = parameter.description if attribute == "description" else stated.get(attribute, "")
     if attribute not in _ATTRIBUTES:
         hint = did_you_mean(attribute, _ATTRIBUTES)
         report.add(CORRECTION_ATTRIBUTE, place, f"{target}: {attribute} cannot be corrected", hint)
@@ -68,7 +73,7 @@ def _corrected(
     elif attribute == "enum" and text and text not in result.enums:
         hint = did_you_mean(text, result.enums)
         report.add(CORRECTION_VALUE, place, f"{target}: there is no enum {text}", hint)
-    elif text == before:
+    elif text == _text(parameter, attribute):
         report.add(OBSOLETE_CORRECTION, place, f"the dialect already has {attribute} {text!r} for {target}")
     elif attribute == "description":
         return parameter._replace(description=text)
@@ -77,3 +82,8 @@ def _corrected(
         more = {attribute: text} if text else {}
         return parameter._replace(attributes=tuple((stated | more).items()))
     return parameter
+
+
+def _text(parameter: CommandParameter, attribute: str) -> str:
+    """Return the text of an attribute; the empty one where it is not stated."""
+    return parameter.description if attribute == "description" else dict(parameter.attributes).get(attribute, "")

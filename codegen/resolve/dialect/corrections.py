@@ -57,10 +57,10 @@ def apply_corrections(
     corrections = expanded(corrections, messages, report)
     _check_unique(corrections, report)
     own = {(each.message, each.field, attribute) for each in corrections for attribute in each.set}
-    for correction_of_field in shipped_corrections(messages, shipped, own, refusals, report):
-        result.of_fields.append(correction_of_field)
-        if correction_of_field.standing is Standing.APPLIED:
-            correct_as_shipped(correction_of_field, result)
+    for of_attribute in shipped_corrections(messages, shipped, own, refusals, report):
+        result.of_attributes.append(of_attribute)
+        if of_attribute.standing is Standing.APPLIED:
+            correct_as_shipped(of_attribute, result)
     for correction in corrections:
         written = (correction.message, correction.field, correction.fields, correction.enum, correction.entry)
         match tuple(name is not None for name in written):

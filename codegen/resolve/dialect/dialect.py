@@ -56,7 +56,7 @@ def resolve_dialect(
         enums=corrected.enums,
         files=tuple(file.path for file in files),
         overlays=frozenset(file.path for file in files if file.is_overlay),
-        corrections=tuple(corrected.of_fields),
+        corrections=tuple(corrected.of_attributes),
     )
 
 

@@ -5,7 +5,7 @@ from os.path import basename, splitext
 from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.dialect.dialect import FieldCorrection, FieldDefinition, MessageDefinition, Standing
+from codegen.model.dialect.dialect import AttributeCorrection, FieldDefinition, MessageDefinition, Standing
 from codegen.resolve.dialect.corrected import attribute_text
 from codegen.resolve.dialect.patterns import matching
 
@@ -25,7 +25,7 @@ def shipped_corrections(
     own: Set[tuple[str | None, str | None, str]],
     refusals: "tuple[Refusal, ...]",
     report: Report,
-) -> tuple[FieldCorrection, ...]:
+) -> tuple[AttributeCorrection, ...]:
     """Return what the shipped corrections state about single attributes of fields, and whether each holds.
 
     It is left to the dialect where that states the attribute by now, and to the project where that corrects the
@@ -34,7 +34,7 @@ def shipped_corrections(
     corrected at all are reported.
     """
     unused = list(refusals)
-    found: list[FieldCorrection] = []
+    found: list[AttributeCorrection] = []
     corrected: dict[str, list[str]] = {}
     for correction in shipped:
         message = messages.get(correction.message)
@@ -68,7 +68,7 @@ def _of_field(
     field: FieldDefinition,
     refusal: "Refusal | None",
     own: Set[tuple[str | None, str | None, str]],
-) -> Iterator[FieldCorrection]:
+) -> Iterator[AttributeCorrection]:
     stated = next((each.place for each in (field, message) if correction.words in each.description), None)
     for attribute, text in correction.set.items():
         before = attribute_text(field, attribute)
@@ -79,9 +79,9 @@ def _of_field(
             standing = Standing.OUTDATED
         elif refusal is not None:
             standing = Standing.REFUSED
-        yield FieldCorrection(
-            message=message.name,
-            field=field.name,
+        yield AttributeCorrection(
+            owner=message.name,
+            part=field.name,
             attribute=attribute,
             text=text,
             before=before,
