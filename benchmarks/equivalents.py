@@ -55,8 +55,7 @@ def _alike(entry: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Fault
         if not re.fullmatch(entry["module"], module):
             continue
         lines = text.splitlines()
-        for mutant in mutants_of(module, text):
-            fault = fault_of(mutant, text)
+        for mutant, fault in faults_of(module, text):
             like = re.fullmatch(entry["like"], fault.line)
             if like is None or not re.fullmatch(entry["old"], fault.old) or not re.fullmatch(entry["new"], fault.new):
                 continue
@@ -70,6 +69,12 @@ def _body(lines: Sequence[str], line: int) -> str | None:
     """Return the only line of what stands below a line, counted from 1; None where there are more."""
     depths = [len(each) - len(each.lstrip()) for each in lines[line - 1 : line + 2]]
     return lines[line].strip() if len(depths) == 3 and depths[1] > depths[0] >= depths[2] else None
+
+
+@cache
+def faults_of(module: str, text: str) -> list[tuple[Mutant, Fault]]:
+    """Return all mutants of a module, each with the fault as the list would name it."""
+    return [(mutant, fault_of(mutant, text)) for mutant in mutants_of(module, text)]
 
 
 def fault_of(mutant: Mutant, text: str) -> Fault:

@@ -5,7 +5,7 @@ from pathlib import Path
 import equivalents
 import pytest
 import yaml
-from equivalents import Fault, fault_of, is_listed, listed
+from equivalents import Fault, fault_of, faults_of, is_listed, listed
 from mutants import mutants_of
 from mutation import PROGRAMS, firmware_of
 from results import ROOT
@@ -18,7 +18,7 @@ ENTRIES = yaml.safe_load(equivalents.LIST.read_text(encoding="utf-8"))
 
 
 def faults(texts: dict[str, str]) -> set[Fault]:
-    found = {fault_of(mutant, text) for name, text in texts.items() for mutant in mutants_of(name, text)}
+    found = {fault for name, text in texts.items() for _, fault in faults_of(name, text)}
     return found | {fault._replace(within="") for fault in found}
 
 
