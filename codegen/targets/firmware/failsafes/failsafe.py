@@ -93,6 +93,7 @@ class FailsafesView:
     before: tuple[str, ...]
     aging: str
     has_values: bool
+    can_arm: bool
     has_unknown: bool
     has_silence: bool
     has_floor: bool
@@ -119,6 +120,8 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     rows = [row for one in failsafes for at in range(one.instances) for row in condition_rows(one, layout, at)]
     columns = Columns.of(rows)
     pair = _only_pair(failsafes)
+    can_arm = program.spec.arming is not None
+    looks = ["holding", "watch"] if can_arm else ["watch"]
     has_recovery = found.has("is_latched")
     follow = tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown))
     limit = tuple(limit_lines(columns)) if columns.values("LIMIT") else ()
@@ -128,7 +131,6 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     milder = of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder")
     worse = of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse")
     compared = (is_inverted, milder, worse) if found.has("inverted") else ()
-    armed = layout.blocks["vehicle"].offsets["armed"]
     watching = _watching(found)
     levels = {len(one.levels) for one in failsafes}
     worst = f"len({found('names')})" if len(levels) > 1 else str(levels.pop())
@@ -145,10 +147,10 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             )
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
-        imports=either_import("scan", ["holding", "watch"], machine_code=system.spec.project.machine_code),
+        imports=either_import("scan", looks, machine_code=system.spec.project.machine_code),
         columns=tuple(columns.constants([*follow, *limit, *after, level, level_of_due, *compared])),
         constants=(
-            *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
+            *_armed(found, layout),
             *found.constants,
         ),
         init=_def_lines(["self", "vehicle", "component", "title", "conditions", *found.parameters]),
@@ -156,7 +158,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         level_words=_level_words(found),
         is_off=_off(found),
         is_off_to_arm=_off_to_arm(found),
-        watching="self._is_watching()" if " " in watching else watching or "True",
+        watching="self._is_watching()" if " " in watching else watching,
         flags=_flags("self._is_watching()" if " " in watching else watching, has_silence=has_silence),
         is_watching=tuple(_is_watching(found)) if " " in watching else (),
         is_over="(due[_LEVEL] if due else OK) < self.level"
@@ -191,6 +193,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         before=(("self._forget()",) if found.has("aging") else ()) + _listening(found),
         aging=found("aging") if found.has("aging") else "",
         has_values=has_values,
+        can_arm=can_arm,
         has_unknown=has_unknown,
         has_silence=has_silence,
         has_floor=any(failsafe.believed_above is not None for failsafe in failsafes),
@@ -201,6 +204,13 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         has_inverted=found.has("inverted"),
         shows=any(shows(failsafe) for failsafe in failsafes),
     )
+
+
+def _armed(found: Settled, layout: Layout) -> tuple[str, ...]:
+    """Return the constant of whether the vehicle is armed, where one of the failsafes rests while it is not."""
+    if found.is_same("is_always"):
+        return ()
+    return (f"_ARMED = const({layout.blocks['vehicle'].offsets['armed']})  # among the words of the vehicle",)
 
 
 def _only_pair(failsafes: Sequence[Failsafe]) -> tuple[int, int, str] | None:
@@ -227,7 +237,7 @@ def _failsafe(
         attribute=failsafe_function(failsafe.name),
         component=component.name if component else None,
         is_measured=is_measured,
-        has_arming=failsafe.spec.arming,
+        has_arming=failsafe.can_arm and failsafe.spec.arming,
         variable=variable,
         watched=f"{failsafe.watched} of each" if failsafe.instances > 1 else failsafe.watched,
         citation=str(failsafe.citation),
