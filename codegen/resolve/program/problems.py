@@ -87,6 +87,9 @@ def _code(code: CodeSpec | None) -> Iterator[Problem]:
 def _actions(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
     taken = set(_CALLS)
     values = {0}
+    for action in spec.actions if not spec.failsafes else ():
+        message = f"{action.call} is what a failsafe does, and there is none"
+        yield Problem(action.place, message, "write failsafes: with a level that has it, or leave it out")
     for action in spec.actions:
         if not is_name(action.call) or action.call in taken:
             message = f"{action.call} cannot be the name of a call of its own"
