@@ -220,7 +220,8 @@ def test_thresholds_of_neighbouring_levels_are_held_against_each_other() -> None
         condition(VOLTAGE, Sense.BELOW, "LOWER"),
     ]
     levels = [SimpleNamespace(name=name, conditions=held) for name, held in (("low", low), ("critical", critical))]
-    failsafe: Any = SimpleNamespace(to_arm=[arm], conditions=[*low, *critical], levels=levels)
+    conditions = [*low, *critical]
+    failsafe: Any = SimpleNamespace(to_arm=[arm], conditions=conditions, levels=levels, can_arm=True)
     assert inverted_rows(failsafe) == [
         (1, 6, '"voltage failsafe critical >= low"'),
         (2, 3, '"current failsafe critical <= low"'),

@@ -104,7 +104,7 @@ def _check_silence(spec: FailsafeSpec, scope: FailsafeScope) -> None:
 
 
 def _check_unarmed(spec: FailsafeSpec, scope: FailsafeScope) -> None:
-    """What cannot be armed is never disarmed either: it is watched at all times, and nothing is asked before arming."""
+    """Report what has no meaning where nothing is armed: a failsafe that rests until then, and what is asked before."""
     if spec.when is Watching.ARMED:
         message = "it rests until the vehicle is armed, and this one cannot be: vehicle.yaml has no arming"
         scope.bad(spec, "when", message, "write when: always")
