@@ -137,6 +137,7 @@ class Failsafe:
     """A failsafe; ``component`` is the one that it watches, or that has its level; see FailsafeSpec.
 
     ``quantity`` is what it watches, or None: then it waits for ground stations. ``believed_above`` is in stored units.
+    ``can_arm``: the vehicle can be armed, so that it may speak against that; one that cannot is watched at all times.
     """
 
     name: str
@@ -151,6 +152,7 @@ class Failsafe:
     health: Quantity | None
     health_every_ms: int
     level: Quantity | None
+    can_arm: bool
     spec: FailsafeSpec
     citation: Citation
     aspects: Mapping[str, Citation]

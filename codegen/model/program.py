@@ -41,7 +41,7 @@ class LinkKind(Enum):
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
 """Quantities that the program writes into the component ``vehicle`` of the state, with the kind that each must have.
 
-A program that cannot be armed writes only the load, where the state asks for it.
+A program that cannot be armed writes the load, the status and the mode where the state has them so.
 """
 
 RECEIVED = (
@@ -64,6 +64,13 @@ SET_MODE = "SET_MODE"
 """The message that MAV_CMD_DO_SET_MODE supersedes."""
 
 _NOT_OF_ALL = (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL, SETUP_SIGNING)
+
+
+def is_set_by_program(vehicle: Component | None, name: str) -> bool:
+    """Return whether a quantity of the component ``vehicle`` is one that the program writes."""
+    quantity = vehicle.quantities.get(name) if vehicle and vehicle.instances == 1 else None
+    kind = VEHICLE_QUANTITIES[name]
+    return quantity is not None and quantity.kind.value == kind and quantity.derivation.is_set_by_code
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,7 @@ HEALTH_MS = 10000
 FILES = ("parameters.0", "parameters.1")
 CHUNK = 64
 FORCE_ARM = 21196
+TELLS_STATUS = True  # of the vehicle, which failsafes change
 TOLD_ARMED = (False, True)  # whether HEARTBEAT has its flag while disarmed, and while armed
 SYSTEM_ID = 1
 COMPONENT_ID = 1

@@ -88,6 +88,7 @@ UNSEEN = {
     "Shown.quantity": "follows from the text as it is written",
     "Shown.decimals": "follows from the text as it is written",
     "Shown.unknown": "follows from the text as it is written",
+    "Failsafe.can_arm": "follows from whether anything is armed, which is compared",
     "FixedAnswer.meaning": "words for the value that is compared",
 }
 """Attributes that are not changed here, and why."""

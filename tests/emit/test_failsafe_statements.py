@@ -16,8 +16,14 @@ from codegen.targets.firmware.failsafes.condition import (
     limit_lines,
     of_parameter,
 )
-from codegen.targets.firmware.failsafes.failsafe import _disabled, _flags, _is_watching, _off_to_arm, _watching
 from codegen.targets.firmware.failsafes.table import Columns, attribute_of, inverted_rows, problem
+from codegen.targets.firmware.failsafes.watching import (
+    flags,
+    watching_lines,
+    when_disabled,
+    when_off_to_arm,
+    while_watching,
+)
 
 OWN = "getattr(self._parameters, condition[_LIMIT])"
 COMMON = {"SIGN": "-1", "LEVEL": "1", "OFF": "0", "FACTOR": "1", "SLACK": "0"}
@@ -138,8 +144,8 @@ SOME = "(self._enabled_by is not None and getattr(self._parameters, self._enable
 )  # fmt: skip
 def test_when_a_failsafe_is_off(found: Settled, disabled: str, to_arm: str, watching: str) -> None:
     """By its parameter, by the switch of its component, and while the vehicle is disarmed."""
-    assert (_disabled(found), _off_to_arm(found), _watching(found)) == (disabled, to_arm, watching)
-    *before, last = _is_watching(found)
+    assert (when_disabled(found), when_off_to_arm(found), while_watching(found)) == (disabled, to_arm, watching)
+    *before, last = watching_lines(found)
     assert before == (
         [f"if {disabled.strip('()') if disabled == SOME else disabled}:", "    return False"] if disabled else []
     )
@@ -158,7 +164,7 @@ def test_when_a_failsafe_is_off(found: Settled, disabled: str, to_arm: str, watc
     ],
 )
 def test_what_watch_is_told(watching: str, has_silence: bool, expression: str) -> None:
-    assert _flags(watching, has_silence=has_silence) == expression
+    assert flags(watching, has_silence=has_silence) == expression
 
 
 def test_a_place_that_some_lack_is_asked_for_first() -> None:
@@ -214,7 +220,8 @@ def test_thresholds_of_neighbouring_levels_are_held_against_each_other() -> None
         condition(VOLTAGE, Sense.BELOW, "LOWER"),
     ]
     levels = [SimpleNamespace(name=name, conditions=held) for name, held in (("low", low), ("critical", critical))]
-    failsafe: Any = SimpleNamespace(to_arm=[arm], conditions=[*low, *critical], levels=levels)
+    conditions = [*low, *critical]
+    failsafe: Any = SimpleNamespace(to_arm=[arm], conditions=conditions, levels=levels, can_arm=True)
     assert inverted_rows(failsafe) == [
         (1, 6, '"voltage failsafe critical >= low"'),
         (2, 3, '"current failsafe critical <= low"'),

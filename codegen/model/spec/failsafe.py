@@ -97,7 +97,8 @@ class FailsafeSpec(Written):
         default=None,
     )
     when: Watching = described(
-        "armed: it rests while the vehicle is disarmed. always: it never does.", default=Watching.ARMED
+        "armed: it rests while the vehicle is disarmed. always: it never does, which what cannot be armed asks for.",
+        default=Watching.ARMED,
     )
     latch: bool = described(
         "true: a level stays until the next start, and only rises. false: it is over once nothing of it holds any "

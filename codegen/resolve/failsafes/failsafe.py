@@ -6,7 +6,7 @@ from itertools import pairwise
 from codegen.diagnostics import Report
 from codegen.measure import read_time
 from codegen.model.failsafe import Failsafe, FailsafeLevel, FailsafeText
-from codegen.model.spec.failsafe import GROUND_STATION, ConditionSpec, FailsafeLevelSpec, FailsafeSpec
+from codegen.model.spec.failsafe import GROUND_STATION, ConditionSpec, FailsafeLevelSpec, FailsafeSpec, Watching
 from codegen.model.spec.program import VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
 from codegen.model.spec.state import StateSpec
@@ -38,14 +38,15 @@ def resolve_failsafes(
     for name, failsafe in spec.failsafes.items():
         own = Report()
         settings = SettingReader(written, parameters, own)
-        resolved = _failsafe(name, failsafe, FailsafeScope(settings, components, state, spec.actions, index, own))
+        scope = FailsafeScope(settings, components, state, spec.actions, index, own)
+        resolved = _failsafe(name, failsafe, scope, can_arm=spec.arming is not None)
         report.extend(own)
         if resolved is not None and not own.has_errors:
             found.append(resolved)
     return tuple(found)
 
 
-def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope) -> Failsafe | None:
+def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope, *, can_arm: bool) -> Failsafe | None:
     if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name):
         scope.bad(spec, None, f"{name!r} is no name of a failsafe: small letters, digits and _")
     citation = cite(spec.requirement, spec.at("requirement"), scope.index, scope.report)
@@ -54,6 +55,8 @@ def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope) -> Failsafe |
         return None
     if quantity is None:
         _check_silence(spec, scope)
+    if not can_arm:
+        _check_unarmed(spec, scope)
     watched = scope.components[quantity.component] if quantity else None
     level = scope.kept(spec, "level", spec.level, watched)
     health = scope.kept(spec, "health", spec.health, watched)
@@ -82,6 +85,7 @@ def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope) -> Failsafe |
         health=health,
         health_every_ms=every or 0,
         level=level,
+        can_arm=can_arm,
         spec=spec,
         citation=citation,
         aspects=cite_aspects(spec, scope.index, scope.report),
@@ -97,6 +101,15 @@ def _check_silence(spec: FailsafeSpec, scope: FailsafeScope) -> None:
     for key in _NOT_OF_SILENCE:
         if getattr(spec, key):
             scope.bad(spec, key, f"{key} is about a quantity, and silence has none")
+
+
+def _check_unarmed(spec: FailsafeSpec, scope: FailsafeScope) -> None:
+    """Report what has no meaning where nothing is armed: a failsafe that rests until then, and what is asked before."""
+    if spec.when is Watching.ARMED:
+        message = "it rests until the vehicle is armed, and this one cannot be: vehicle.yaml has no arming"
+        scope.bad(spec, "when", message, "write when: always")
+    for each in spec.to_arm:
+        scope.bad(each, None, "nothing is armed that this could keep from it", "write arming: {force: 21196}")
 
 
 def _check_latch(spec: FailsafeSpec, scope: FailsafeScope) -> None:

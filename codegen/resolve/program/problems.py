@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from codegen.model.program import VEHICLE_QUANTITIES
+from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component
@@ -37,7 +37,7 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
     """Yield what keeps the program from being built, but for what other modules find in their parts of it."""
     vehicle = components.get("vehicle")
     if spec.arming is None:
-        yield from _without_arming(spec)
+        yield from _without_arming(spec, vehicle)
     elif vehicle.instances != 1 if vehicle else not state.has_written("vehicle"):
         hint = "arming needs components: {vehicle: {...}} in state.yaml, with armed, ready, status, mode and load"
         yield Problem(spec.place, "the state has no single component vehicle", hint)
@@ -59,14 +59,14 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
     yield from _code(spec.code)
 
 
-def _without_arming(spec: VehicleSpec) -> Iterator[Problem]:
-    hint = "write arming: {force: 21196}: what is told with when: always needs it as well"
-    for name, failsafe in spec.failsafes.items():
-        message = f"the failsafe {name} acts on what can be armed, and nothing can without arming"
-        yield Problem(failsafe.place, message, hint)
+def _without_arming(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
     for action in spec.actions:
-        message = f"{action.call} is what a failsafe does, and there is none without arming"
-        yield Problem(action.place, message, hint)
+        if action.disarm:
+            message = f"{action.call} cannot disarm what cannot be armed"
+            yield Problem(action.at("disarm"), message, "leave disarm out, or write arming: {force: 21196}")
+        if action.mode is not None and not is_set_by_program(vehicle, "mode"):
+            message = "the state has no number mode in a single component vehicle"
+            yield Problem(action.at("mode"), message, f"leave mode out, or write in state.yaml: {_WRITTEN['mode']}")
 
 
 def _code(code: CodeSpec | None) -> Iterator[Problem]:
@@ -87,6 +87,9 @@ def _code(code: CodeSpec | None) -> Iterator[Problem]:
 def _actions(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
     taken = set(_CALLS)
     values = {0}
+    for action in spec.actions if not spec.failsafes else ():
+        message = f"{action.call} is what a failsafe does, and there is none"
+        yield Problem(action.place, message, "write failsafes: with a level that has it, or leave it out")
     for action in spec.actions:
         if not is_name(action.call) or action.call in taken:
             message = f"{action.call} cannot be the name of a call of its own"

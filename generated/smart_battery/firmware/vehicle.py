@@ -36,7 +36,7 @@ _UNSETTLED_MS = const(10000)  # settings that keep coming are saved meanwhile
 _COST_MS = const(60000)  # of a save, for flash wears out: one in a minute,
 _CREDIT_MS = const(600000)  # and as many at once as this is worth
 _LEAVE_MS = const(2000)  # a restart waits no longer for settings that keep coming
-_REMIND_S = const(30)  # between two reminders of lost settings and of what prevents arming
+_REMIND_S = const(30)  # between two reminders of lost settings
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
 

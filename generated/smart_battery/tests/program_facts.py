@@ -26,6 +26,7 @@ HEALTH_MS = 0
 FILES = ("parameters.0", "parameters.1")
 CHUNK = 64
 FORCE_ARM = None
+TELLS_STATUS = False  # of the vehicle, which failsafes change
 TOLD_ARMED = (False, False)  # whether HEARTBEAT has its flag while disarmed, and while armed
 SYSTEM_ID = 1
 COMPONENT_ID = 180

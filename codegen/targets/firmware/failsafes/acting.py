@@ -3,8 +3,9 @@
 from codegen.model.program import Program
 
 
-def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
-    """The body of _check(failsafes), which looks at some of them."""
+def check_statements(program: Program, *, recovers: bool, sets_status: bool) -> tuple[str, ...]:
+    """The body of _check(failsafes), which looks at some of them; ``sets_status``: the vehicle tells that one is up."""
+    status = ["self._set_status()"] if sets_status else []
     if program.priority:
         return (
             '"""Look at them; of what all that are up ask for, the most severe holds, and is done once."""',
@@ -14,7 +15,7 @@ def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
             "        self._asked = None",
             "if self._asked != self.parameters.changes:",
             "    self._asked = self.parameters.changes",
-            "    self._set_status()",
+            *(f"    {line}" for line in status),
             "    self._settle(self._most_severe())",
         )
     return (
@@ -23,13 +24,13 @@ def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
         "for failsafe in failsafes:",
         f"    if failsafe.update(now_ms){' > 0' if recovers else ''}:",
         "        self._note_reached(failsafe)",
-        *(["self._set_status()  # a failsafe may have ended"] if recovers else []),
+        *(f"{line}  # a failsafe may have ended" for line in status if recovers),
         "if self._reached is not None:",
         "    self._follow_reached(failsafes)",
     )
 
 
-def choosing_statements(program: Program, everything: str, *, recovers: bool) -> tuple[str, ...]:
+def choosing_statements(program: Program, everything: str, *, recovers: bool, sets_status: bool) -> tuple[str, ...]:
     """The method that says which failsafe, or which action, it is."""
     if program.priority:
         values = ", ".join(str(action.value) for action in program.priority)
@@ -61,6 +62,6 @@ def choosing_statements(program: Program, everything: str, *, recovers: bool) ->
         "    acting = self._reached",
         "    self._reached = None",
         "    if acting.level >= self._highest(failsafes):",
-        *([] if recovers else ["        self._set_status()"]),
+        *(["        self._set_status()"] if sets_status and not recovers else []),
         "        self._act(acting.action())",
     )

@@ -19,6 +19,16 @@ from codegen.targets.firmware.failsafes.condition import (
 )
 from codegen.targets.firmware.failsafes.table import Columns, condition_rows, inverted_rows, table_lines
 from codegen.targets.firmware.failsafes.text import shows, text_lines
+from codegen.targets.firmware.failsafes.watching import (
+    armed_constant,
+    bare,
+    flags,
+    watching_lines,
+    when_disabled,
+    when_off,
+    when_off_to_arm,
+    while_watching,
+)
 from codegen.targets.firmware.words import Layout
 from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
@@ -93,6 +103,7 @@ class FailsafesView:
     before: tuple[str, ...]
     aging: str
     has_values: bool
+    can_arm: bool
     has_unknown: bool
     has_silence: bool
     has_floor: bool
@@ -119,6 +130,8 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     rows = [row for one in failsafes for at in range(one.instances) for row in condition_rows(one, layout, at)]
     columns = Columns.of(rows)
     pair = _only_pair(failsafes)
+    can_arm = program.spec.arming is not None
+    looks = ["holding", "watch"] if can_arm else ["watch"]
     has_recovery = found.has("is_latched")
     follow = tuple(follow_lines(columns, has_silence=has_silence, has_unknown=has_unknown))
     limit = tuple(limit_lines(columns)) if columns.values("LIMIT") else ()
@@ -128,8 +141,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
     milder = of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder")
     worse = of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse")
     compared = (is_inverted, milder, worse) if found.has("inverted") else ()
-    armed = layout.blocks["vehicle"].offsets["armed"]
-    watching = _watching(found)
+    watching = while_watching(found)
     levels = {len(one.levels) for one in failsafes}
     worst = f"len({found('names')})" if len(levels) > 1 else str(levels.pop())
     return FailsafesView(
@@ -145,20 +157,20 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
             )
             for failsafe, one in zip(failsafes, given, strict=True)
         ),
-        imports=either_import("scan", ["holding", "watch"], machine_code=system.spec.project.machine_code),
+        imports=either_import("scan", looks, machine_code=system.spec.project.machine_code),
         columns=tuple(columns.constants([*follow, *limit, *after, level, level_of_due, *compared])),
         constants=(
-            *([] if found.is_same("is_always") else [f"_ARMED = const({armed})  # among the words of the vehicle"]),
+            *armed_constant(found, layout),
             *found.constants,
         ),
         init=_def_lines(["self", "vehicle", "component", "title", "conditions", *found.parameters]),
         kept=tuple(_kept(found, has_silence=has_silence)),
         level_words=_level_words(found),
-        is_off=_off(found),
-        is_off_to_arm=_off_to_arm(found),
-        watching="self._is_watching()" if " " in watching else watching or "True",
-        flags=_flags("self._is_watching()" if " " in watching else watching, has_silence=has_silence),
-        is_watching=tuple(_is_watching(found)) if " " in watching else (),
+        is_off=when_off(found),
+        is_off_to_arm=when_off_to_arm(found),
+        watching="self._is_watching()" if " " in watching else watching,
+        flags=flags("self._is_watching()" if " " in watching else watching, has_silence=has_silence),
+        is_watching=tuple(watching_lines(found)) if " " in watching else (),
         is_over="(due[_LEVEL] if due else OK) < self.level"
         + ("" if found.is_same("is_latched") else " and not self._is_latched"),
         is_unknown=guarded(
@@ -181,7 +193,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         text=found("text"),
         set_level=_set_level(found),
         is_to_tell=f"{found('health_at')} is not None and ({_TO_TELL})" if found.only_some("health_at") else _TO_TELL,
-        disabled=_bare(_disabled(found)),
+        disabled=bare(when_disabled(found)),
         head=_head(found, worst),
         health_every_ms=found("health_every_ms"),
         worst=worst,
@@ -191,6 +203,7 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         before=(("self._forget()",) if found.has("aging") else ()) + _listening(found),
         aging=found("aging") if found.has("aging") else "",
         has_values=has_values,
+        can_arm=can_arm,
         has_unknown=has_unknown,
         has_silence=has_silence,
         has_floor=any(failsafe.believed_above is not None for failsafe in failsafes),
@@ -227,7 +240,7 @@ def _failsafe(
         attribute=failsafe_function(failsafe.name),
         component=component.name if component else None,
         is_measured=is_measured,
-        has_arming=failsafe.spec.arming,
+        has_arming=failsafe.can_arm and failsafe.spec.arming,
         variable=variable,
         watched=f"{failsafe.watched} of each" if failsafe.instances > 1 else failsafe.watched,
         citation=str(failsafe.citation),
@@ -295,63 +308,6 @@ def _level_words(found: Settled) -> str:
     if not found.has("is_latched"):
         return "it stays until the next start and only rises"
     return "it stays while anything of it holds" + ("" if found.is_same("is_latched") else ", or is latched")
-
-
-def _off(found: Settled) -> str:
-    place = found("switch_at")
-    return guarded(found.only_some("switch_at"), place, f"not self._words[{place}]") if found.has("switch_at") else ""
-
-
-def _off_to_arm(found: Settled) -> str:
-    off, disabled = _off(found), _disabled(found)
-    if off and disabled:
-        return f"({off}) or {disabled}"
-    return off or _bare(disabled)
-
-
-def _disabled(found: Settled) -> str:
-    if not found.has("enabled_by"):
-        return ""
-    off = f"getattr(self._parameters, {found('enabled_by')}) == 0"
-    return f"({found('enabled_by')} is not None and {off})" if found.only_some("enabled_by") else off
-
-
-def _bare(condition: str) -> str:
-    """Return a condition without the parentheses around it."""
-    return condition[1:-1] if condition.startswith("(") else condition
-
-
-def _is_watching(found: Settled) -> Iterable[str]:
-    """The body of the method that says so, where it is more than one thing."""
-    disabled = _disabled(found)
-    if disabled:
-        yield f"if {_bare(disabled)}:"
-        yield "    return False"
-    armed = "self._vehicle_words[_ARMED]"
-    yield (
-        f"return self._is_always or {armed}"
-        if found.has("is_always") and not found.is_same("is_always")
-        else ("return True" if found.is_same("is_always") else f"return {armed}")
-    )
-
-
-def _watching(found: Settled) -> str:
-    """The condition under which times run; nothing where they always do."""
-    armed = "self._vehicle_words[_ARMED]"
-    if found.has("is_always"):
-        armed = "" if found.is_same("is_always") else f"(self._is_always or {armed})"
-    disabled = _disabled(found)
-    enabled = f"not {disabled}" if disabled.startswith("(") else disabled.replace("== 0", "!= 0")
-    return " and ".join(filter(None, (armed, enabled)))
-
-
-def _flags(watching: str, *, has_silence: bool) -> str:
-    """Return the expression that tells watch() whether times run, and whether nobody is heard."""
-    timed = f"1 if {watching} else 0" if watching else "1"
-    if not has_silence:
-        return timed
-    silent = "2 if self._is_silent else 0"
-    return f"({timed}) | ({silent})" if watching else "3 if self._is_silent else 1"
 
 
 def _head(found: Settled, worst: str) -> str:

@@ -33,7 +33,9 @@ def condition_rows(failsafe: Failsafe, layout: Layout, instance: int) -> list[Ro
     rows = []
     for condition in (*failsafe.to_arm, *failsafe.conditions):
         level, quantity = levels.get(id(condition)), condition.quantity
-        row = {"PLACE": "None", "LEVEL": str(level.number if level else 0), "WHY": quoted(problem(condition, level))}
+        row = {"PLACE": "None", "LEVEL": str(level.number if level else 0)}
+        if failsafe.can_arm:
+            row["WHY"] = quoted(problem(condition, level))
         if quantity is not None:
             row["PLACE"] = str(layout.blocks[quantity.component].offsets[quantity.attribute])
             row["SIGN"] = str(_SIGNS[condition.sense])
@@ -142,8 +144,10 @@ def inverted_rows(failsafe: Failsafe) -> list[tuple[int, int, str]]:
     """Return what there is for each two levels whose thresholds are parameters: the places of both conditions, and the
     words.
 
-    The firmware looks before arming whether the second is worse than the first.
+    The firmware looks before arming whether the second is worse than the first; there are none where nothing is armed.
     """
+    if not failsafe.can_arm:
+        return []
     places = {id(condition): at for at, condition in enumerate((*failsafe.to_arm, *failsafe.conditions))}
     rows: list[tuple[int, int, str]] = []
     for milder, worse in zip(failsafe.levels, failsafe.levels[1:], strict=False):

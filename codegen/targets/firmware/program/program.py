@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from codegen.frozen import dataclass
 from codegen.loop.pass_share import jobs_of_a_pass, messages_of_a_pass, parts_links
-from codegen.model.program import LinkKind, Program
+from codegen.model.program import LinkKind, Program, is_set_by_program
 from codegen.model.spec.program import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
@@ -25,6 +25,7 @@ _STARTS = {
     False: ("self._reached = None  # the failsafe that has reached the highest level just now",),
 }
 """The first statements of the choice of actions, with and without a priority."""
+_READINGS = {True: "readings with their failsafes", False: "readings"}
 _INDENT = " " * 8
 """Of the statements in a method."""
 
@@ -84,6 +85,7 @@ class ProgramView:
     module: str
     class_name: str
     silence_ms: int
+    sets_status: bool
     failsafes: tuple[FailsafeView, ...]
     words: tuple[ConstantView, ...]
     failsafe_lists: tuple[str, ...]
@@ -123,10 +125,11 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
     failsafes = whole.failsafes if whole else ()
     jobs = job_views(system, program, failsafes)
     can_arm = program.spec.arming is not None
+    sets_status = can_arm or (bool(failsafes) and is_set_by_program(system.components.get("vehicle"), "status"))
     told = own_words(system, program)
     recovers = whole is not None and whole.has_recovery
     return ProgramView(
-        imports=_imports(system, program, failsafes),
+        imports=_imports(system, program, failsafes, sets_status=sets_status),
         control_us=program.control_us,
         control_hz=program.spec.control.rate,
         links_us=program.links_us,
@@ -142,6 +145,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
         module=program.module,
         class_name=program.class_name,
         silence_ms=program.silence_ms,
+        sets_status=sets_status,
         failsafes=failsafes,
         words=layout.constants("vehicle", told, in_array=False) if told else (),
         failsafe_lists=(
@@ -151,10 +155,10 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
         checked=_checked(failsafes),
         everything=_everything(failsafes),
         priority=tuple(action.value for action in program.priority),
-        checking=check_statements(program, recovers=recovers),
-        choosing=choosing_statements(program, _everything(failsafes), recovers=recovers),
+        checking=check_statements(program, recovers=recovers, sets_status=sets_status),
+        choosing=choosing_statements(program, _everything(failsafes), recovers=recovers, sets_status=sets_status),
         actions=tuple(_action(action, has_modes=bool(program.modes)) for action in program.actions),
-        order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
+        order=("control", _READINGS[bool(failsafes)], *(["arming checks"] if can_arm else []), "links"),
         calls=call_views(system, program, jobs),
         jobs=jobs,
         messages_of_a_pass=messages_of_a_pass(program),
@@ -187,8 +191,10 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
     )
 
 
-def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
-    dialect = ["dialect"] if program.spec.arming else []
+def _imports(
+    system: System, program: Program, failsafes: tuple[FailsafeView, ...], *, sets_status: bool
+) -> tuple[str, ...]:
+    dialect = ["dialect"] if sets_status else []
     modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), *dialect]
     modules += ["watchdog"] if program.watchdog else []
     access = program.access
