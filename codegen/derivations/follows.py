@@ -55,6 +55,10 @@ class Follows(Derivation):
         return self.limits
 
     @property
+    def is_true_below(self) -> bool:
+        return self.is_below
+
+    @property
     def own_floors(self) -> tuple[int, ...]:
         return self.floors
 

@@ -74,6 +74,11 @@ class ReceivedField:
         return any(math.isnan(number) for number in self.unchanged)
 
     @property
+    def is_unknown_by_nan(self) -> bool:
+        """Return whether NaN, which only floats can be, sets the quantity unknown."""
+        return self.field.type.kind is Kind.FLOAT and not self.is_kept_by_nan
+
+    @property
     def is_kept_by_absence(self) -> bool:
         """Return whether a frame that lacks the field leaves the quantity as it was: what it lacks reads as 0."""
         return self.quantity.kind is QuantityKind.BOOLEAN or 0 in self.unchanged

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.quantities.conversion import Conversion, factors_by_instance
+from codegen.model.quantities.attainable import measured_ends
 from codegen.model.quantities.reach import Reach, reaches
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity
@@ -23,21 +23,12 @@ def check(system: System) -> Iterator[Diagnostic]:
     told = reaches(system)
     for reading in system.readings():
         component = reading.component
-        ends = _ends(component, reading.conversion, system)
+        ends = measured_ends(component, reading.conversion, system)
         for one in reading.given:
             given = ends if one is reading.quantity else _derived(one, component, ends[1] - ends[0])
             low, high = told[one.path]
             if given is not None and not low <= given[0] <= given[1] <= high:
                 yield _found(one, given, (low, high))
-
-
-def _ends(component: Component, conversion: Conversion, system: System) -> Reach:
-    """Return the ends in stored units, over all counts and all values of the factors of all instances."""
-    multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
-    offset = conversion.offset
-    offsets = factors_by_instance(offset, system.parameters, component.instances) if offset else (None,)
-    found = [conversion.ends(multiplier, away) for multiplier in multipliers for away in offsets]
-    return min(low for low, _ in found), max(high for _, high in found)
 
 
 def _derived(quantity: Quantity, component: Component, most: int | Fraction) -> Reach | None:

@@ -126,6 +126,11 @@ class Derivation(ABC):
         return ()
 
     @property
+    def is_true_below(self) -> bool:
+        """Return whether a boolean is true below those limits, and not from them on."""
+        return False
+
+    @property
     def own_floors(self) -> tuple[int, ...]:
         """Return what a value has to reach beside, by instance, in stored units; none where nothing."""
         return ()

@@ -1,0 +1,117 @@
+"""Rule for thresholds that no value can be beyond: what waits for them sleeps for ever."""
+
+from collections.abc import Iterator, Mapping
+
+from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.failsafe import Condition, Failsafe, Sense, Setting
+from codegen.model.quantities.attainable import attainable
+from codegen.model.quantities.reach import Reach
+from codegen.model.system import System
+from codegen.model.units.unit import decimal
+from codegen.model.vehicle import Quantity
+from codegen.source import Place
+
+RULE = Rule(
+    "threshold-out-of-reach",
+    "A failsafe, or a boolean that follows a limit, waits for a value that its quantity cannot have: beyond the limits "
+    "of the quantity, beyond what is plausible of the sensor, or beyond what the table of a received message takes. "
+    "What is measured or received there is unknown, or left out, so that nothing would ever happen. Widen the narrower "
+    "range, or take a threshold within it.",
+)
+BY_DEFAULT = Rule(
+    "default-out-of-reach",
+    "The default of a parameter that is a threshold lies where its quantity never comes, so that nothing happens until "
+    "somebody sets another value. Take a default within reach, or 0 where that switches the threshold off.",
+    Severity.WARNING,
+)
+KNOWN_FOR_EVER = Rule(
+    "known-for-ever",
+    "A failsafe waits until a received quantity is unknown, and nothing makes it so again after the first message: no "
+    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten.",
+    Severity.WARNING,
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """Every condition of a failsafe, and every boolean that follows a limit."""
+    found = attainable(system)
+    for failsafe in system.program.failsafes if system.program else ():
+        for condition in (*failsafe.to_arm, *failsafe.conditions):
+            yield from _of_condition(failsafe, condition, found, system)
+    for component in system.components.values():
+        for quantity in component.quantities.values():
+            if quantity.derivation.follows is not None:
+                followed = component.quantities[quantity.derivation.follows]
+                yield from _of_boolean(quantity, followed, found[followed.path])
+
+
+def _of_condition(
+    failsafe: Failsafe, condition: Condition, found: Mapping[str, Reach], system: System
+) -> Iterator[Diagnostic]:
+    quantity, limit = condition.quantity, condition.limit
+    if quantity is None:
+        return
+    if limit is None:
+        if condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
+            message = f"{quantity.path} is never unknown again once a message has set it"
+            hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
+            yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
+        return
+    least, most = _ends(limit)
+    written = condition.spec.below or condition.spec.above or ""
+    is_below = condition.sense is Sense.BELOW
+    if not _is_reached(most if is_below else least, found[quantity.path], is_below=is_below):
+        yield _found(RULE, _place(condition), quantity, found[quantity.path], written, is_below=is_below)
+    elif limit.parameter is not None and (limit.parameter.default or not limit.is_off_at_zero):
+        default = limit.parameter.default * limit.count
+        if not _is_reached(default, found[quantity.path], is_below=is_below):
+            words = limit.default_words
+            yield _found(BY_DEFAULT, _place(condition), quantity, found[quantity.path], words, is_below=is_below)
+
+
+def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator[Diagnostic]:
+    derivation, place = quantity.derivation, quantity.spec.place
+    unit, steps = followed.unit.name, followed.steps
+    for limits, is_below in ((derivation.own_limits, derivation.is_true_below), (derivation.own_floors, False)):
+        # At least is as good as above the number before.
+        wanted = max(limits, default=None) if is_below else min(limits, default=None)
+        if wanted is not None and not _is_reached(wanted if is_below else wanted - 1, ends, is_below=is_below):
+            words = f"{decimal(wanted / steps)} {unit}".rstrip()
+            yield _found(RULE, place, followed, ends, words, is_below=is_below)
+
+
+def _ends(limit: Setting) -> tuple[int, int]:
+    """Return the least and the largest threshold, in stored units, but for the 0 that switches it off."""
+    parameter = limit.parameter
+    if parameter is None:
+        return limit.count, limit.count
+    least = max(parameter.minimum, 1) if limit.is_off_at_zero else parameter.minimum
+    return least * limit.count, parameter.maximum * limit.count
+
+
+def _is_reached(threshold: int, ends: Reach, *, is_below: bool) -> bool:
+    low, high = ends
+    return low < threshold if is_below else high > threshold
+
+
+def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
+    if not quantity.derivation.is_received or quantity.trust.stale_after_ms is not None:
+        return False
+    fields = [taken for table in system.receptions for taken in table.fields if taken.quantity.path == quantity.path]
+    return not any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
+
+
+def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str, *, is_below: bool) -> Diagnostic:
+    low, high = (f"{float(end / quantity.steps):.7g}" for end in ends)
+    side = f"below {words}" if is_below else f"above {words}"
+    message = f"{quantity.path} is never {side}: it goes from {low} to {high} {quantity.unit.name}".rstrip()
+    hint = f"take a threshold {'above ' + low if is_below else 'below ' + high}, or widen where it comes from"
+    return Diagnostic(place, rule, message, hint, _declared(quantity))
+
+
+def _place(condition: Condition) -> Place:
+    return condition.spec.at(condition.sense.value)
+
+
+def _declared(quantity: Quantity) -> tuple[tuple[Place, str], ...]:
+    return ((quantity.spec.place, f"{quantity.path} is declared here"),)
