@@ -71,10 +71,16 @@ def failsafe_function(name: str) -> str:
     return f"{name}_failsafes"
 
 
+PARAMETERS_NAMES = frozenset(
+    ("get", "set", "names", "value", "limits", "type_of", "is_after_reboot", "dump", "restore", "changes")
+)
+"""The attributes and methods of the firmware's Parameters, beside those that are parameters."""
+
+
 def parameter_attribute(parameter: str) -> str:
-    """BATT_VOLT_MULT -> batt_volt_mult."""
+    """BATT_VOLT_MULT -> batt_volt_mult; LIMITS -> limits_, since limits() is a method of all of them."""
     name = parameter.lower()
-    return f"{name}_" if keyword.iskeyword(name) or name in ("get", "set", "names", "value") else name
+    return f"{name}_" if keyword.iskeyword(name) or name in PARAMETERS_NAMES else name
 
 
 def family_constant(parameter: "Parameter") -> str:

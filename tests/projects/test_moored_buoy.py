@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -129,3 +130,50 @@ def test_a_mode_that_nothing_keeps_is_an_error(tmp_path: Path) -> None:
     text = (tmp_path / "generated" / "firmware" / "vehicle.py").read_text()
     assert "status" not in text
     assert "self.dark()" in text
+
+
+def renamed(folder: Path, old: str, new: str) -> None:
+    """Copy the specification, with another name for what it calls so."""
+    shutil.copytree(HERE / "moored_buoy" / "specs", folder / "specs")
+    for path in (folder / "specs").rglob("*.yaml"):
+        text = re.sub(rf"^  {old}:", f"  {new}:", path.read_text(), flags=re.MULTILINE)
+        text = re.sub(rf"\b{old}\.", f"{new}.", text)
+        path.write_text(text.replace(f"call: {old}", f"call: {new}").replace(f"action: {old}", f"action: {new}"))
+
+
+@pytest.mark.parametrize("name", ["level", "title"])
+def test_a_component_can_have_the_name_of_an_argument(tmp_path: Path, name: str) -> None:
+    """The function that makes the text of a failsafe is given these as well, and compiles."""
+    renamed(tmp_path, "sea", name)
+    build(tmp_path)
+    text = (tmp_path / "generated" / "firmware" / "failsafe.py").read_text()
+    compile(text, "failsafe.py", "exec")
+    assert f"def _frost_text(title, {name}_, level):" in text
+
+
+TAKEN = [
+    *(("sea", name) for name in ("words", "words_at", "forget_next", "tell_sea", "update_sea", "store_words")),
+    *(
+        ("dim", name)
+        for name in ("access", "connections", "is_armed", "restart_ms", "frost_failsafes", "received_ping")
+    ),
+]
+
+
+@pytest.mark.parametrize(("old", "new"), TAKEN)
+def test_a_name_that_the_firmware_has_is_an_error(tmp_path: Path, old: str, new: str) -> None:
+    """A component would replace a part of the state, and an action one of the vehicle."""
+    renamed(tmp_path, old, new)
+    done = codegen(tmp_path, "check")
+    kind = "component" if old == "sea" else "call of its own"
+    assert done.returncode == 1
+    assert f"{new} cannot be the name of a {kind}" in done.stdout
+
+
+def test_a_parameter_can_have_the_name_of_a_method(tmp_path: Path) -> None:
+    """RESTORE does not replace restore(), without which nothing starts."""
+    shutil.copytree(HERE / "moored_buoy" / "specs", tmp_path / "specs")
+    for path in (tmp_path / "specs").rglob("*.yaml"):
+        path.write_text(path.read_text().replace("BUOY_LOW", "RESTORE"))
+    build(tmp_path)
+    assert "self.restore_ = 110" in (tmp_path / "generated" / "firmware" / "parameters.py").read_text()

@@ -12,8 +12,9 @@ boat with a receiver of satellites, without battery, converter or program. angle
 have in radians, and the other way, sent and received. own_dialect is written for a dialect of its own, in two files,
 and has the last system id that there is. sensors has a sensor of every kind, and one with a driver of its own;
 power_monitor has two channels of an ADC in one component, and a level. slow_readings has a thermometer that is read
-less often than failsafes look, constants for multipliers, and components with the names of functions. moored_buoy has
-failsafes and nothing to arm.
+less often than failsafes look, actions by severity with a failsafe that arming does not ask, constants for multipliers,
+a range that is narrow and symmetric, and components with the names of functions. moored_buoy has failsafes and nothing
+to arm.
 """
 
 import subprocess

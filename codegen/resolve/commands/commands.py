@@ -12,6 +12,7 @@ from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands.frames import resolve_frames
 from codegen.resolve.commands.params import resolve_params
 from codegen.resolve.named import is_name
+from codegen.resolve.program.vehicle_names import is_vehicle_name
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 
 BAD_COMMAND = Rule(
@@ -27,14 +28,6 @@ NO_PROGRAM_FOR_COMMANDS = Rule(
     "no-program-for-commands",
     "commands.yaml says what the program does at commands, and without vehicle.yaml there is no program.",
 )
-VEHICLE_NAMES = frozenset(
-    (
-        *("texts", "connections", "parameters", "storage", "state", "board", "scheduler", "long_commands", "control"),
-        *("measure", "check_arming", "on_arm", "on_disarm", "is_armed", "arming_problem", "arm", "disarm", "reboot"),
-        *("run_pass", "run", "check_mode", "set_mode", "act", "stop_motors", "halt_motors", "remind"),
-    )
-)
-"""The attributes and methods that every Vehicle has, or can have."""
 
 
 def resolve_commands(
@@ -89,7 +82,7 @@ def _check_method(
 ) -> None:
     """Report what is wrong with a command's method; ``alike`` have it, too, and ``made`` are made for long ones."""
     method = command.method
-    if not is_name(method) or method in VEHICLE_NAMES or method in made:
+    if not is_name(method) or is_vehicle_name(method) or method in made:
         report.add(BAD_COMMAND, command.at("method"), f"{method} cannot be the name of a method of its own")
         return
     if command.long is not alike[0].long:

@@ -8,13 +8,10 @@ from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component
 from codegen.resolve.named import is_name
+from codegen.resolve.program.vehicle_names import is_vehicle_name
 from codegen.source import Place
 from codegen.sources.module_names import taken_by
 
-_CALLS = {
-    *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
-    *("reboot", "run", "run_pass", "act", "stop_motors", "halt_motors"),
-}
 _WRITTEN = {
     "armed": "armed: {doc: Whether it is armed., boolean: true, initial: false}",
     "ready": "ready: {doc: Whether nothing speaks against arming., boolean: true, initial: false}",
@@ -85,13 +82,13 @@ def _code(code: CodeSpec | None) -> Iterator[Problem]:
 
 
 def _actions(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
-    taken = set(_CALLS)
+    taken: set[str] = set()
     values = {0}
     for action in spec.actions if not spec.failsafes else ():
         message = f"{action.call} is what a failsafe does, and there is none"
         yield Problem(action.place, message, "write failsafes: with a level that has it, or leave it out")
     for action in spec.actions:
-        if not is_name(action.call) or action.call in taken:
+        if not is_name(action.call) or is_vehicle_name(action.call) or action.call in taken:
             message = f"{action.call} cannot be the name of a call of its own"
             yield Problem(action.at("call"), message, "take a lower-case identifier that no other call has")
         if action.value in values:

@@ -25,8 +25,13 @@ BAD_COMPONENT = Rule(
     "numbers from 0 to 255.",
 )
 
-_RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
+_RESERVED_COMPONENTS = {
+    *("parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"),
+    *("words", "words_at", "forget_next"),
+}
 """Names that the generated code uses itself, beside Python's own."""
+_FRONTS = ("update_", "calibrate_", "tell_")
+"""What the names of methods begin with that the state has for each component."""
 _CONVERSIONS = {"complete", "limited", "pack_into", "put_float", "spill", *Rounding}
 
 
@@ -108,7 +113,12 @@ def _first_number(
 
 
 def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
-    if not is_name(name) or name in _RESERVED_COMPONENTS | _CONVERSIONS or name.startswith(("update_", "calibrate_")):
+    if (
+        not is_name(name)
+        or name in _RESERVED_COMPONENTS | _CONVERSIONS
+        or name.startswith(_FRONTS)
+        or name.endswith("_words")
+    ):
         report.add(BAD_COMPONENT, spec.place, f"{name} cannot be the name of a component", "choose another name")
 
 

@@ -133,4 +133,4 @@ def nominal(quantity: Quantity) -> int | Fraction:
     low, high = int(quantity.minimum), int(quantity.maximum)
     if quantity.storage is not Storage.SMALL:
         return low + (high - low) * 5 // 7
-    return 1237 if abs(low) == abs(high) else (low + high) // 2
+    return min(1237, high * 2 // 3) if abs(low) == abs(high) else (low + high) // 2

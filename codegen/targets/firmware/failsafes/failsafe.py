@@ -33,6 +33,8 @@ from codegen.targets.firmware.words import Layout
 from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
 
+_SAID = ("title", "level")
+"""What the functions that make texts are given, beside the component."""
 _TO_TELL = "rows[_WORST] != self._told or self._told_ms is not None"
 """The condition under which a text about the health of the watched quantity may be due."""
 
@@ -234,7 +236,8 @@ def _failsafe(
     has_pairs: bool,
 ) -> FailsafeView:
     component = failsafe.component
-    variable = component.name if component else "_nothing"
+    variable = "_nothing" if component is None else component.name
+    variable += "_" if variable in _SAID else ""
     return FailsafeView(
         name=failsafe.name,
         attribute=failsafe_function(failsafe.name),

@@ -250,7 +250,7 @@ def _failsafe_lists(failsafes: tuple[FailsafeView, ...]) -> Iterator[str]:
     asked = [failsafe for failsafe in failsafes if failsafe.has_arming]
     if asked and len(asked) < len(failsafes):
         yield "# Those that are asked before arming."
-        yield f"self._asked = {_all(asked)}"
+        yield f"self._before_arming = {_all(asked)}"
 
 
 def _all(failsafes: Sequence[FailsafeView]) -> str:
@@ -265,7 +265,7 @@ def _checked(failsafes: tuple[FailsafeView, ...]) -> str:
     asked = sum(failsafe.has_arming for failsafe in failsafes)
     if not asked:
         return ""
-    return _everything(failsafes) if asked == len(failsafes) else "self._asked"
+    return _everything(failsafes) if asked == len(failsafes) else "self._before_arming"
 
 
 def _everything(failsafes: tuple[FailsafeView, ...]) -> str:
