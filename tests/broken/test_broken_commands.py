@@ -34,7 +34,7 @@ CASES = [
     Case("bad-command", COMMANDS, "method: sound_horn", "method: §arm", "arm cannot be the name of a method"),
     Case("bad-command", COMMANDS, "method: sound_horn", "method: §pump_progress", "pump_progress cannot be"),
     Case("bad-command", COMMANDS, "method: sound_horn", "method: §pump", "takes long for one command"),
-    Case("bad-command", VEHICLE, "modes:", "actions: [{value: 1, call: go_to, doc: Go.}]\nmodes:", "what a failsafe calls", at=f"{COMMANDS}:21:13"),
+    Case("bad-command", VEHICLE, "modes:", "actions: [{value: 1, call: go_to, doc: Go.}]\nmodes:", "what a failsafe calls", at=f"{COMMANDS}:21:13", is_alone=False),
     Case("bad-command", VEHICLE, "arming: {force: 21196}\n", "", "nothing can be armed", at=f"{COMMANDS}:24:14", is_alone=False),
     Case("unknown-key", COMMANDS, HORN, horn("§lang: true"), "did you mean long"),
     Case("unknown-choice", COMMANDS, HORN, horn("allowed: §sometimes")),
@@ -75,7 +75,7 @@ CASES = [
     Case("bad-mode", VEHICLE, "base: [steered]", "base: [§stered]", "did you mean steered"),
     Case("bad-mode", VEHICLE, "base: [steered]", "base: [§armed]", "no boolean that a mode can set"),
     Case("bad-mode", VEHICLE, "base: [steered]", "base: [§mode]", "no boolean that a mode can set"),
-    Case("bad-mode", VEHICLE, "modes:", "actions: [{value: 1, call: drift, doc: Drift., mode: §12}]\nmodes:", "mode 12, which is not declared"),
+    Case("bad-mode", VEHICLE, "modes:", "actions: [{value: 1, call: drift, doc: Drift., mode: §12}]\nmodes:", "mode 12, which is not declared", is_alone=False),
     Case("bad-mode", STATE, "max: 30, initial: 4", "max: 30, initial: §5", "begins as 5"),
     Case("bad-mode", STATE, "      mode: {doc: Number of the mode., min: 0, max: 30, initial: 4}\n", "", "no number mode to be set", is_alone=False),
 ]  # fmt: skip
