@@ -1,8 +1,8 @@
 """The price of messages on a link: bytes of frames, and bytes per second at the default rates of their streams.
 
-Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end of a payload; a MAVLink 1 frame is
-never cut, and has no extensions. What depends on the state makes a range, from 0 where the message may be withheld.
-Requests and announcements are not counted.
+Counted are whole frames of MAVLink 2, which cuts the zeros at the end of a payload, without a signature, but for what
+is said of a single link; a MAVLink 1 frame is never cut, and has no extensions. What depends on the state makes a
+range, from 0 where the message may be withheld. Requests and announcements are not counted.
 """
 
 from collections.abc import Iterable
@@ -18,6 +18,9 @@ from codegen.once import once
 HEAD_V1 = 8
 HEAD_V2 = 12
 """Bytes of a frame beside its payload, with the checksum. Source: MAVLink's guide to the serialization of packets."""
+
+SIGNATURE = 13
+"""Bytes that a signature adds to a frame of MAVLink 2: the number of the link, a timestamp, and the hash."""
 
 BITS_OF_A_BYTE = 10
 """Bits that a UART takes for a byte: a start bit, eight of data, a stop bit."""
@@ -130,10 +133,10 @@ def message_price(message: PopulatedMessage, system: System) -> Price:
     return price_at(default_rate(message), message, system, system.spec.project.protocol)
 
 
-def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol: int) -> Price:
-    """Return what a message costs at a rate in Hz, in frames of MAVLink 1 or 2."""
-    frames = rate * message.pages
-    found = [frame_size(message, instance, protocol).times(frames) for instance in range(message.instances)]
+def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol: int, signature: int = 0) -> Price:
+    """Return what a message costs at a rate in Hz, in frames of MAVLink 1 or 2, each with so many bytes more."""
+    frames, more = rate * message.pages, Range(Fraction(signature), Fraction(signature))
+    found = [(frame_size(message, instance, protocol) + more).times(frames) for instance in range(message.instances)]
     if message.withheld_for:
         found = [Range(Fraction(0), each.high) for each in found]
     return Price(
@@ -162,6 +165,20 @@ def chosen(generations: Generations, choice: Generation, system: System) -> tupl
 def price(generations: Generations, choice: Generation, system: System) -> Range:
     """Bytes per second of all messages that are streamed with a choice."""
     return total(message_price(message, system).whole for message in chosen(generations, choice, system))
+
+
+def signature_on(link: BoardLink, system: System) -> int:
+    """Return how many bytes the signature adds to each frame on a link."""
+    access = system.program.access if system.program else None
+    return SIGNATURE if access is not None and link.name in access.signed else 0
+
+
+def price_on(link: BoardLink, system: System) -> Range:
+    """Bytes per second of all messages that are streamed by default, as a link carries them."""
+    protocol, signature = system.spec.project.protocol, signature_on(link, system)
+    return total(
+        price_at(default_rate(message), message, system, protocol, signature).whole for message in sent_messages(system)
+    )
 
 
 def capacity(link: BoardLink) -> Fraction | None:

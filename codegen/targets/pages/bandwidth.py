@@ -4,7 +4,16 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.price import Range, capacity, frame_size, sent_messages, total
+from codegen.model.price import (
+    Range,
+    capacity,
+    frame_size,
+    price_at,
+    price_on,
+    sent_messages,
+    signature_on,
+    total,
+)
 from codegen.model.program import BoardLink
 from codegen.model.spec.spec import Generation
 from codegen.model.system import System
@@ -64,7 +73,7 @@ def bandwidth_page(system: System, origin: Origin) -> BandwidthPage:
     sent = [cost for cost in found if cost.is_sent]
     default, fastest = total(cost.default.whole for cost in sent), total(cost.fastest.whole for cost in sent)
     charts = [
-        *(_link(link, carried, default, fastest) for link in system.links if (carried := capacity(link)) is not None),
+        *(_link(link, carried, sent, system) for link in system.links if (carried := capacity(link)) is not None),
         chart(
             "streams",
             "By stream, at the default rates",
@@ -115,8 +124,9 @@ def _carries(link: BoardLink) -> str:
     return f"{link.kind.words}, {decimal(carried)} bytes/s"
 
 
-def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) -> Chart:
-    """Return how much of a link the telemetry takes."""
+def _link(link: BoardLink, carried: Fraction, sent: Sequence[Cost], system: System) -> Chart:
+    """Return how much of a link the telemetry takes, with the signatures of one that is signed."""
+    default, fastest = price_on(link, system), _fastest_on(link, sent, system)
     words = (("at the default rates", default), ("at the fastest rates", fastest))
     amounts = []
     for label, amount in words:
@@ -127,11 +137,17 @@ def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) ->
     return chart(
         f"link-{link.name}",
         f"Of what {link.name} carries",
-        f"{_carries(link)} at {link.spec.baud} baud; the whole width is all that it carries.",
+        f"{_carries(link)} at {link.spec.baud} baud; the whole width is all that it carries"
+        + (", and each frame is signed." if signature_on(link, system) else "."),
         "%",
         amounts,
         Fraction(100),
     )
+
+
+def _fastest_on(link: BoardLink, sent: Sequence[Cost], system: System) -> Range:
+    protocol, signature = system.spec.project.protocol, signature_on(link, system)
+    return total(price_at(cost.fastest_rate, cost.message, system, protocol, signature).whole for cost in sent)
 
 
 def _streams(sent: Sequence[Cost]) -> list[Amount]:
