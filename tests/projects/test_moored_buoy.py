@@ -151,6 +151,16 @@ def test_a_component_can_have_the_name_of_an_argument(tmp_path: Path, name: str)
     assert f"def _frost_text(title, {name}_, level):" in text
 
 
+@pytest.mark.parametrize("name", ["level", "action", "head", "armed"])
+def test_a_failsafe_can_have_the_name_of_a_column(tmp_path: Path, name: str) -> None:
+    """The constant with its conditions is not that of the column."""
+    renamed(tmp_path, "frost", name)
+    build(tmp_path)
+    text = (tmp_path / "generated" / "firmware" / "failsafe.py").read_text()
+    assert text.count(f"\n_{name.upper()}_FAILSAFE = (") == 1
+    assert text.count(f"\n_{name.upper()} = ") <= 1
+
+
 TAKEN = [
     *(("sea", name) for name in ("words", "words_at", "forget_next", "tell_sea", "update_sea", "store_words")),
     *(

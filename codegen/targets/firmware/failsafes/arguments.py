@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from codegen.frozen import dataclass
 from codegen.model.failsafe import Failsafe
 from codegen.model.spec.failsafe import Watching
-from codegen.targets.firmware.failsafes.table import inverted_rows
+from codegen.targets.firmware.failsafes.table import inverted_rows, table_constant
 from codegen.targets.firmware.words import Layout
 from codegen.targets.naming import parameter_attribute, quoted
 
@@ -105,7 +105,7 @@ def arguments_of(failsafe: Failsafe, layout: Layout) -> tuple[Argument, ...]:
         Argument("names", "()", _tuple(level.name for level in failsafe.levels)),
         Argument("timed_from", "0", str(len(failsafe.to_arm)) if failsafe.to_arm else None),
         Argument("watched_at", "None", str(offsets[quantity.attribute]) if quantity else None),
-        Argument("inverted", "()", f"_{failsafe.name.upper()}_INVERTED" if inverted_rows(failsafe) else None),
+        Argument("inverted", "()", f"{table_constant(failsafe)}_INVERTED" if inverted_rows(failsafe) else None),
         Argument("switch_at", "None", str(offsets[switch.attribute]) if switch else None),
         Argument("level_at", "None", str(offsets[failsafe.level.attribute]) if failsafe.level else None),
         Argument("health_at", "None", str(offsets[failsafe.health.attribute]) if failsafe.health else None),

@@ -17,7 +17,13 @@ from codegen.targets.firmware.failsafes.condition import (
     of_parameter,
     row_constants,
 )
-from codegen.targets.firmware.failsafes.table import Columns, condition_rows, inverted_rows, table_lines
+from codegen.targets.firmware.failsafes.table import (
+    Columns,
+    condition_rows,
+    inverted_rows,
+    table_constant,
+    table_lines,
+)
 from codegen.targets.firmware.failsafes.text import shows, text_lines
 from codegen.targets.firmware.failsafes.watching import (
     armed_constant,
@@ -254,7 +260,7 @@ def _failsafe(
 
 
 def _tables(failsafe: Failsafe, columns: Columns, layout: Layout, *, has_pairs: bool) -> Iterable[str]:
-    constant = f"_{failsafe.name.upper()}"
+    constant = table_constant(failsafe)
     levels = [f"{level.name} ({level.citation or failsafe.citation})" for level in failsafe.levels]
     yield f"# {failsafe.watched}: {', '.join(levels)}"
     instances = range(failsafe.instances)
@@ -267,7 +273,7 @@ def _tables(failsafe: Failsafe, columns: Columns, layout: Layout, *, has_pairs: 
 
 def _made(failsafe: Failsafe, given: tuple[Argument, ...], found: Settled) -> Iterable[str]:
     """The body of the function that makes it, or one for each instance."""
-    constant, several = f"_{failsafe.name.upper()}", failsafe.instances > 1
+    constant, several = table_constant(failsafe), failsafe.instances > 1
     each = "[instance]" if several else "[0]"
     title = failsafe.title.replace("{number}", "{instance + 1}" if several else "1")
     state = f"vehicle.state.{failsafe.component.name}" if failsafe.component else "None"

@@ -14,6 +14,9 @@ COLUMNS = ("PLACE", "LEVEL", "SIGN", "LIMIT", "FACTOR", "OFF", "FLOOR", "SLACK",
 ACTION: the action of its level.
 """
 
+_TAKEN = {*COLUMNS, "NOT", "UNKNOWN", "UP", "DUE", "WORST", "HEAD", "ROW", "ARMED", "HEALTH"}
+"""The constants of the module: a failsafe with the name of one has its own behind it."""
+
 Row = dict[str, str]
 """The literals of a condition by its columns."""
 
@@ -51,6 +54,12 @@ def condition_rows(failsafe: Failsafe, layout: Layout, instance: int) -> list[Ro
             row["FLOOR"] = str(failsafe.believed_above) if is_doubted else "_UNKNOWN"
         rows.append(row)
     return rows
+
+
+def table_constant(failsafe: Failsafe) -> str:
+    """Return the constant that has the conditions of a failsafe: ``_DEPTH``, ``_LEVEL_FAILSAFE``."""
+    name = failsafe.name.upper()
+    return f"_{name}_FAILSAFE" if name in _TAKEN else f"_{name}"
 
 
 @dataclass(frozen=True, slots=True)
