@@ -1,5 +1,6 @@
 """Amounts and units as the tables write them, read with a finding where they are wrong."""
 
+import math
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Report, Rule
@@ -78,7 +79,15 @@ def read_amount(text: str, unit: Unit, place: Place, report: Report, *, is_diffe
 def read_real(text: str, unit: Unit, place: Place, report: Report) -> float | None:
     """The number of ``text`` (an amount) in ``unit``, as the nearest float: 180 deg are a number of rad, too."""
     found = _converted(text, unit, place, report)
-    return None if found is None else found[1].settled(found[0].value, float)
+    return None if found is None else found[1].settled(found[0].value, nearest_float)
+
+
+def nearest_float(value: Fraction) -> float:
+    """Return the nearest float; of what lies beyond the largest one an infinite one."""
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
 
 
 def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Measure, AffineMap] | None:

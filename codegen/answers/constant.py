@@ -1,16 +1,16 @@
 """Constants of the tables, held against the type, the unit and the sentinel of their field."""
 
-import math
 from fractions import Fraction
 
 from codegen.answers.fitting import field_unit
 from codegen.answers.letters import carries_text
 from codegen.answers.limits import dialect_bounds
 from codegen.diagnostics import Report, Rule
-from codegen.measure import read_amount, read_real
+from codegen.measure import nearest_float, read_amount, read_real
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Value
 from codegen.model.code.letters import NUL, cut
+from codegen.model.code.storage import Storage
 from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.units.unit import NUMBER, Unit, decimal
 from codegen.source import Place
@@ -74,7 +74,7 @@ def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place,
     """Return what is on the wire for a number in the units of the field, or an amount; whole, or the nearest float."""
     if not field.type.is_integer:
         if isinstance(written, Fraction):
-            return float(written / field.multiplier)
+            return nearest_float(written / field.multiplier)
         return read_real(written, unit, place, report)
     value = written / field.multiplier if isinstance(written, Fraction) else read_amount(written, unit, place, report)
     if value is None:
@@ -93,7 +93,7 @@ def _shown(written: str | Fraction) -> str:
 def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:
     """Return whether the field holds ``value`` by its type, minValue and maxValue; a finding if not."""
     field = covers.field
-    of_type = (field.type.minimum, field.type.maximum) if field.type.is_integer else (-math.inf, math.inf)
+    of_type = (field.type.minimum, field.type.maximum) if field.type.is_integer else Storage(field.type.code).limits
     stated = dialect_bounds(field)
     low = max(number for number in (of_type[0], stated.low) if number is not None)
     high = min(number for number in (of_type[1], stated.high) if number is not None)
@@ -103,10 +103,15 @@ def fits(covers: Elements, value: int | float, key: str, written: str, report: R
     report.add(
         CONSTANT_RANGE,
         covers.written.at(key),
-        f"{written} is {value}, but {field.name} ({field.type.name}) carries {low} to {high}",
+        f"{written} is {value}, but {field.name} ({field.type.name}) carries {_end(low)} to {_end(high)}",
         related=[(field.definition.place, f"{field.name} is declared here")],
     )
     return False
+
+
+def _end(number: int | float | Fraction) -> str:
+    """``255``; the ends of floats with the digits that tell them."""
+    return str(number) if -(2**64) < number < 2**64 else f"{float(number):.7g}"
 
 
 def _agrees_with_sentinel(covers: Elements, value: int | float, has_unit: bool, key: str, report: Report) -> bool:

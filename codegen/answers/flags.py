@@ -49,6 +49,10 @@ class FlagsAnswer(KindOfAnswer):
             message = f"{enum.name} is not a bitmask"
             scope.report.add(NOT_AN_ENUM_FIELD, place, message, "give one entry with 'enum'")
             return None
+        if not covers.field.type.is_integer:
+            message = f"{covers.field.name} ({covers.field.type.name}) is no whole number, whose bits are flags"
+            scope.report.add(NOT_AN_ENUM_FIELD, place, message, "give what it carries with state, or a constant")
+            return None
         mask, names, conditional = 0, [], []
         for flag in covers.written.flags or ():
             name, separator, path = flag.partition(" if ")

@@ -151,6 +151,8 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
     """
     sentinel = covers.field.sentinel
     sentinels = sentinel.values[covers.first : covers.first + covers.count] if sentinel else ()
+    is_of_enum = isinstance(taken.source, Quantity) and taken.source.enum is not None
+    where = "here" if is_of_enum else f"at {taken.source.path}, or here"
     written, unit, place = covers.written, taken.source.unit.name, covers.written.at(taken.key)
 
     def shown(value: Fraction) -> str:
@@ -173,7 +175,7 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
                 place,
                 f"{taken.source.path} {what} {shown(declared)}, and {covers.label} ({covers.field.type.name}) ends at "
                 f"{shown(end)}",
-                f"{key}: {shortly(end / taken.in_wire)} at {taken.source.path}, or here, if the field is to end there",
+                f"{key}: {shortly(end / taken.in_wire)} {where}, if the field is to end there",
                 [(taken.source.spec.at(key if declared is not initial else "initial"), "it is declared here")],
             )
             return

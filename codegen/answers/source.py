@@ -2,6 +2,8 @@
 
 import math
 from fractions import Fraction
+from functools import reduce
+from operator import or_
 
 from codegen.answers.fitting import BAD_SOURCE, NOT_AN_ENUM_FIELD, field_unit
 from codegen.answers.limits import Bounds, dialect_bounds, written_bounds
@@ -11,7 +13,7 @@ from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import DIVISOR_MAX
-from codegen.model.dialect.dialect import Kind, WireField
+from codegen.model.dialect.dialect import EnumDefinition, Kind, WireField
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.unit import Unit, conversion
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
@@ -63,9 +65,19 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
     sent = own.rounded(covers.written.rounding) if covers.field.type.is_integer else own
     bounds = sent.within(dialect_bounds(covers.field)).within(written)
     declared = Bounds(None if source.spec.min is None else own.low, None if source.spec.max is None else own.high)
+    if isinstance(source, Quantity) and source.enum is not None:
+        declared = _entries(source.enum)
     initial = source.initial if isinstance(source, Quantity) else None
     assert not isinstance(initial, str)
     return Taken(source, key, factor, bounds, written, declared, in_wire, None if initial is None else initial * factor)
+
+
+def _entries(enum: EnumDefinition) -> Bounds:
+    """Return what the entries of an enum go from and to: of a bitmask all bits together."""
+    values = [entry.value for entry in enum.entries]
+    if enum.is_bitmask:
+        return Bounds(Fraction(0), Fraction(reduce(or_, values, 0)))
+    return Bounds(Fraction(min(values)), Fraction(max(values))) if values else Bounds(None, None)
 
 
 def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Unit | None:

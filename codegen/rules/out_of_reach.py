@@ -40,8 +40,8 @@ def check(system: System) -> Iterator[Diagnostic]:
             yield from _of_condition(failsafe, condition, found, system)
     for component in system.components.values():
         for quantity in component.quantities.values():
-            if quantity.derivation.follows is not None:
-                followed = component.quantities[quantity.derivation.follows]
+            followed = component.quantities.get(quantity.derivation.follows or "")
+            if followed is not None:  # else what is wrong with it has been reported
                 yield from _of_boolean(quantity, followed, found[followed.path])
 
 

@@ -18,6 +18,10 @@ FILES = {
 }
 TABLE = "message: E\nrequirement: FR-1.1\nstream: only\nfields:\n  f: "
 VOLTS = "unit: V, stored: mV"
+ENUMS = (
+    '<enum name="GRADE"><entry value="0" name="GRADE_LOW"/><entry value="300" name="GRADE_HIGH"/></enum>'
+    '<enum name="MARKS" bitmask="true"><entry value="1" name="MARKS_ONE"/><entry value="256" name="MARKS_NINTH"/></enum>'
+)
 PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
 
 
@@ -28,7 +32,7 @@ def told(tmp_path, monkeypatch, capsys):
     def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10"):
         quantity = f"{{doc: d, {quantity}}}"
         files = FILES | {
-            "e.xml": f'<mavlink><messages><message id="54440" name="E"><description>d</description><field {field} '
+            "e.xml": f'<mavlink><enums>{ENUMS}</enums><messages><message id="54440" name="E"><description>d</description><field {field} '
             'name="f">d</field></message></messages></mavlink>',
             "state.yaml": f"components:\n  m:\n    doc: d\n    quantities:\n      q: {quantity}\n",
             "parameters.yaml": f"parameters:\n  PAR: {{doc: d, {parameter}}}\n",
@@ -125,7 +129,11 @@ def test_a_parameter_that_its_field_ends_before(told, field, end):
     [
         (UP_TO_20, "{constant: 21 V}", "21 V is 21000, but f (uint16_t) carries 0 to 20000"),
         ('type="int16_t" minValue="-20"', "{constant: -21}", "-21 is -21, but f (int16_t) carries -20 to 32767"),
-        ('type="float" units="V" maxValue="20"', "{constant: 21 V}", "21 V is 21.0, but f (float) carries -inf to 20"),
+        (
+            'type="float" units="V" maxValue="20"',
+            "{constant: 21 V}",
+            "21 V is 21.0, but f (float) carries -3.402823e+38 to 20",
+        ),
         (UP_TO_20, "{board: m.volts}", "21 V is 21000, but f (uint16_t) carries 0 to 20000"),
     ],
 )
@@ -155,3 +163,45 @@ def test_a_quantity_that_is_kept_more_coarsely_than_its_field(told, field, quant
     found = told(field, quantity, answer)
     assert ("specs/state.yaml:5:7: warning coarse-quantity: m.q is kept in whole V" in found) == is_coarse
     assert "error" not in found
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer", "says"),
+    [
+        (
+            'type="uint8_t" enum="GRADE" invalid="UINT8_MAX"',
+            "enum: GRADE",
+            "{state: m.q}",
+            "beyond-field: m.q goes up to 300",
+        ),
+        (
+            'type="uint8_t" enum="MARKS"',
+            "enum: MARKS, initial: MARKS_ONE",
+            "{state: m.q}",
+            "beyond-field: m.q goes up to 257",
+        ),
+        ('type="uint16_t" enum="GRADE"', "enum: GRADE, initial: GRADE_LOW", "{state: m.q}", None),
+        ('type="uint16_t" enum="MARKS"', "enum: MARKS, initial: MARKS_ONE", "{state: m.q}", None),
+        (
+            'type="float" enum="MARKS"',
+            "boolean: true, initial: false",
+            "{flags: [MARKS_ONE if m.q]}",
+            "not-an-enum-field: f (float) is no",
+        ),
+        ('type="uint16_t" enum="MARKS"', "boolean: true, initial: false", "{flags: [MARKS_ONE if m.q]}", None),
+        (
+            'type="float"',
+            "initial: 0",
+            "{constant: 1e39}",
+            "is 1e+39, but f (float) carries -3.402823e+38 to 3.402823e+38",
+        ),
+        ('type="double"', "initial: 0", "{constant: 1e309}", "is inf, but f (double) carries -1.797693e+308 to"),
+        ('type="double"', "initial: 0", "{constant: 1e39}", None),
+        ('type="float"', "initial: 1e39", "{state: m.q}", "beyond-storage: initial of q is beyond 3.402823e+38"),
+        ('type="float"', "max: 1e39", "{state: m.q}", "beyond-storage: max of q is beyond 3.402823e+38"),
+    ],
+)
+def test_a_number_that_no_field_of_its_kind_has(told, field, quantity, answer, says):
+    """An entry of an enum beyond its field, which went out as the sentinel; bits of a float; what no float is."""
+    out = told(field, quantity, answer)
+    assert says in out if says else "error" not in out, out

@@ -51,6 +51,7 @@ CASES = [
         CURRENT,
         measured("max: §50; multiplier: 17 A/V"),
         "battery.current is 0 to 56100 mA",
+        is_alone=False,
     ),
     Case(
         "bad-integral",

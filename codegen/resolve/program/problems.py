@@ -34,7 +34,7 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
     """Yield what keeps the program from being built, but for what other modules find in their parts of it."""
     vehicle = components.get("vehicle")
     if spec.arming is None:
-        yield from _without_arming(spec, vehicle)
+        yield from _without_arming(spec, vehicle, state)
     elif vehicle.instances != 1 if vehicle else not state.has_written("vehicle"):
         hint = "arming needs components: {vehicle: {...}} in state.yaml, with armed, ready, status, mode and load"
         yield Problem(spec.place, "the state has no single component vehicle", hint)
@@ -56,12 +56,16 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
     yield from _code(spec.code)
 
 
-def _without_arming(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:
+def _without_arming(spec: VehicleSpec, vehicle: Component | None, state: StateSpec) -> Iterator[Problem]:
+    is_broken = vehicle is None and state.has_written("vehicle")
+    is_broken = is_broken or (
+        vehicle is not None and "mode" not in vehicle.quantities and vehicle.spec.is_written("mode")
+    )
     for action in spec.actions:
         if action.disarm:
             message = f"{action.call} cannot disarm what cannot be armed"
             yield Problem(action.at("disarm"), message, "leave disarm out, or write arming: {force: 21196}")
-        if action.mode is not None and not is_set_by_program(vehicle, "mode"):
+        if action.mode is not None and not is_broken and not is_set_by_program(vehicle, "mode"):
             message = "the state has no number mode in a single component vehicle"
             yield Problem(action.at("mode"), message, f"leave mode out, or write in state.yaml: {_WRITTEN['mode']}")
 

@@ -146,6 +146,11 @@ def _storage(
         ends = zip((spec.min, spec.max), as_float.limits, strict=True)
         low, high = (end if written is None else as_float.nearest(written * steps) for written, end in ends)
         limits = low, high
+        for key in ("min", "max", "initial"):
+            written = getattr(spec, key)
+            if isinstance(written, Fraction) and abs(written * steps) > as_float.limits[1]:
+                message = f"{key} of {around.name} is beyond {float(as_float.limits[1]):.7g}, the largest float there"
+                around.bad(key, message, BEYOND_STORAGE, "leave it out, or keep the quantity in a larger unit")
         _check_order(around, limits)
         return as_float, limits
     whole = _of_enum(enum) if enum is not None and enum.entries else _of_number(around, stored, steps)
