@@ -36,8 +36,8 @@ class QuantitySpec(Written):
     min: Fraction | None = described("Smallest value, in unit.", default=None)
     max: Fraction | None = described("Largest value, in unit.", default=None)
     initial: str | bool | Fraction | None = described(
-        "Value until it is set and whenever it is set to unknown: a number, an enum entry, a boolean or a text. "
-        "Without it the quantity starts unknown.",
+        "Value until it is set, and in messages whenever it is set to unknown: a number, an enum entry, a boolean or a "
+        "text. Without it the quantity starts unknown.",
         default=None,
     )
     elements: str | Fraction | None = described(
