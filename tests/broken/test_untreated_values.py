@@ -74,3 +74,46 @@ def test_a_sentinel_that_is_to_be_ignored_is_told(checked, tmp_path):
     assert "it is taken as unknown" in found
     assert "write unchanged: [UINT16_MAX]" in found
     assert "'0 means to release this channel back to the RC radio', and it is taken as a value" in found
+
+
+MASKED = """receive: SET_POSITION_TARGET_LOCAL_NED
+requirement: FR-1.10
+%sfields:
+  x: {state: stick.index}
+"""
+
+
+@pytest.mark.usefixtures("checked")
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [("where: {type_mask: 3576}\n", ""), ("", "  type_mask: {state: stick.bits}\n")],
+    ids=["where", "taken"],
+)
+def test_a_table_that_looks_at_the_mask_is_right(tmp_path, capsys, before, after):
+    """It takes only what has those bits, or gives them to code."""
+    state = tmp_path / "specs" / "state.yaml"
+    text = state.read_text().replace(
+        "      index: {doc: d}\n", "      index: {doc: d, unit: m, stored: mm}\n      bits: {doc: d}\n"
+    )
+    state.write_text(text)
+    (tmp_path / "specs" / "receives" / "target.yaml").write_text(MASKED % before + after)
+    main(["check"])
+    out = capsys.readouterr().out
+    assert "target.yaml" not in out
+
+
+@pytest.mark.usefixtures("checked")
+def test_a_mask_that_nobody_looks_at_is_told(tmp_path, capsys):
+    """What the sender says is to be ignored would be taken for a value."""
+    state = tmp_path / "specs" / "state.yaml"
+    state.write_text(
+        state.read_text().replace("      index: {doc: d}\n", "      index: {doc: d, unit: m, stored: mm}\n")
+    )
+    (tmp_path / "specs" / "receives" / "target.yaml").write_text(MASKED % "")
+    main(["check"])
+    out = capsys.readouterr().out
+    assert (
+        "warning untreated-mask: SET_POSITION_TARGET_LOCAL_NED.type_mask says with POSITION_TARGET_TYPEMASK_X_IGNORE"
+        in out
+    )
+    assert "hint: take it, for code to look at: type_mask: {state: ...}, or write where: {type_mask: 0}" in out
