@@ -29,16 +29,23 @@ WRONG_TYPE = Rule(
     "wrong-type",
     "A key has a value of another kind than it wants, such as text in place of a number. Numbers are written without "
     "quotes; text that looks like a number or a boolean needs them.",
+    remedy="write 12 for a number, 'text', true or false, [a, list], or {a: mapping}",
 )
 MISSING_VALUE = Rule(
     "missing-value",
     "A key is written without a value. Give it one, or remove the key if it may be left out.",
+    remedy="write its value behind the colon, or remove the key",
 )
-UNKNOWN_CHOICE = Rule("unknown-choice", "The value is not among the words that the key takes.")
+UNKNOWN_CHOICE = Rule(
+    "unknown-choice",
+    "The value is not among the words that the key takes.",
+    remedy="write one of these words",
+)
 UNUSABLE_NUMBER = Rule(
     "unusable-number",
     "Numbers are kept exactly, so they are finite and have at most 400 digits. A value that is not known is left out, "
     "or answered with unknown.",
+    remedy="write a finite number of at most 400 digits, or leave out what is not known",
 )
 
 
