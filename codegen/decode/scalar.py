@@ -87,6 +87,18 @@ def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
 _PLAIN = {Number: "a number", Whole: "a whole number", Null: "null"}
 
 
+_EXAMPLES = {
+    Text: "write a text, in quotes where it looks like a number or like true",
+    YesNo: "write true or false, without quotes",
+    Number: "write a number alone, such as 12 or 0.5",
+    Whole: "write a whole number, such as 12",
+    ListOf: "write [one, other], or an item in each line behind '- '",
+    MappingOf: "write {name: value}, or name: value in each line below, indented",
+    RecordOf: "write {key: value}, or key: value in each line below, indented",
+}
+"""The written form of a value, by the kind of its shape."""
+
+
 def _nothing(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
     """Return what a key is that is written as ``null``, or without a value, or as something where it wants ``null``."""
     if node.value is not None:
@@ -102,7 +114,7 @@ def _may_be_null(shape: ScalarShape) -> bool:
 
 def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
     """Return the mismatch of a node of another type than ``shape`` wants."""
-    return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
+    return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint or _EXAMPLES.get(type(shape)))
 
 
 def wanted(shape: Shape) -> str:

@@ -20,7 +20,7 @@ FILE_NOT_READABLE = Rule(
     "file-not-readable",
     "The path exists but cannot be read as a file: it is a folder or a device, or its permissions forbid it.",
     unreadable=True,
-    remedy="name a file, or give yourself the right to read it",
+    remedy="name what can be read, or give yourself the right to read it",
 )
 FILE_NOT_UTF8 = Rule(
     "file-not-utf8",

@@ -29,12 +29,9 @@ def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, .
         if find_component(name, spec.state.components, spec.state, BAD_INSTANCES, place, report) is None:
             continue
         if not 1 <= len(written) <= MOST_INSTANCES:
-            report.add(
-                BAD_INSTANCES,
-                place,
-                f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}",
-                hint="list each with what is its own: [{prefix: BATT_}, {prefix: BATT2_}]",
-            )
+            front = name[:4].upper()
+            message = f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}"
+            report.add(BAD_INSTANCES, place, message, f"list each: [{{prefix: {front}1_}}, {{prefix: {front}2_}}]")
         _check_prefixes(spec, name, report)
     return {name: _parts(spec, name) for name in spec.state.components}
 

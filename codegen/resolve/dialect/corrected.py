@@ -259,7 +259,7 @@ _VALUES = {
     "instance": "write true or false",
     "type": "write a type such as uint16_t, or char[16]",
 }
-"""What attributes can be, by name: the others can be any text."""
+"""The form of each attribute that cannot be any text."""
 
 
 def attribute_text(field: FieldDefinition, attribute: str) -> str | None:

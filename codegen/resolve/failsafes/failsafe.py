@@ -52,7 +52,7 @@ def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope, *, can_arm: b
             spec,
             None,
             f"{name!r} is no name of a failsafe: small letters, digits and _",
-            hint="write it like 'battery' or 'low_voltage'",
+            hint="write it like 'engine' or 'low_oil'",
         )
     citation = cite(spec.requirement, spec.at("requirement"), scope.index, scope.report)
     quantity = None if spec.watches is None else scope.quantity(spec, "watches", spec.watches, None)

@@ -53,6 +53,8 @@ _POINTLESS = {
     **dict.fromkeys(("split", "min", "max", "rounding"), "says nothing about what is not read as a number"),
 }
 """The message about a key that shapes answers of other kinds only."""
+_BESIDE = {"from": "each", "per": "board"}
+"""The keys beside which such a key says something, where these are not state and parameter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,5 +170,6 @@ def _bind(covers: Elements, scope: Scope) -> Answer | None:
     kind = next(kind for kind in KINDS if kind.is_meant(covers.written, scope))
     for key, words in _POINTLESS.items():
         if key in covers.written.places and key not in kind.SHAPED_BY:
-            scope.report.add(POINTLESS_KEY, covers.written.at(key), f"{key} {words}")
+            hint = f"leave {key} out, or answer with {_BESIDE.get(key, 'state or parameter')}"
+            scope.report.add(POINTLESS_KEY, covers.written.at(key), f"{key} {words}", hint)
     return kind.bind(covers, scope)
