@@ -22,13 +22,15 @@ class Rule:
     """One kind of finding: its id as printed, its severity, and the text that ``codegen explain ID`` shows.
 
     ``unreadable`` marks the rules whose finding means that the input could not be read at all
-    (exit code 2 instead of 1).
+    (exit code 2 instead of 1). ``remedy`` says what to do about any finding of the rule, for those without a hint of
+    their own.
     """
 
     id: str
     explanation: str
     severity: Severity = Severity.ERROR
     unreadable: bool = False
+    remedy: str = ""
 
     @property
     def standing(self) -> str:
@@ -57,6 +59,11 @@ class Diagnostic:
     def is_error(self) -> bool:
         """Return whether it stops a build, or makes a check fail."""
         return self.rule.severity is Severity.ERROR and self.waived is None
+
+    @property
+    def advice(self) -> str | None:
+        """Return what to do about it: its hint, or else the remedy of its rule; None where neither says anything."""
+        return self.hint or self.rule.remedy or None
 
 
 MOST = 100

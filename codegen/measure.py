@@ -19,6 +19,7 @@ UNIT_MISMATCH = Rule(
     "unit-mismatch",
     "A value in one dimension is used where another is needed, such as a current for a charge. "
     "Only units of one dimension convert into each other.",
+    remedy="write a unit of the same kind, or name something that has one",
 )
 UNCARRIED_CONVERSION = Rule(
     "uncarried-conversion",
@@ -26,6 +27,7 @@ UNCARRIED_CONVERSION = Rule(
     "quantity is kept in another unit than its own, or where the numbers get too small. The firmware multiplies and "
     "divides whole numbers: a value would be wrong. Keep the quantity in the unit of the field, or in one that only a "
     "factor leads to. Nor is an amount in deg an exact number of rad.",
+    remedy="keep the quantity in the field's unit, or in one that only a factor leads to",
 )
 BAD_AMOUNT = Rule("bad-amount", "An amount is a number followed by a unit, such as 3.3 V, 10 Hz or 2 ms.")
 BAD_TIME = Rule(

@@ -39,7 +39,12 @@ class ChipAnswer(KindOfAnswer):
         """The number of the chip, into a text."""
         if covers.field.type.kind is not Kind.CHAR:
             message = f"{covers.field.name} is a {covers.field.type.name}, and {UNIQUE_ID} a text"
-            scope.report.add(BAD_CONSTANT, covers.written.at("board"), message)
+            scope.report.add(
+                BAD_CONSTANT,
+                covers.written.at("board"),
+                message,
+                hint="answer a text field with it, and this one with a number or unknown",
+            )
             return None
         return cls(covers, UNIQUE_ID)
 

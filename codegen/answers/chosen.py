@@ -23,6 +23,7 @@ BAD_CHOICE = Rule(
     "bad-choice",
     "one_of is a list of entries of the field's enum: each but the last as 'ENTRY if component.quantity', the last one "
     "without a condition, for when none of these is true. What stands behind an entry without one is never sent.",
+    remedy="write one_of: [ENTRY if component.quantity, OTHER_ENTRY]",
 )
 
 LONG = 100

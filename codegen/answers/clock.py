@@ -50,7 +50,12 @@ class ClockAnswer(KindOfAnswer):
         if unit is None:
             return None
         if not field.type.is_integer or covers.count != 1:
-            scope.report.add(BAD_SOURCE, place, f"{covers.label} is {field.type.name}: a clock is a whole number")
+            scope.report.add(
+                BAD_SOURCE,
+                place,
+                f"{covers.label} is {field.type.name}: a clock is a whole number",
+                hint="answer a float with a quantity, in which code keeps the time",
+            )
             return None
         steps = ratio(unit, unit_named("us"))
         if steps is None or steps not in _PARTS:

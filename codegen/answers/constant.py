@@ -15,10 +15,15 @@ from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.units.unit import NUMBER, Unit, decimal
 from codegen.source import Place
 
-CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")
+CONSTANT_RANGE = Rule(
+    "constant-out-of-range",
+    "A constant is beyond what the field can carry; it would wrap.",
+    remedy="write a number that it carries, in its unit, or answer with unknown",
+)
 BAD_CONSTANT = Rule(
     "bad-constant",
     "A constant does not fit its field: text for a number, a number for text, a fraction for an integer.",
+    remedy="write what the field carries: a number in its unit, or a text in quotes",
 )
 SENTINEL_CONSTANT = Rule(
     "sentinel-as-constant",
@@ -41,7 +46,9 @@ def read_constant(covers: Elements, written: str | Fraction, key: str, report: R
     if unit is None:
         return None
     if isinstance(written, str) and unit is NUMBER:
-        report.add(BAD_CONSTANT, place, f"{written!r} is not a number, and {field.name} has no unit")
+        report.add(
+            BAD_CONSTANT, place, f"{written!r} is not a number, and {field.name} has no unit", hint="write a number"
+        )
         return None
     number = _number(written, unit, field, place, report)
     if number is None:
@@ -81,7 +88,12 @@ def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place,
         return None
     if value.denominator != 1:
         shown = float(value * field.multiplier)
-        report.add(BAD_CONSTANT, place, f"{shown} is not a whole number of {field.unit_text or 'steps'}")
+        report.add(
+            BAD_CONSTANT,
+            place,
+            f"{shown} is not a whole number of {field.unit_text or 'steps'}",
+            hint="write one that is, or answer with a quantity, which is rounded",
+        )
         return None
     return int(value)
 

@@ -26,6 +26,7 @@ NOT_AS_KEPT = Rule(
     "A quantity that is kept in more than 30 bits, or as a float, goes out as it is kept: in fields of its stored "
     "unit, an integer in integer fields and a float in float fields of its size. For a field of another unit, keep a "
     "quantity of its own in that unit.",
+    remedy="answer with a quantity that is kept as the field carries it: its unit, and float or not",
 )
 
 

@@ -39,7 +39,12 @@ class CountAnswer(KindOfAnswer):
         owner, field = (covers.written.state or "").partition(".")[0], covers.field
         if not field.type.is_integer or covers.count != 1 or field.definition.units or field.definition.enum:
             message = f"{covers.label} cannot carry how many of {owner} there are"
-            scope.report.add(BAD_SOURCE, covers.written.at("state"), message)
+            scope.report.add(
+                BAD_SOURCE,
+                covers.written.at("state"),
+                message,
+                hint="it fits one whole number without unit and enum; answer this one otherwise",
+            )
             return None
         count = scope.components[owner].instances
         found = read_constant(covers, Fraction(count), "state", scope.report)

@@ -15,7 +15,11 @@ NO_SENTINEL = Rule(
     "Give the quantity an initial value, withhold the message with 'send: while_known', answer the field otherwise, "
     "or, where the dialect states the sentinel only in words, add it to the corrections file.",
 )
-NOT_AN_ENUM_FIELD = Rule("not-an-enum-field", "An enum entry or flags are given for a field that has no such enum.")
+NOT_AN_ENUM_FIELD = Rule(
+    "not-an-enum-field",
+    "An enum entry or flags are given for a field that has no such enum.",
+    remedy="answer with what its own enum has, or give it another enum in a corrections file",
+)
 BAD_SOURCE = Rule(
     "bad-source",
     "A source does not fit its field: a boolean, a text field, or one value for several elements without split.",
@@ -41,7 +45,12 @@ def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | Non
     """The enum of the field, of which the table names entries under ``key``."""
     name = covers.field.definition.enum
     if name is None:
-        scope.report.add(NOT_AN_ENUM_FIELD, covers.written.at(key), f"{covers.field.name} has no enum in the dialect")
+        scope.report.add(
+            NOT_AN_ENUM_FIELD,
+            covers.written.at(key),
+            f"{covers.field.name} has no enum in the dialect",
+            hint="answer with a number, or state its enum in a corrections file: enum: NAME",
+        )
         return None
     return scope.enum(name)
 

@@ -18,7 +18,11 @@ from codegen.model.dialect.dialect import Kind, SentinelForm
 from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component
 
-UNKNOWN_FACT = Rule("unknown-fact", "A table names a fact that board.yaml, or the dialect, does not have.")
+UNKNOWN_FACT = Rule(
+    "unknown-fact",
+    "A table names a fact that board.yaml, or the dialect, does not have.",
+    remedy="state it in board.yaml: facts: {component: {name: value}}",
+)
 
 
 @dataclass(frozen=True, slots=True)

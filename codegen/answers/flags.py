@@ -21,7 +21,11 @@ from codegen.model.spec.population import FieldAnswer
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.source import Place
 
-NOT_A_BOOLEAN = Rule("not-a-boolean", "Only a boolean quantity can decide whether a flag is set.")
+NOT_A_BOOLEAN = Rule(
+    "not-a-boolean",
+    "Only a boolean quantity can decide whether a flag is set.",
+    remedy="name a quantity with boolean: true",
+)
 
 
 @dataclass(frozen=True, slots=True)

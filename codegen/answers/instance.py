@@ -47,7 +47,12 @@ class InstanceAnswer(KindOfAnswer):
         last = component.instances - 1 + (first.maximum if first else 0)
         if not field_type.is_integer or covers.count != 1 or field_type.maximum < last:
             message = f"{covers.field.name} cannot carry an instance number"
-            scope.report.add(BAD_SOURCE, place, f"{message} up to {last}" if first else message)
+            scope.report.add(
+                BAD_SOURCE,
+                place,
+                f"{message} up to {last}" if first else message,
+                hint=f"a whole number that goes to {last} carries it; answer this one otherwise",
+            )
             return None
         return cls(covers, component.name, first)
 

@@ -12,6 +12,7 @@ POINTLESS_KEY = Rule(
     "pointless-key",
     "split, min, max and rounding shape a value that is read at run time. Beside a constant, an enum entry, flags or "
     "unknown they would have no effect: remove them, or answer with state or parameter.",
+    remedy="leave it out, or answer with state or parameter",
 )
 
 

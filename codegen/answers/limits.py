@@ -22,12 +22,14 @@ EMPTY_LIMITS = Rule(
     "empty-limits",
     "Nothing is left that a field could carry: the limits of the table, the dialect, the quantity and the wire type "
     "exclude each other, or only the sentinel is left.",
+    remedy="widen min and max until they leave what the field and the quantity both have",
 )
 
 LIMIT_BEYOND_FIELD = Rule(
     "limit-beyond-field",
     "A limit of a table lies beyond what the field, the dialect or the quantity allows, or is the sentinel: it would "
     "have no effect. Correct it or leave it out.",
+    remedy="narrow it to what the field and the quantity have, or leave it out",
 )
 
 BEYOND_FIELD = Rule(

@@ -38,7 +38,9 @@ class PageAnswer(KindOfAnswer):
         last = (pages.count - 1) * pages.size
         if not field.type.is_integer or covers.count != 1 or field.type.maximum < last:
             message = f"{field.name} cannot carry the number {last}, the first of the last page"
-            scope.report.add(BAD_PAGES, place, message)
+            scope.report.add(
+                BAD_PAGES, place, message, hint="take a wider integer field for it, or make the list shorter: elements"
+            )
             return None
         return cls(covers, pages.size)
 

@@ -23,12 +23,22 @@ def find_pages(scope: Scope) -> Pages | None:
         report.add(BAD_PAGES, place, f"{quantity.path} is one value", "pages are made of a quantity with elements")
         return None
     if population.for_each != quantity.component:
-        report.add(BAD_PAGES, place, f"the message is not sent for each {quantity.component}")
+        report.add(
+            BAD_PAGES,
+            place,
+            f"the message is not sent for each {quantity.component}",
+            hint=f"for_each: {quantity.component}",
+        )
         return None
     takers = [covers for covers in scope.elements if covers.written.each == quantity.path]
     if len(takers) != 1:
         fields = "no field takes" if not takers else "several fields take"
-        report.add(BAD_PAGES, place, f"{fields} the values of {quantity.path}")
+        report.add(
+            BAD_PAGES,
+            place,
+            f"{fields} the values of {quantity.path}",
+            hint=f"answer one field with {{each: {quantity.path}}}",
+        )
         return None
     if not any(covers.written.page for covers in scope.elements):
         hint = "a field with {page: true} says which page it is"

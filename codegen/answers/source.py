@@ -116,7 +116,7 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
         (source.spec.at("unit"), f"{source.path} gets its unit here"),
         (covers.field.definition.place, f"{covers.field.name} is declared here"),
     ]
-    why, hint = obstacle(kept, unit), None
+    why, hint = obstacle(kept, unit), f"answer with a quantity that is {unit.a_kind}, or with unknown"
     if why is not None:
         message, hint = f"{source.path} cannot go into {covers.field.name}: {why}", f"keep it in {unit.name}"
     else:

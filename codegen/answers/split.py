@@ -36,6 +36,7 @@ BAD_SPLIT = Rule(
     "bad-split",
     "Only a quantity can be split, over at least two elements of an integer array whose sentinel is the largest "
     "number of its type.",
+    remedy="leave split out, or answer an integer array of which the sentinel is the largest number",
 )
 
 

@@ -18,6 +18,7 @@ RULE = Rule(
     "claim-arithmetic",
     "A worked example states another result than its own numbers have. Results may be rounded or cut at any digit, and "
     "'≈' or '~' allows for five percent. Correct the result, or the number that it was computed with.",
+    remedy="write the result that its numbers have, or correct the number that it was computed with",
 )
 
 _RESULT = pattern(

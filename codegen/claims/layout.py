@@ -12,11 +12,13 @@ FIELD = Rule(
     "claim-field",
     "The XML of a document quotes a field of the dialect with another type, array length, unit, enum or sentinel than "
     "the dialect has. Whoever decodes by the document decodes wrongly. Correct the quotation.",
+    remedy="quote the field as the dialect has it, or correct the dialect in a corrections file",
 )
 TWICE = Rule(
     "claim-defined-twice",
     "A document defines a message twice with different types of the same fields. Such messages have different "
     "CRC_EXTRA, and receivers of one drop the other. Say which one holds, or give the other another name.",
+    remedy="say which of the definitions holds, or give one of them another name",
 )
 COUNT = Rule(
     "claim-count",
@@ -24,6 +26,7 @@ COUNT = Rule(
     "length of the array. Correct the other. "
     "It is likely, not certain: the text may be about something else than the array.",
     Severity.WARNING,
+    remedy="write the length of the array, or waive it if other things are counted",
 )
 
 _COUNTED = pattern(r"\b(?:more than|up to|at most|every|of|for) (\d{1,3}) ([a-z]{3,20})\b")

@@ -19,6 +19,7 @@ RULE = Rule(
     "elements of an array carry together, as its description says. Correct it: decisions have been made for less. "
     "It is likely, not certain: the sentence may be about another limit than that of the type.",
     Severity.WARNING,
+    remedy="write the limit of the field's type, or waive it if another limit is meant",
 )
 
 _AMOUNT = r"(?P<number>\d{1,12}(?:\.\d{1,6})?)[ \u00a0]?(?P<unit>[A-Za-z%][A-Za-z/]{0,5})\b"

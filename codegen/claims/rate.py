@@ -19,6 +19,7 @@ RULE = Rule(
     "A document gives a message that is sent at a rate more or fewer bytes per second than its frames can have, or its "
     "bytes multiplied with its rate are another number. Correct it: a frame of MAVLink 2 is the payload, without the "
     "zeros at its end, and 12 bytes.",
+    remedy="compute it anew: the rate times the payload and 12 bytes of MAVLink 2",
 )
 
 _PER_SECOND = pattern(

@@ -15,6 +15,7 @@ RULE = Rule(
     "say, and MAVLink 2 cuts the zeros at the end of a payload. Only a last field that cannot be zero prevents it. "
     "It is likely, not certain: what is sent may never be zero there.",
     Severity.WARNING,
+    remedy="say that MAVLink 2 cuts the zeros at its end, or waive it if the field is never 0",
 )
 
 _NOT_CUT = pattern(

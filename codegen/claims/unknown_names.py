@@ -38,6 +38,7 @@ NO_MESSAGE = Rule(
     "dialect that has it under known in codegen.yaml. "
     "It is likely, not certain: another dialect may have it.",
     Severity.WARNING,
+    remedy="write the name as the dialect has it, or list under known the dialect that has this one",
 )
 NO_ENTRY = Rule(
     "claim-no-entry",

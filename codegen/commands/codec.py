@@ -22,16 +22,23 @@ CODEC_DIALECT = Rule(
     "A codec is made of a dialect that pymavlink ships (common, ardupilotmega, ...) or of an XML file, whose path ends "
     "in .xml.",
     unreadable=True,
+    remedy="name a dialect of pymavlink, such as common, or a path that ends in .xml",
 )
 CODEC_MESSAGE = Rule(
     "codec-message",
     "A codec is asked for a message that the dialect does not have. Names are those of the dialect, in any case.",
+    remedy="write the name of the message as the XML of the dialect has it",
 )
 CODEC_ENUM = Rule(
     "codec-enum",
     "A codec is asked for an enum that the dialect does not have. Names are those of the dialect, in any case.",
+    remedy="write the name of the enum as the XML of the dialect has it",
 )
-CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing to do: the dialect states none.")
+CODEC_EMPTY = Rule(
+    "codec-empty",
+    "A codec without a message would have nothing to do: the dialect states none.",
+    remedy="name a dialect that has messages, or includes some",
+)
 
 
 def read_codec_dialect(written: str, report: Report) -> Dialect | None:

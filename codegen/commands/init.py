@@ -28,6 +28,7 @@ INIT_UNKNOWN = Rule(
     "codegen init was given a board that codegen does not describe, or a dialect that pymavlink does not ship and that "
     "is no XML file.",
     unreadable=True,
+    remedy="write the path of an XML file, if the dialect is one of your own",
 )
 
 _COMMON = {"gitattributes": ".gitattributes", "gitignore": ".gitignore", "codegen.yml": ".github/workflows/codegen.yml"}

@@ -29,7 +29,12 @@ def with_results(
             continue
         decoded = decode_junit(path, DISK, report)
         if decoded is not None and unrelated(decoded, trace):
-            report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
+            report.add(
+                UNRELATED_RESULTS,
+                Place(path),
+                "none of its results is about this project",
+                hint="give what pytest --junit-xml=FILE wrote in this project",
+            )
         by_file[path] = decoded or ()
     measured: Sequence[TestResult] = ()
     if records:

@@ -12,6 +12,7 @@ JUNIT_FORMAT = Rule(
     "A file of results has no <testsuites> or <testsuite> at its root. Give the file that pytest --junit-xml=FILE, or "
     "another tool that knows JUnit's format, has written.",
     unreadable=True,
+    remedy="give the file that pytest --junit-xml=FILE has written",
 )
 
 MAX_BYTES = 200_000_000

@@ -13,6 +13,7 @@ UNKNOWN_OVERLAY = Rule(
     "unknown-overlay",
     "A population table, a quantity or a correction is for an overlay that does not exist, so it would never be used. "
     "The path is written as in codegen.yaml, relative to that file.",
+    remedy="write the path as under overlays in codegen.yaml",
 )
 
 

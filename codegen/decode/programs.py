@@ -23,8 +23,10 @@ BAD_PROGRAM_LIST = Rule(
     "bad-program-list",
     "A program that codegen.yaml lists cannot be built beside it: its name becomes a folder of the output, its project "
     "file lies in a folder of its own, and its base is the folder of the project that lists it.",
+    remedy="list programs like programs: {tail: tail/codegen.yaml}",
 )
 
+_OTHER_NAME = "choose another name"
 _DEVICES = "con|prn|aux|nul|com[0-9]|lpt[0-9]"
 OUTPUT_FOLDERS = (*SHARED_PARTS, "docs", "schemas", "receiver", COMMON)
 """The folders of the output that a program cannot be called like."""
@@ -77,8 +79,8 @@ def list_programs(project_file: str, files: Files, report: Report) -> tuple[List
         place = base.at(f"programs.{name}")
         path = os.path.normpath(os.path.join(os.path.dirname(base.place.file), written))
         problems = [*_problems(name, path, base, folders)]
-        for message in problems:
-            report.add(BAD_PROGRAM_LIST, place, message)
+        for message, hint in problems:
+            report.add(BAD_PROGRAM_LIST, place, message, hint)
         folders.setdefault(os.path.dirname(path), name)
         if problems or files.read_bytes(path, report, place) is None:
             continue
@@ -88,18 +90,27 @@ def list_programs(project_file: str, files: Files, report: Report) -> tuple[List
     return tuple(programs)
 
 
-def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> Iterator[str]:
+def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> Iterator[tuple[str, str]]:
     if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name):
-        yield f"{name} is no name for a program: lower-case letters, digits and underscores"
+        yield (
+            f"{name} is no name for a program: lower-case letters, digits and underscores",
+            "write it like 'tail_board'",
+        )
     if re.fullmatch(_DEVICES, name):
-        yield f"{name} is no name for a program: Windows keeps it for a device, and could not check out its folder"
+        yield (
+            f"{name} is no name for a program: Windows keeps it for a device, and could not check out its folder",
+            _OTHER_NAME,
+        )
     if name in OUTPUT_FOLDERS:
-        yield f"the output has a folder {name} already"
+        yield f"the output has a folder {name} already", _OTHER_NAME
     folder, above = os.path.dirname(path), os.path.dirname(base.place.file)
     if folder in (above, *(os.path.join(above, taken) for taken in SPECIFICATION_FOLDERS)):
-        yield f"{shown_path(path)} does not lie in a folder of its own"
+        yield f"{shown_path(path)} does not lie in a folder of its own", f"move it: {name}: {name}/codegen.yaml"
     if folder in folders:
-        yield f"{shown_path(path)} lies in the folder of the program {folders[folder]}"
+        yield (
+            f"{shown_path(path)} lies in the folder of the program {folders[folder]}",
+            f"move it: {name}: {name}/codegen.yaml",
+        )
 
 
 def _is_base(own: ProgramProject, base: Project, files: Files, report: Report) -> bool:

@@ -32,13 +32,19 @@ HINTED = 100
 UNKNOWN_KEY = Rule(
     "unknown-key",
     "The record has no such key, so what is written there would have no effect. Correct the spelling or remove it.",
+    remedy="remove it, or correct its name",
 )
-MISSING_KEY = Rule("missing-key", "A key that the record cannot do without is not written.")
+MISSING_KEY = Rule(
+    "missing-key",
+    "A key that the record cannot do without is not written.",
+    remedy="write the key, with a value as the schema of the file describes it",
+)
 EMPTY_MAPPING = Rule("empty-mapping", "A mapping that has to name at least one thing is empty.")
 ONE_OF_KEYS = Rule(
     "one-of-keys",
     "Of some keys exactly one is written: a field, for instance, has one source. The message lists those that are "
     "given; keep the right one.",
+    remedy="keep one of them, and remove the others",
 )
 
 Record = TypeVar("Record", bound=Written)
@@ -131,7 +137,12 @@ class _RecordDecoder(Generic[Record]):
             values = forms[node.value]
             return self._cls(place=self._place, places=dict.fromkeys(values, node.place), **values)
         if isinstance(node, ScalarNode) and node.value is None:
-            self._report.add(MISSING_VALUE, node.place, "a mapping is wanted here, and nothing is written")
+            self._report.add(
+                MISSING_VALUE,
+                node.place,
+                "a mapping is wanted here, and nothing is written",
+                hint=f"write {{key: value}}; the keys are {', '.join(self._keys)}",
+            )
             return None
         words = "".join(f" or {word}" for word in forms)
         near = get_close_matches(node.text, forms, n=1) if isinstance(node, ScalarNode) else []
@@ -214,12 +225,19 @@ class _RecordDecoder(Generic[Record]):
             self._wrong_collection(node, shape, path)
             return None
         if not node.entries and not shape.may_be_empty:
-            self._report.add(EMPTY_MAPPING, node.place, f"{path} is empty")
+            self._report.add(
+                EMPTY_MAPPING,
+                node.place,
+                f"{path} is empty",
+                hint="write at least one entry below it, or remove it where it may be left out",
+            )
             return None
         entries: dict[str, Any] = {}
         for name, value_node in node.entries:
             if name.value is None or not name.text:
-                self._report.add(WRONG_TYPE, name.place, f"an entry of {path} has no name")
+                self._report.add(
+                    WRONG_TYPE, name.place, f"an entry of {path} has no name", hint="write a name in front of the colon"
+                )
                 continue
             self._places[f"{path}.{name.text}"] = value_node.place
             if isinstance(shape.value, RecordOf):

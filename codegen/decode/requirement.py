@@ -24,6 +24,7 @@ REQUIREMENT_TITLE = Rule(
     "requirement-title",
     "A requirement document begins with one heading of the form '# ID | Title', where the ID is capital letters, a "
     "hyphen, and digits or small letters, such as FR-00068. Without it nothing can refer to the document.",
+    remedy="begin the document with '# FR-00068 | Title': an ID of its own and its title",
 )
 REQUIREMENT_STATUS = Rule(
     "requirement-status",
@@ -32,6 +33,7 @@ REQUIREMENT_STATUS = Rule(
 REQUIREMENT_METADATA = Rule(
     "requirement-metadata",
     "An entry of the section Metadata is written twice, or an alias is no document id.",
+    remedy="keep one of the two lines",
 )
 REQUIREMENT_WITHOUT_CRITERIA = Rule(
     "requirement-without-criteria",
@@ -42,10 +44,12 @@ CRITERION_NUMBER = Rule(
     "criterion-number",
     "Acceptance criteria are numbered 1, 2, 3 and so on, because tables and tests cite them by number. The message "
     "says which number is expected at the place.",
+    remedy="number the criteria 1, 2, 3 and so on, and the tables that cite them alike",
 )
 REQUIREMENT_DUPLICATE = Rule(
     "requirement-duplicate",
     "Two documents have the same id or alias, so that a reference to it is ambiguous. Renumber one of them.",
+    remedy="give one of the documents another ID, or take the alias out",
 )
 METADATA_SPELLING = Rule(
     "metadata-spelling",
@@ -123,7 +127,13 @@ def _heading(document: Document, report: Report) -> Section | None:
         return None
     for further in headings[1:]:
         related = [(headings[0].place, "the first one")]
-        report.add(REQUIREMENT_TITLE, further.place, "a second heading of level 1; use ##", related=related)
+        report.add(
+            REQUIREMENT_TITLE,
+            further.place,
+            "a second heading of level 1; use ##",
+            related=related,
+            hint="write ## in front of it: a document has one ID",
+        )
     if not _TITLE.fullmatch(headings[0].title):
         message = f"the heading {headings[0].title!r} is not of the form 'ID | Title'"
         report.add(REQUIREMENT_TITLE, headings[0].place, message, "for instance: # FR-1 | Position")

@@ -29,16 +29,23 @@ WRONG_TYPE = Rule(
     "wrong-type",
     "A key has a value of another kind than it wants, such as text in place of a number. Numbers are written without "
     "quotes; text that looks like a number or a boolean needs them.",
+    remedy="write 12 for a number, 'text', true or false, [a, list], or {a: mapping}",
 )
 MISSING_VALUE = Rule(
     "missing-value",
     "A key is written without a value. Give it one, or remove the key if it may be left out.",
+    remedy="write its value behind the colon, or remove the key",
 )
-UNKNOWN_CHOICE = Rule("unknown-choice", "The value is not among the words that the key takes.")
+UNKNOWN_CHOICE = Rule(
+    "unknown-choice",
+    "The value is not among the words that the key takes.",
+    remedy="write one of these words",
+)
 UNUSABLE_NUMBER = Rule(
     "unusable-number",
     "Numbers are kept exactly, so they are finite and have at most 400 digits. A value that is not known is left out, "
     "or answered with unknown.",
+    remedy="write a finite number of at most 400 digits, or leave out what is not known",
 )
 
 
@@ -80,6 +87,18 @@ def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
 _PLAIN = {Number: "a number", Whole: "a whole number", Null: "null"}
 
 
+_EXAMPLES = {
+    Text: "write a text, in quotes where it looks like a number or like true",
+    YesNo: "write true or false, without quotes",
+    Number: "write a number alone, such as 12 or 0.5",
+    Whole: "write a whole number, such as 12",
+    ListOf: "write [one, other], or an item in each line behind '- '",
+    MappingOf: "write {name: value}, or name: value in each line below, indented",
+    RecordOf: "write {key: value}, or key: value in each line below, indented",
+}
+"""The written form of a value, by the kind of its shape."""
+
+
 def _nothing(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
     """Return what a key is that is written as ``null``, or without a value, or as something where it wants ``null``."""
     if node.value is not None:
@@ -95,7 +114,7 @@ def _may_be_null(shape: ScalarShape) -> bool:
 
 def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
     """Return the mismatch of a node of another type than ``shape`` wants."""
-    return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
+    return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint or _EXAMPLES.get(type(shape)))
 
 
 def wanted(shape: Shape) -> str:

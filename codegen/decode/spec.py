@@ -58,19 +58,20 @@ INCOMPLETE_PROJECT = Rule(
 DUPLICATE_TABLE = Rule(
     "duplicate-table",
     "Two tables of messages have the same name, so it is ambiguous what is sent, or taken: they are for the same "
-    "message, or say "
-    "the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
+    "message, or say the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
 )
 NO_TABLE = Rule(
     "no-table",
     "A program lists a message that has no population table, neither in its own folder messages nor in that of its "
     "base. Write the table, or correct the name.",
+    remedy="write a table for it in messages, or take it out of the list",
 )
 UNREAD_FILE = Rule(
     "unread-file",
     "A YAML file lies where the files of the specification lie, but nothing reads it: its name is misspelt, or "
     "codegen.yaml does not name it.",
     Severity.WARNING,
+    remedy="rename it to what it is meant to be, name it in codegen.yaml, or remove it",
 )
 
 FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")

@@ -25,12 +25,14 @@ PORT_REFUSED = Rule(
     "The serial port cannot be opened: it does not exist, another program has it (an editor, a terminal, another "
     "mpremote), or this user may not use it (on Linux: the group dialout).",
     unreadable=True,
+    remedy="close what else uses the port; on Linux, join the group dialout",
 )
 BOARD_SILENT = Rule(
     "board-silent",
     "The port is open, and no MicroPython answers at it. Press the button for reset; look that MicroPython is on the "
     "board. A program with a link over USB takes the place of the prompt: docs/deploy.md says how to get it back.",
     unreadable=True,
+    remedy="press reset, and look that MicroPython is on it; docs/deploy.md knows of links over USB",
 )
 BOARD_LOST = Rule(
     "board-lost",
@@ -41,6 +43,7 @@ BOARD_LOST = Rule(
 BOARD_REFUSED = Rule(
     "board-refused",
     "The board answered with an error of its own: mostly a file system that is damaged or may not be written to.",
+    remedy="reset the board and run it again; if that does not help, flash MicroPython anew",
 )
 BOARD_TOO_OLD = Rule(
     "board-too-old",
@@ -51,6 +54,7 @@ BOARD_FULL = Rule(
     "board-full",
     "The files do not fit into the board's file system. Files that no deploy put there are never removed by one: "
     "mpremote ls, and mpremote rm for what is not needed.",
+    remedy="see with mpremote ls what is on it, and remove with mpremote rm what is not needed",
 )
 OTHER_ARCHITECTURE = Rule(
     "other-architecture",
@@ -81,6 +85,7 @@ BAD_WIFI = Rule(
     "bad-wifi-file",
     'What --wifi names is JSON with at least {"ssid": "...", "password": "..."}.',
     unreadable=True,
+    remedy='write {"ssid": "...", "password": "..."} into it',
 )
 PROGRAM_ENDED = Rule(
     "program-ended",

@@ -72,7 +72,12 @@ def prepare(
     digests = digests_of(content)
     found = found_files(connection, digests, owned)
     for named, module in missing_modules(system, content, found):
-        report.add(NO_MODULE, named, f"there is no {module}.py in the folder of the project, nor on the board")
+        report.add(
+            NO_MODULE,
+            named,
+            f"there is no {module}.py in the folder of the project, nor on the board",
+            hint=f"put {module}.py there, or mpremote cp {module}.py :",
+        )
     todo = plan(digests, found, owned)
     for folder in todo.hidden:
         hint = f"mpremote rm -r :{folder.removesuffix('/')}"

@@ -69,7 +69,11 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
     fitting = [each for each in written if each.is_named and _fits(each, kept, around)]
     if len(fitting) > 1:
         first, second, *_ = (each.KEY for each in fitting)
-        around.bad(second, f"the value of {around.name} has one source, not both {first} and {second}")
+        around.bad(
+            second,
+            f"the value of {around.name} has one source, not both {first} and {second}",
+            hint=f"leave out one of {first} and {second}",
+        )
         return None
     resolved = [KINDS[type(each)](each, kept, around) for each in written if each in fitting or not each.is_named]
     return resolved[0] if len(resolved) == 1 else None
@@ -82,9 +86,17 @@ def _fits(written: DerivationSpec, kept: Kept, around: Surroundings) -> bool:
         return True  # it says itself what it cannot give
     if not written.GIVES_BOOLEAN:
         if kind is not QuantityKind.NUMBER:
-            around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")
+            around.bad(
+                key,
+                f"{name} is a {kind.value} quantity and cannot have {key}",
+                hint=f"leave {key} out, or make it a number: without {kind.value}",
+            )
         return kind is QuantityKind.NUMBER
     fits = kind is QuantityKind.BOOLEAN and around.spec.initial is None
     if not fits:
-        around.bad(key, f"{name} follows {getattr(written, key)}: it is a boolean without initial")
+        around.bad(
+            key,
+            f"{name} follows {getattr(written, key)}: it is a boolean without initial",
+            hint="write boolean: true, and leave initial out",
+        )
     return fits

@@ -29,6 +29,7 @@ BAD_RETURN = Rule(
     "One quantity of a component counts returns: a number without a unit and with an initial value. It names a boolean "
     "that follows a limit of what an ADC measures in the same component. What restarts with the count is a sum or "
     "what can be unknown or has an initial value, but not what is followed, nor what others decide at each moment.",
+    remedy="write counts_returns_of: and the name of a boolean that follows a limit of what an ADC measures",
 )
 
 _BEGINNING = (MeasuredSpec, EstimateSpec, IntegralSpec, LeftSpec, LastsSpec)
@@ -78,7 +79,7 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
     if first != name:
         related = [(others[first].at("counts_returns_of"), f"{first} counts them, too")]
         message = "a component has one quantity that counts returns"
-        around.bad("counts_returns_of", message, BAD_RETURN, related=related)
+        around.bad("counts_returns_of", message, BAD_RETURN, related=related, hint=f"leave it out here, or at {first}")
     if gone not in others:
         around.no_quantity("counts_returns_of", gone, BAD_RETURN)
     elif not _follows_a_reading(gone, around):
@@ -87,7 +88,7 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
         around.bad("counts_returns_of", message, BAD_RETURN, hint)
     if kept.unit is not NUMBER:
         message = f"{name} is no pure number that only code sets, so it cannot count"
-        around.bad("counts_returns_of", message, BAD_RETURN)
+        around.bad("counts_returns_of", message, BAD_RETURN, "count in a number without unit that has initial: 0")
     elif kept.initial is None:
         message = f"{name} starts unknown, and nothing can be added to that"
         around.bad("counts_returns_of", message, BAD_RETURN, "initial: 0")
@@ -105,7 +106,7 @@ def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, .
         return ()
     if follows.below is None or not isinstance(follows.below, Fraction) or written.back_from <= follows.below:
         message = f"{written.counts_returns_of} is not below a smaller number, so nothing lies between both"
-        around.bad("back_from", message, BAD_RETURN)
+        around.bad("back_from", message, BAD_RETURN, "make it more than the number at below, or leave it out")
         return ()
     steps, per = steps_of(followed), around.others[written.counts_returns_of].per
     counts = (1,) * len(around.parts) if per is None else around.counted(per, "back_from", BAD_RETURN)
@@ -147,11 +148,21 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         message = (
             f"{name} is not what code sets, a reading, an estimate, a sum, what is left of one, or how long that lasts"
         )
-        around.bad("restarts_with", message, BAD_RETURN)
+        around.bad("restarts_with", message, BAD_RETURN, "leave it out here")
     elif spec.written(MeasuredSpec) is not None and _is_followed(around):
-        around.bad("restarts_with", f"{name} tells whether it came back, so it cannot begin anew then", BAD_RETURN)
+        around.bad(
+            "restarts_with",
+            f"{name} tells whether it came back, so it cannot begin anew then",
+            BAD_RETURN,
+            "leave it out here",
+        )
     elif spec.written(IntegralSpec) is not None and not kept.minimum <= 0 <= kept.maximum:
-        around.bad("restarts_with", f"{name} cannot be 0, from which it would start again", BAD_RETURN)
+        around.bad(
+            "restarts_with",
+            f"{name} cannot be 0, from which it would start again",
+            BAD_RETURN,
+            "let min and max include 0",
+        )
 
 
 def _is_followed(around: Surroundings) -> bool:

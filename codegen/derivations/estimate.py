@@ -22,6 +22,7 @@ BAD_ESTIMATE = Rule(
     "A quantity is estimated from a measured one of the same component, by a curve of board.yaml: two points or more, "
     "each an amount of the measured quantity and a number in the unit of the estimate, which rise or fall throughout "
     "and keep to its limits. Where a fact chooses the points, there are points for the fact of every instance.",
+    remedy="write estimate_from: and the name of what an ADC measures in this component",
 )
 
 
@@ -153,15 +154,27 @@ class _Points:
             measure = read_measure(amount)
             factor = ratio(measure.unit, self.stored) if measure else None
             if measure is None or factor is None:
-                self._bad(f".{amount}", f"{amount!r} is no amount of {self.measured}, which is in {self.stored.name}")
+                self._bad(
+                    f".{amount}",
+                    f"{amount!r} is no amount of {self.measured}, which is in {self.stored.name}",
+                    f"write it like 4.2 {self.stored.name}: 100",
+                )
                 return None
             steps = value * self.kept.steps
             if steps.denominator != 1:
-                self._bad(f".{amount}", f"{decimal(value)} is not a whole number of {self.kept.stored.name or 'steps'}")
+                self._bad(
+                    f".{amount}",
+                    f"{decimal(value)} is not a whole number of {self.kept.stored.name or 'steps'}",
+                    "round it, or give the estimate a finer unit: stored",
+                )
                 return None
             if not self.kept.minimum <= steps <= self.kept.maximum:
                 low, high = (decimal(Fraction(end) / self.kept.steps) for end in (self.kept.minimum, self.kept.maximum))
-                self._bad(f".{amount}", f"{decimal(value)} is not within {low} to {high}")
+                self._bad(
+                    f".{amount}",
+                    f"{decimal(value)} is not within {low} to {high}",
+                    "correct it, or widen min and max of the estimate",
+                )
                 return None
             points.append((round(measure.value * factor * (count or 1)), int(steps)))
         points.sort()
@@ -170,9 +183,13 @@ class _Points:
             first > second for first, second in pairwise(values)
         )
         if len(points) < 2 or not is_steady:
-            self._bad("", "a curve has two points or more, whose values rise or fall throughout")
+            self._bad(
+                "",
+                "a curve has two points or more, whose values rise or fall throughout",
+                "leave out the points that turn back, or add some",
+            )
             return None
         return tuple(points)
 
-    def _bad(self, below: str, message: str) -> None:
-        self.around.report.add(BAD_ESTIMATE, self.curve.at(self.key + below), message)
+    def _bad(self, below: str, message: str, hint: str) -> None:
+        self.around.report.add(BAD_ESTIMATE, self.curve.at(self.key + below), message, hint)

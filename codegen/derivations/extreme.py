@@ -18,6 +18,7 @@ BAD_EXTREME = Rule(
     "bad-extreme",
     "lowest_of and highest_of name a list of the same component whose values a fact counts and readings forget: "
     "elements names a fact, and stale_after stands there. What comes of it is kept in the unit of the list.",
+    remedy="name a list of this component that a fact counts, with stale_after",
 )
 
 
@@ -66,6 +67,11 @@ def resolve_extreme(written: LowestSpec | HighestSpec, kept: Kept, around: Surro
         return None
     unit = Unit.parse(listed.stored or listed.unit or "")
     if unit is None or ratio(unit, kept.stored) != 1:
-        around.bad(key, f"{name} is kept in {listed.stored or listed.unit}, not {kept.stored.name}", BAD_EXTREME)
+        around.bad(
+            key,
+            f"{name} is kept in {listed.stored or listed.unit}, not {kept.stored.name}",
+            BAD_EXTREME,
+            hint=f"stored: {listed.stored or listed.unit}",
+        )
         return None
     return Extreme(name, isinstance(written, LowestSpec))

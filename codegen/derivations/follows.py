@@ -25,6 +25,7 @@ BAD_FOLLOWING = Rule(
     "or a fact that is an amount; or both, at_least the smaller one. With per the limit, or warn_above, is multiplied "
     "with a fact that counts something. "
     "board.yaml states facts for every instance.",
+    remedy="write follows: and the name of a number of this component, with at_least or below",
 )
 
 
@@ -134,7 +135,12 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
     }
     if written.follows is None:
         for key in limits:
-            around.bad(key, f"{key} says nothing without follows", BAD_FOLLOWING)
+            around.bad(
+                key,
+                f"{key} says nothing without follows",
+                BAD_FOLLOWING,
+                hint=f"name the number that has the limit: follows: NAME, or leave out {key}",
+            )
         return None
     followed = _followed(written.follows, around)
     if followed is None:
@@ -149,7 +155,7 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
     floors = found["at_least"] if len(found) == 2 else ()
     if any(low >= high for low, high in zip(floors, found.get("below", ()), strict=False)):
         message = f"nothing is at least this and below the other limit of {written.follows}"
-        around.bad("at_least", message, BAD_FOLLOWING)
+        around.bad("at_least", message, BAD_FOLLOWING, hint="make at_least the smaller one, or leave out one of both")
     is_below = "below" in found
     return Follows(written.follows, found["below" if is_below else "at_least"], is_below, written, floors)
 
@@ -161,7 +167,12 @@ def _followed(name: str, around: Surroundings) -> QuantitySpec | None:
         around.no_quantity("follows", name, BAD_FOLLOWING)
         return None
     if followed.boolean or followed.text is not None or followed.enum is not None or followed.elements is not None:
-        around.bad("follows", f"{name} is not a single number", BAD_FOLLOWING)
+        around.bad(
+            "follows",
+            f"{name} is not a single number",
+            BAD_FOLLOWING,
+            hint="follow a quantity that is one number, without boolean, enum, text and elements",
+        )
         return None
     return followed
 
@@ -182,7 +193,7 @@ def _in_steps(
         scaled = [value * steps * count for value, count in zip(values or (), counts, strict=False)]
         if any(each.denominator != 1 or abs(each) > SMALL_INT_MAX for each in scaled):
             message = f"{key} is not a whole number of the units that its quantity is kept in, or too large"
-            around.bad(key, message, BAD_FOLLOWING)
+            around.bad(key, message, BAD_FOLLOWING, hint="round it, or keep what is followed more finely: stored")
         found[key] = tuple(int(each) for each in scaled)
     return None if around.failed else found
 

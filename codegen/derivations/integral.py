@@ -22,6 +22,7 @@ BAD_INTEGRAL = Rule(
     "with another quantity that is measured there in the same way: one step of it is a whole number of steps and "
     "milliseconds, of a product a whole number of millions. What is summed has a stale_after, since a longer pause is "
     "a gap, and both together fit 30 bits.",
+    remedy="write integral_of: and the name of what is measured in this component",
 )
 
 
@@ -66,7 +67,12 @@ class Integral(Derivation):
 def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) -> Integral | None:
     """Return what is summed; None after a finding."""
     if written.integral_of is None:
-        around.bad("times", "times says nothing without integral_of", BAD_INTEGRAL)
+        around.bad(
+            "times",
+            "times says nothing without integral_of",
+            BAD_INTEGRAL,
+            hint="name what is summed: integral_of: NAME, or leave times out",
+        )
         return None
     product, names = Unit.parse("ms"), [written.integral_of, *([written.times] if written.times else [])]
     for key, name in zip(("integral_of", "times"), names, strict=False):
@@ -84,7 +90,12 @@ def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) ->
     ways = None if product is None else ratio(kept.stored, product)
     parts = whole(ways)
     if product is None or ways is None:
-        around.bad("integral_of", f"{' * '.join(names)} over time makes no {kept.stored.kind}", BAD_INTEGRAL)
+        around.bad(
+            "integral_of",
+            f"{' * '.join(names)} over time makes no {kept.stored.kind}",
+            BAD_INTEGRAL,
+            hint="give the sum a unit that fits, such as mAh for A, and J for W",
+        )
         return None
     most = 2**29 if written.times is None else RADIX * RADIX * 2**20
     if parts is None or parts >= most or (written.times is not None and parts % (RADIX * RADIX)):
@@ -101,7 +112,12 @@ def measured_unit(key: str, name: str, around: Surroundings) -> Unit | None:
         around.no_quantity(key, name, BAD_INTEGRAL)
         return None
     if followed.written(MeasuredSpec) is None and not is_sensed(name, around):
-        around.bad(key, f"{name} is not measured, by an ADC or another sensor", BAD_INTEGRAL)
+        around.bad(
+            key,
+            f"{name} is not measured, by an ADC or another sensor",
+            BAD_INTEGRAL,
+            hint=f"write adc and multiplier, or source, at {name}",
+        )
         return None
     return Unit.parse(kept_unit(name, around))
 

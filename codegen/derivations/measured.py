@@ -28,12 +28,17 @@ if TYPE_CHECKING:
 VOLT = unit_named("V")
 """The unit that an ADC measures in."""
 
-UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
+UNKNOWN_ADC = Rule(
+    "unknown-adc",
+    "A quantity names an ADC channel that board.yaml does not have.",
+    remedy="write it in board.yaml: adc: {name: {pin: PARAMETER}}",
+)
 
 BAD_PREFERENCE = Rule(
     "bad-preference",
     "What a measured quantity prefers is a list of the same component that code sets, in the same unit "
     "and stored alike.",
+    remedy="write prefers: and the name of a list of this component that code sets",
 )
 
 ADC_FAULTS = {
@@ -182,23 +187,43 @@ def _represented(written: MeasuredSpec, around: Surroundings) -> Represented | N
     """Return where code sets the quantity in place of the ADC; None where that is nowhere, or after a finding."""
     if not written.set_at:
         if written.set_stale_after is not None:
-            around.bad("set_stale_after", f"{around.name} is set by code nowhere, so set_stale_after says nothing")
+            around.bad(
+                "set_stale_after",
+                f"{around.name} is set by code nowhere, so set_stale_after says nothing",
+                hint="leave it out, or say when code sets it: set_at: {PARAMETER: 4}",
+            )
         return None
     (name, value), *more = written.set_at.items()
     if more:
-        around.bad("set_at", f"set_at of {around.name} has one parameter, not {len(written.set_at)}")
+        around.bad(
+            "set_at",
+            f"set_at of {around.name} has one parameter, not {len(written.set_at)}",
+            hint=f"keep one of them: {{{name}: {decimal(value)}}}",
+        )
     inputs = [name for name, other in around.others.items() if (read := other.written(MeasuredSpec)) and read.adc]
     if inputs[0] != around.name:
-        around.bad("set_at", f"the converter reads {inputs[0]} before {around.name}: only the first one has set_at")
+        around.bad(
+            "set_at",
+            f"the converter reads {inputs[0]} before {around.name}: only the first one has set_at",
+            hint=f"write set_at at {inputs[0]}",
+        )
     if written.set_stale_after is None:
-        around.bad("set_at", f"{around.name} needs set_stale_after, for what code no longer sets is not true for ever")
+        around.bad(
+            "set_at",
+            f"{around.name} needs set_stale_after, for what code no longer sets is not true for ever",
+            hint="set_stale_after: 2 s",
+        )
     stale_ms = around.time_ms("set_stale_after", written.set_stale_after)
     parameter = around.parameter("set_at", name)
     if parameter is None or stale_ms is None or around.failed:
         return None
     steps = value / parameter.step
     if steps == 0 or steps not in (parameter.choices or range(parameter.minimum, parameter.maximum + 1)):
-        around.bad("set_at", f"{name} is never {decimal(value)}, so code never sets {around.name}")
+        around.bad(
+            "set_at",
+            f"{name} is never {decimal(value)}, so code never sets {around.name}",
+            hint=f"write a value that {name} can have, other than 0",
+        )
         return None
     if not parameter.spec.reboot:
         around.bad("set_at", f"{name} is looked at when the board starts", hint=f"{name}: reboot: true")
@@ -214,12 +239,27 @@ def _can_prefer(written: MeasuredSpec, around: Surroundings) -> bool:
     if other is None:
         around.no_quantity("prefers", name, BAD_PREFERENCE)
     elif other.elements is None or other.enum is not None:
-        around.bad("prefers", f"{name} is no list of numbers", BAD_PREFERENCE)
+        around.bad(
+            "prefers",
+            f"{name} is no list of numbers",
+            BAD_PREFERENCE,
+            hint=f"write elements at {name}, or name a list of the component",
+        )
     elif (other.unit, other.stored) != (around.spec.unit, around.spec.stored):
         message = f"{name} is not stored in {around.spec.stored or around.spec.unit}, as {around.name} is"
-        around.bad("prefers", message, BAD_PREFERENCE)
+        around.bad(
+            "prefers",
+            message,
+            BAD_PREFERENCE,
+            hint=f"give both the same unit and stored, such as {around.spec.stored or around.spec.unit}",
+        )
     elif other.derivations:
-        around.bad("prefers", f"{name} is not set by code", BAD_PREFERENCE)
+        around.bad(
+            "prefers",
+            f"{name} is not set by code",
+            BAD_PREFERENCE,
+            hint=f"name a list that code sets, or leave out what {name} comes from",
+        )
     return not around.failed
 
 
@@ -250,14 +290,24 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
     away = Fraction(0) if offset is None else ratio(offset.unit, VOLT)
     if away is None:
         assert offset is not None
-        around.bad("offset", f"{offset.name} is {offset.unit.a_kind}, but {VOLT.a_kind} is needed", UNIT_MISMATCH)
+        around.bad(
+            "offset",
+            f"{offset.name} is {offset.unit.a_kind}, but {VOLT.a_kind} is needed",
+            UNIT_MISMATCH,
+            hint="name a parameter in V, or write an amount such as 330 mV",
+        )
         return None
     if isinstance(multiplier, Constant) and not multiplier.minimum:
         message = f"{around.name} is 0 whatever is measured: its multiplier is {written.multiplier}"
         around.bad("multiplier", message, BAD_AMOUNT, "write how much a volt at the pin stands for, or leave out adc")
         return None
     if offset is None and multiplier.minimum < 0:
-        around.bad("multiplier", f"{multiplier.name} can be negative, and what is measured never is", UNIT_MISMATCH)
+        around.bad(
+            "multiplier",
+            f"{multiplier.name} can be negative, and what is measured never is",
+            UNIT_MISMATCH,
+            hint="take one that is 0 or more, or add an offset",
+        )
     step = multiplier.step * factor
     count = channel.reference / channel.full_scale * step
     shift = Fraction(0) if offset is None else offset.step * away * step
@@ -290,11 +340,19 @@ def _is_whole(written: MeasuredSpec, around: Surroundings) -> bool:
     if written.adc is None and written.multiplier is None and written.offset is None:
         for key in ("warn_above", "warn_every"):
             if getattr(written, key) is not None:
-                around.bad(key, f"{around.name} has no adc, so {key} says nothing")
+                around.bad(
+                    key,
+                    f"{around.name} has no adc, so {key} says nothing",
+                    hint=f"leave out {key}, or write adc and multiplier",
+                )
         return False
     if written.adc is None or written.multiplier is None:
         given = next(key for key in ("adc", "multiplier", "offset") if getattr(written, key) is not None)
-        around.bad(given, f"{around.name} needs both adc and multiplier, or neither")
+        around.bad(
+            given,
+            f"{around.name} needs both adc and multiplier, or neither",
+            hint="add the other one, or leave out all of adc, multiplier and offset",
+        )
         return False
     return True
 

@@ -54,5 +54,7 @@ def resolve_received(around: Surroundings) -> Received:
         around.report.add(SET_TWICE, place, message, "give each table quantities of its own", related)
     if around.spec.restarts_with is not None:
         message = f"{around.name} is received from {table.receive}, so it cannot begin anew with a count"
-        around.bad("restarts_with", message, SET_TWICE)
+        around.bad(
+            "restarts_with", message, SET_TWICE, hint=f"leave it out, or do not take {around.name} from {table.receive}"
+        )
     return Received(table.name, table.receive, key)

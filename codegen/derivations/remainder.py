@@ -11,7 +11,7 @@ from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.quantities.summed import Lasting, Rest, whole
 from codegen.model.spec.derivation import IntegralSpec, LastsSpec, LeftSpec, MeasuredSpec
-from codegen.model.units.unit import Unit, ratio, unit_named
+from codegen.model.units.unit import Unit, decimal, ratio, unit_named
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:
@@ -22,6 +22,7 @@ BAD_REMAINDER = Rule(
     "left_of names the parameter of a full store and after an integral of the same component: what is left is in the "
     "unit of the integral, or a share of the store in %. lasts names what is left so, at the measured quantity that is "
     "taken from it, and over a time of 1 to 1000 readings. Units fit by whole numbers, and products fit 30 bits.",
+    remedy="write left_of, a parameter, and after, an integral; or lasts, at and over",
 )
 
 
@@ -110,7 +111,12 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
     """Return what is left of which parameter; None after a finding."""
     name = written.after
     if written.left_of is None or name is None:
-        around.bad("left_of" if name is None else "after", "what is left has both left_of and after", BAD_REMAINDER)
+        around.bad(
+            "left_of" if name is None else "after",
+            "what is left has both left_of and after",
+            BAD_REMAINDER,
+            hint="left_of: the parameter of a full store, and after: an integral",
+        )
         return None
     full = around.parameter("left_of", written.left_of)
     integral = _integral(name, around)
@@ -121,11 +127,13 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
     steps = None if unit is None else whole((ratio(full.unit, unit) or Fraction(0)) * full.step)
     if steps is None or unit is None or full.minimum < 0:
         message = f"a step of {full.name} is no whole number of {spelt}, or it can be below 0"
-        around.bad("left_of", message, BAD_REMAINDER)
+        around.bad("left_of", message, BAD_REMAINDER, hint=f"give {full.name} min: 0 and a step of whole {spelt}")
         return None
     share = ratio(unit_named("%"), kept.stored)
     if share is None and ratio(unit, kept.stored) != 1:
-        around.bad("left_of", f"what is left of {full.name} is in {spelt} or in %", BAD_REMAINDER)
+        around.bad(
+            "left_of", f"what is left of {full.name} is in {spelt} or in %", BAD_REMAINDER, hint=f"unit: {spelt}, or %"
+        )
         return None
     of_all = None if share is None else int(100 * share)
     of = integral.integral_of or ""
@@ -143,7 +151,12 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
     if name is None or at is None or written.over is None:
         given = {"lasts": name, "at": at, "over": written.over}
         key = next(key for key, value in given.items() if value is not None)
-        around.bad(key, "a time that is left has lasts, at and over", BAD_REMAINDER)
+        around.bad(
+            key,
+            "a time that is left has lasts, at and over",
+            BAD_REMAINDER,
+            hint="lasts: what is left, at: what is measured, and over: 10 s",
+        )
         return None
     over = around.time_ms("over", written.over)
     for key, other in (("lasts", name), ("at", at)):
@@ -153,19 +166,31 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
     left, drawn = around.others[name], around.others[at]
     sensed = is_sensed(at, around)
     if left.written(LeftSpec) is None or (drawn.written(MeasuredSpec) is None and not sensed):
-        around.bad("lasts", f"{name} is not what is left of something, or {at} is not measured", BAD_REMAINDER)
+        around.bad(
+            "lasts",
+            f"{name} is not what is left of something, or {at} is not measured",
+            BAD_REMAINDER,
+            hint=f"write left_of and after at {name}, and adc or source at {at}",
+        )
         return None
     period_ms = _period_ms(at, around)
     readings = (over or 0) / period_ms if period_ms else Fraction(0)
     if readings.denominator != 1 or not 1 <= readings <= 1000:
-        hint = None if period_ms else "the component needs an update_rate, or its sensors one rate"
+        hint = "the component needs an update_rate, or its sensors one rate"
+        if period_ms:
+            hint = f"readings are {decimal(period_ms)} ms apart: write a multiple of that"
         around.bad("over", f"{written.over} is not 1 to 1000 readings", BAD_REMAINDER, hint)
         return None
     product = Unit.parse(f"{kept.stored.name or 1}*{kept_unit(at, around)}")
     unit = Unit.parse(left.stored or left.unit)
     factor = None if product is None or unit is None else whole(ratio(unit, product))
     if factor is None:
-        around.bad("lasts", f"{name} at {at} is no whole number of {kept.stored.name}", BAD_REMAINDER)
+        around.bad(
+            "lasts",
+            f"{name} at {at} is no whole number of {kept.stored.name}",
+            BAD_REMAINDER,
+            hint="keep the time in a finer unit, or both others in coarser ones: stored",
+        )
         return None
     return Lasts(Lasting(name, at, int(readings), factor), sensed)
 

@@ -107,7 +107,12 @@ def resolve_sourced(written: SourcedSpec, kept: Kept, around: Surroundings) -> S
 def _check(kept: Kept, around: Surroundings) -> None:
     spec, name = around.spec, around.name
     if kept.kind not in (QuantityKind.NUMBER, QuantityKind.ENUM):
-        around.bad("source", f"{name} is a {kept.kind.value} quantity, and a sensor gives numbers", BAD_SOURCED)
+        around.bad(
+            "source",
+            f"{name} is a {kept.kind.value} quantity, and a sensor gives numbers",
+            BAD_SOURCED,
+            hint="leave out source, or make it a number",
+        )
     if spec.stale_after is not None and spec.initial is not None:
         message = f"{name} has an initial value in place of unknown, so stale_after says nothing"
         around.bad("stale_after", message, hint="leave out one of them")
@@ -119,7 +124,12 @@ def _given(source: Source, output: Output, kept: Kept, around: Surroundings) -> 
         why = obstacle(output.unit, kept.stored)
         message = f"{output.name or source.name} is in {output.unit.name or 'numbers'}, not in {kept.stored.name}"
         rule = UNCARRIED_CONVERSION if why else UNIT_MISMATCH
-        around.bad("source", f"{message}: {why}" if why else message, rule)
+        around.bad(
+            "source",
+            f"{message}: {why}" if why else message,
+            rule,
+            hint=f"unit: {output.unit.name}" if output.unit.name else "leave unit and stored out",
+        )
         return None
     is_copied = factor == 1 and output.storage is kept.storage
     if not is_copied and not output.storage is kept.storage is Storage.SMALL:

@@ -23,13 +23,19 @@ BAD_QUANTITY = Rule(
     "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean, an enum or a text has "
     "no unit and no limits, a text keeps 1 to 255 bytes, min <= initial <= max, and every limit fits a small integer "
     "of MicroPython in stored units.",
+    remedy="write what a number, a boolean, an enum or a text takes, with min <= initial <= max",
 )
 UNKNOWN_SOURCE = Rule(
     "unknown-source",
     "A quantity names a sensor, or a number that a sensor gives, which board.yaml does not have. Sensors stand there "
     "under sources, by name; of one that gives several numbers each is named with a point: gps.latitude.",
+    remedy="write it in board.yaml under sources",
 )
-UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
+UNKNOWN_QUANTITY = Rule(
+    "unknown-quantity",
+    "A table names a quantity that state.yaml does not have.",
+    remedy="write it in state.yaml under the quantities of its component",
+)
 MOST_COUNTED = 255
 
 
@@ -115,7 +121,11 @@ class Surroundings:
         """A value in stored units, which has to be a whole number of them."""
         scaled = value * steps
         if scaled.denominator != 1:
-            self.bad(key, f"{key} of {self.name} is not a whole number of stored units")
+            self.bad(
+                key,
+                f"{key} of {self.name} is not a whole number of stored units",
+                hint=f"round it, or keep {self.name} more finely: stored",
+            )
         return int(scaled)
 
     @property
@@ -202,7 +212,9 @@ class Surroundings:
                 return None
             if not isinstance(count, Fraction) or count.denominator != 1 or not 1 <= count <= MOST_COUNTED:
                 message = f"{fact} of {owner} is {count}, not a whole number from 1 to {MOST_COUNTED}"
-                self.bad(key, message, rule)
+                self.bad(
+                    key, message, rule, hint=f"state how many there are: facts: {{{self.component}: {{{fact}: 3}}}}"
+                )
                 return None
             counts.append(int(count))
         return tuple(counts)

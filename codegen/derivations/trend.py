@@ -19,6 +19,7 @@ BAD_TREND = Rule(
     "bad-trend",
     "A trend is the change per second of a measured quantity of the same component, kept in the same unit per second. "
     "Its window is an even number of readings, 4 to 200.",
+    remedy="write trend_of: and the name of what an ADC measures in this component",
 )
 
 
@@ -55,14 +56,23 @@ class Trend(Derivation):
 def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend | None:
     """The quantity and the number of readings; None after a finding."""
     if written.trend_of is None or written.window is None:
-        around.bad("window" if written.window else "trend_of", "a trend has both trend_of and window", BAD_TREND)
+        around.bad(
+            "window" if written.window else "trend_of",
+            "a trend has both trend_of and window",
+            BAD_TREND,
+            hint="trend_of: a measured quantity, and window: 10 s",
+        )
         return None
     window = around.time_ms("window", written.window)
     if window is None:
         return None
     readings = Fraction(window, around.period_ms) if around.period_ms else Fraction(0)
     if readings.denominator != 1 or readings % 2 or not 4 <= readings <= 200:
-        hint = None if around.period_ms else "the component needs an update_rate"
+        hint = "the component needs an update_rate"
+        if around.period_ms:
+            hint = (
+                f"readings are {around.period_ms} ms apart: write an even number of them, as {10 * around.period_ms} ms"
+            )
         around.bad("window", f"{written.window} is not an even number of readings, 4 to 200", BAD_TREND, hint)
         return None
     name, followed = written.trend_of, around.others.get(written.trend_of)
@@ -75,7 +85,7 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
         around.bad("trend_of", message, BAD_TREND, f"write adc and multiplier at {name}, or set {around.name} by code")
     elif not _is_rate_of(unit, kept.stored):
         message = f"the change of {name} is kept in {unit}/s, not {kept.stored.name}"
-        around.bad("stored", message, BAD_TREND)
+        around.bad("stored", message, BAD_TREND, hint=f"stored: {unit or 1}/s")
     return Trend(name, int(readings), written)
 
 

@@ -57,5 +57,9 @@ def resolve_while_known(written: WhileKnownSpec, kept: Kept, around: Surrounding
     if name not in around.others:
         around.no_quantity("while_known", name, UNKNOWN_QUANTITY)
     elif around.others[name].boolean:
-        around.bad("while_known", f"{around.name} follows {name}, a boolean, which is never unknown")
+        around.bad(
+            "while_known",
+            f"{around.name} follows {name}, a boolean, which is never unknown",
+            hint="name a quantity that can be unknown: one without initial that is no boolean",
+        )
     return WhileKnown(name)

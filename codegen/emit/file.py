@@ -13,6 +13,7 @@ FILE_UNWRITABLE = Rule(
     "The system refused to write a file: no permission, a full disk, a folder in its place. A file that was there "
     "before is still whole.",
     unreadable=True,
+    remedy="free the path: permissions, space on the disk, or a folder that has its name",
 )
 
 

@@ -30,6 +30,7 @@ STALE_OUTPUT = Rule(
     "stale-output",
     "A file of the output folder is not what the specification generates now: it is missing, out of date, edited by "
     "hand, or no longer generated. Run the command without --check and commit the result.",
+    remedy="run codegen build, and commit what it changes",
 )
 
 _STALE = {

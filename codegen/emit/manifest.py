@@ -20,6 +20,7 @@ MANIFEST_DAMAGED = Rule(
     "It goes on as if there were none: files that differ from what would be generated are then not overwritten. "
     "Restore manifest.json, or run build --force when nothing in the folder was edited by hand.",
     Severity.WARNING,
+    remedy="restore manifest.json, or run build --force if nothing there was edited by hand",
 )
 
 _KEYS = ("files", "orphans", "pending")

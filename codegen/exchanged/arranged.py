@@ -18,6 +18,7 @@ IMPORT_ID = Rule(
     "An object that would be a document has no id of the form that documents have, capital letters, a hyphen, and "
     "digits or small letters, such as FR-12; or two have the same one. --prefix FR makes FR-12 of 12, and "
     "FR-sysreq12 of SYS-REQ_12.",
+    remedy="rename one of the two where they were written, or give another --prefix",
 )
 IMPORT_TITLE = Rule(
     "import-title",
@@ -27,12 +28,14 @@ IMPORT_DEPENDENCY = Rule(
     "import-dependency",
     "A requirement depends on something that is not imported with it: the document does not say so.",
     Severity.WARNING,
+    remedy="import the other one with it, or take the dependency out where it was written",
 )
 IMPORT_BELOW = Rule(
     "import-below",
     "A requirement stands below another one, not below a heading. Criteria have no criteria below them: it becomes one "
     "of the same document.",
     Severity.WARNING,
+    remedy="put it below a heading, if it is to be a document of its own",
 )
 
 _ID = re.compile(r"[A-Z]+-[0-9a-z]+")

@@ -18,11 +18,13 @@ NEEDS_FORMAT = Rule(
     "A file that ends with .json is needs.json as sphinx-needs writes it: an object with versions, the needs of each "
     "by their ids. Give the file that sphinx-build -b needs has made.",
     unreadable=True,
+    remedy="give the needs.json that sphinx-build -b needs has made",
 )
 NEEDS_RECORD = Rule(
     "needs-record",
     "A need is not as sphinx-needs writes it: it is no object, its texts are no texts, or its links are no lists of "
     "ids. Export the file again.",
+    remedy="export the file again with sphinx-build -b needs",
 )
 NEEDS_TYPE = Rule(
     "needs-type",

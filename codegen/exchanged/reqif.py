@@ -16,11 +16,13 @@ REQIF_FORMAT = Rule(
     "A file that ends with .reqif is XML with <REQ-IF> at its root and a <CORE-CONTENT> in it; one that ends with "
     ".reqifz is an archive, of which the .reqif inside is wanted.",
     unreadable=True,
+    remedy="give XML with <REQ-IF> at its root, or a .reqifz with a .reqif in it",
 )
 REQIF_REFERENCE = Rule(
     "reqif-reference",
     "Something in a ReqIF file refers to an object, a type or an attribute that the file does not have, or two have "
     "one identifier. Export the file again, with all that it refers to.",
+    remedy="export the file again, with all that it refers to",
 )
 REQIF_ATTRIBUTE = Rule(
     "reqif-attribute",
@@ -31,6 +33,7 @@ REQIF_TWICE = Rule(
     "reqif-twice",
     "An object stands twice in the hierarchies of a ReqIF file; it is imported where it stands first.",
     Severity.WARNING,
+    remedy="leave it in one place of the hierarchy where it was written",
 )
 
 MAX_BYTES = 50_000_000

@@ -11,6 +11,7 @@ UNREADABLE_TEXT = Rule(
     "The text of a requirement has something in it that a criterion in Markdown cannot have without being guessed at: "
     "a list, a table, a picture, a directive. Put it into words where it was written, or make each item a requirement "
     "of its own. The document that it belongs to is left out.",
+    remedy="put it into plain sentences where it was written, or make each item a requirement",
 )
 
 

@@ -24,6 +24,7 @@ UNKNOWN_TOPIC = Rule(
     "unknown-topic",
     "explain was asked for something that is no message, field, parameter, quantity or rule of this project.",
     unreadable=True,
+    remedy="name a message, a field as MESSAGE.field, a parameter, a quantity or a rule",
 )
 
 LOOP = "loop"

@@ -19,7 +19,7 @@ def findings_json(findings: Iterable[Diagnostic]) -> str:
             "severity": str(finding.rule.severity),
             "rule": finding.rule.id,
             "message": finding.message,
-            "hint": finding.hint,
+            "hint": finding.advice,
             "related": [
                 {"file": shown_path(place.file), "line": place.line, "column": place.column, "message": text}
                 for place, text in finding.related

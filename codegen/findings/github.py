@@ -21,8 +21,8 @@ def _annotation(finding: Diagnostic, base: str | None) -> str:
     is_waived = finding.waived is not None
     file, is_shown = repository_path(place.file, base)
     lines = [printable(finding.message if is_shown else f"{file}:{place.line}: {finding.message}")]
-    if finding.hint is not None:
-        lines.append(f"hint: {printable(finding.hint)}")
+    if finding.advice is not None:
+        lines.append(f"hint: {printable(finding.advice)}")
     if finding.waived is not None:
         lines.append(f"waived: {printable(finding.waived)}")
     for other, text in finding.related:

@@ -23,7 +23,7 @@ def findings_gitlab(findings: Iterable[Diagnostic], base: str | None = None) -> 
 def _issue(finding: Diagnostic, base: str | None, seen: dict[str, int]) -> dict[str, object]:
     path, _ = repository_path(finding.place.file, base)
     said = [finding.message]
-    said += [f"hint: {finding.hint}"] if finding.hint is not None else []
+    said += [f"hint: {finding.advice}"] if finding.advice is not None else []
     said += [f"waived: {finding.waived}"] if finding.waived is not None else []
     key = f"{finding.rule.id}\n{path}\n{finding.fingerprint or finding.message}"
     seen[key] = seen.get(key, 0) + 1

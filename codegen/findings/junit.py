@@ -30,7 +30,7 @@ def _case(finding: Diagnostic, base: str | None) -> str:
     opening = f"<testcase classname={quoteattr(finding.rule.id)} name={quoteattr(name)} file={quoteattr(file)}"
     opening += f' line="{place.line}">'
     lines = [f"{file}:{place.line}:{place.column}: {message}"]
-    lines += [f"hint: {printable(finding.hint)}"] if finding.hint is not None else []
+    lines += [f"hint: {printable(finding.advice)}"] if finding.advice is not None else []
     lines += [
         f"{printable(repository_path(other.file, base)[0])}:{other.line}: {printable(said)}"
         for other, said in finding.related

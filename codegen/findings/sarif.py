@@ -53,7 +53,7 @@ def _rule(rule: Rule) -> _Object:
 
 
 def _result(finding: Diagnostic, index: int, base: str | None) -> _Object:
-    text = finding.message if finding.hint is None else f"{finding.message} (hint: {finding.hint})"
+    text = finding.message if finding.advice is None else f"{finding.message} (hint: {finding.advice})"
     result: _Object = {
         "ruleId": finding.rule.id,
         "ruleIndex": index,

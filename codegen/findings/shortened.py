@@ -21,5 +21,7 @@ def shortened(findings: Iterable[Diagnostic]) -> Report:
             left_out.setdefault(finding.rule.id, finding)
     for rule, first in left_out.items():
         message = f"{counts[rule] - MOST:,} more of these, of which this is the first, are not shown"
-        shown.extend([Diagnostic(first.place, first.rule, message)])
+        shown.extend(
+            [Diagnostic(first.place, first.rule, message, hint="correct these first; what is left is shown then")]
+        )
     return shown

@@ -18,8 +18,8 @@ def finding_text(finding: Diagnostic, *, is_coloured: bool = False) -> str:
     standing = finding.rule.severity if finding.waived is None else WAIVED
     label = f"{_COLOURS[standing]}{standing}{_PLAIN}" if is_coloured else str(standing)
     lines = [f"{printable(finding.place.shown())}: {label} {finding.rule.id}: {printable(finding.message)}"]
-    if finding.hint is not None:
-        lines.append(f"  hint: {printable(finding.hint)}")
+    if finding.advice is not None:
+        lines.append(f"  hint: {printable(finding.advice)}")
     if finding.waived is not None:
         lines.append(f"  waived: {printable(finding.waived)}")
     lines.extend(f"  {printable(place.shown())}: {printable(text)}" for place, text in finding.related)

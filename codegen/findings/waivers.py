@@ -24,16 +24,19 @@ WAIVER_EXPIRED = Rule(
     "The day of the waiver has come, so what it excused counts again. Correct that, or decide anew and give the waiver "
     "a later day.",
     Severity.WARNING,
+    remedy="correct what it excuses, or give it a later day with a new reason",
 )
 WAIVER_DUPLICATE = Rule(
     "waiver-duplicate",
     "Two waivers have the same id, or are for the same finding. It would be unclear which reason and which day hold; "
     "the first one does. Remove one, or rename it.",
+    remedy="remove one of the two, or rename it",
 )
 WAIVER_RULE = Rule(
     "waiver-unknown-rule",
     "A waiver is for a rule that does not exist, so it would never be used. The id of a rule stands after 'error' or "
     "'warning' of a finding, and 'codegen explain RULE_ID' tells about it.",
+    remedy="write the id that stands behind error or warning of the finding",
 )
 WAIVER_FORM = Rule(
     "waiver-form",

@@ -16,11 +16,13 @@ DOCUMENT_WITHOUT_FIELDS = Rule(
     "document-without-fields",
     "A document to be imported has a table with a column for fields (Field, Name) and one for their values (Value "
     "source, Value, Source), or a list with items of the form '- `field`: value', for a message of the dialect.",
+    remedy="add a table with the columns Field and Value, or a list of items '- `field`: value'",
 )
 DOCUMENT_MESSAGE = Rule(
     "document-message",
     "It is not clear which message the fields of a document belong to: the text near them names none, or several. "
     "Name it above the table, or give it on the command line.",
+    remedy="name the message above the table, or on the command line",
 )
 
 _ID = re.compile(r"[A-Z]{2,}-[0-9a-z]+")

@@ -15,6 +15,7 @@ MERGE_FORM = Rule(
     "merge-form",
     "Answers can be put only into a table with 'fields:' on a line of its own and each field on a line below it. "
     "Write the fields on lines of their own, or add the missing ones by hand.",
+    remedy="write 'fields:' on a line of its own, and each field on a line below it",
 )
 
 _LINE_END = re.compile(r"\r\n?|\n")

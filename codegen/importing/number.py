@@ -17,6 +17,7 @@ DOCUMENT_ENTRY = Rule(
     "document-entry",
     "A document names an entry of an enum beside another number than the dialect gives it, an entry of another enum, "
     "or a number that the field's enum does not have. Receivers go by the number, people by the name.",
+    remedy="write the name or the number that the dialect has, or correct the dialect in a corrections file",
 )
 DOCUMENT_SENTINEL = Rule(
     "document-sentinel",

@@ -16,6 +16,7 @@ from codegen.source import Place
 DOCUMENT_FIELD = Rule(
     "document-field",
     "A document answers for a field, or for an element of one, that the message does not have.",
+    remedy="write the name of a field of the message, with an index for one element",
 )
 DOCUMENT_WITHOUT_VALUES = Rule(
     "document-without-values",

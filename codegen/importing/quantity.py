@@ -13,7 +13,9 @@ from codegen.model.units.unit import Unit, decimal, ratio, symbols, unit_named
 from codegen.model.units.unit_table import SCALED, SHOWN
 
 DOCUMENT_QUANTITY = Rule(
-    "document-quantity", "A document names a quantity that the state of the project does not have."
+    "document-quantity",
+    "A document names a quantity that the state of the project does not have.",
+    remedy="write it in state.yaml first, or name one that is there",
 )
 DOCUMENT_FACTOR = Rule(
     "document-factor",

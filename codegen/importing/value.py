@@ -12,17 +12,23 @@ from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
 from codegen.model.units.unit import read_measure
 
-DOCUMENT_EMPTY = Rule("document-empty", "A document names a field and says nothing about its value.")
+DOCUMENT_EMPTY = Rule(
+    "document-empty",
+    "A document names a field and says nothing about its value.",
+    remedy="say what goes into the field, `unknown` if nothing does",
+)
 DOCUMENT_AMBIGUOUS = Rule(
     "document-ambiguous",
     "A document leaves open what goes into a field ('-1 or estimate', 'optional', 'to be defined'). A table has one "
     "answer; decide, and write it into the document.",
+    remedy="decide, and write the one answer into the document",
 )
 DOCUMENT_PROSE = Rule(
     "document-prose",
     "What goes into a field is said in words that could mean more than one thing. A cell that is read holds a number, "
     "an entry of an enum, a limit such as UINT16_MAX, a quantity, a product of a quantity and numbers, or the answer "
     "as the population tables write it, in code: `{state: battery.voltage}`.",
+    remedy="write the answer in code, such as `{state: component.quantity}`, or a number",
 )
 
 _OPEN = re.compile(

@@ -20,6 +20,7 @@ TEST_SYNTAX = Rule(
     "test-syntax",
     "A file of tests is no Python that can be read, so it is not known what its tests show. Correct the named place.",
     Severity.WARNING,
+    remedy="make it Python in UTF-8: python -m py_compile FILE says more",
 )
 
 _Function = (ast.FunctionDef, ast.AsyncFunctionDef)

@@ -14,11 +14,13 @@ FILE_NOT_FOUND = Rule(
     "file-not-found",
     "A file that the specification needs does not exist. Create it, or correct the path that names it.",
     unreadable=True,
+    remedy="create it, or correct the path that names it",
 )
 FILE_NOT_READABLE = Rule(
     "file-not-readable",
     "The path exists but cannot be read as a file: it is a folder or a device, or its permissions forbid it.",
     unreadable=True,
+    remedy="name what can be read, or give yourself the right to read it",
 )
 FILE_NOT_UTF8 = Rule(
     "file-not-utf8",
@@ -29,6 +31,7 @@ FILE_TOO_LARGE = Rule(
     "file-too-large",
     "The file is far larger than any specification. Check that the path names the intended file.",
     unreadable=True,
+    remedy="name the file that is meant: no specification is so large",
 )
 
 OUTSIDE_PROJECT = Rule(

@@ -35,6 +35,7 @@ XML_SYNTAX = Rule(
     "xml-syntax",
     "The file is not well-formed XML, so nothing of it can be used. Correct the first place that is named.",
     unreadable=True,
+    remedy="close or escape what stands there: &amp; for &, &lt; for <, and one element around all",
 )
 
 _ENCODINGS = frozenset({"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252"})
@@ -134,7 +135,9 @@ def _parsed(text: str, path: str, report: Report) -> "etree._Element | None":
         report.add(XML_DOCTYPE, place, "a document type is declared", "remove the <!DOCTYPE> declaration")
         return None
     if not text.strip():
-        report.add(XML_SYNTAX, Place(file), "the file is empty")
+        report.add(
+            XML_SYNTAX, Place(file), "the file is empty", hint="name the file that is meant: this one holds nothing"
+        )
         return None
     from lxml import etree  # noqa: PLC0415  most runs know what the files say
 

@@ -28,14 +28,24 @@ YAML_EMPTY = Rule("yaml-empty", "The file holds nothing but comments. Write its 
 YAML_DUPLICATE_KEY = Rule(
     "yaml-duplicate-key",
     "A key is written twice in one mapping, so that one of the two values would be lost. Remove or rename one of them.",
+    remedy="rename one of the two, or remove it",
 )
 YAML_UNSUPPORTED = Rule(
     "yaml-unsupported",
     "Anchors, aliases, merge keys, tags, several documents in a file and keys that are not plain text are not used in "
     "specifications: a reviewer could not see at one place what a value is. Write the values out.",
 )
-YAML_TOO_DEEP = Rule("yaml-too-deep", "The file is nested far deeper than any specification.", unreadable=True)
-YAML_TOO_MANY_FINDINGS = Rule("yaml-too-many-findings", "So much is wrong with the file that reading it was given up.")
+YAML_TOO_DEEP = Rule(
+    "yaml-too-deep",
+    "The file is nested far deeper than any specification.",
+    unreadable=True,
+    remedy="name the file that is meant: no specification is nested so deep",
+)
+YAML_TOO_MANY_FINDINGS = Rule(
+    "yaml-too-many-findings",
+    "So much is wrong with the file that reading it was given up.",
+    remedy="correct the findings above first; the rest is read then",
+)
 
 
 def composed(text: str, path: str) -> tuple[YamlNode | None, tuple[Diagnostic, ...]]:

@@ -13,6 +13,7 @@ YAML_SYNTAX = Rule(
     "The text is not YAML, so nothing of the file could be read. The place is where reading stopped; "
     "the mistake is there or shortly before.",
     unreadable=True,
+    remedy="look here and in the lines above: quotes, brackets, colons without a blank, indentation",
 )
 
 # U+0085, U+2028 and U+2029 end a line for the parser, but neither in YAML 1.2 nor in editors: places would be wrong.

@@ -20,6 +20,7 @@ UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
     "codegen.yaml names a dialect that is neither shipped with pymavlink nor an XML file.",
     unreadable=True,
+    remedy="name a dialect of pymavlink, such as common, or a path that ends in .xml",
 )
 
 

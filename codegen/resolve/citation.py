@@ -12,10 +12,12 @@ UNKNOWN_REQUIREMENT = Rule(
     "unknown-requirement",
     "A table cites a requirement or a criterion that no document in requirements/ has. "
     "Cite an existing one as ID or ID.number; older ids work where the document lists them as aliases.",
+    remedy="write its document in requirements, or cite one that is there as ID or ID.number",
 )
 UNKNOWN_ASPECT = Rule(
     "unknown-aspect",
     "criteria names an aspect that the record does not have, so no test would carry the criterion.",
+    remedy="leave it out: what is written there has no aspects",
 )
 
 

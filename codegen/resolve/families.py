@@ -16,6 +16,7 @@ BAD_FAMILY = Rule(
     "bad-parameter-family",
     "A parameter that exists for each instance of a component begins with the prefix of the first instance. A default "
     "with per needs the fact that it names of each instance.",
+    remedy="write for_each: and the name of a component of state.yaml",
 )
 
 
@@ -51,7 +52,7 @@ def is_single(parameter: Parameter, place: Place, report: Report) -> bool:
     if parameter.siblings:
         message = f"each {parameter.component} has its own {parameter.name}, and one is needed here"
         related = [(parameter.spec.at("for_each"), f"{parameter.name} is declared here")]
-        report.add(BAD_FAMILY, place, message, related=related)
+        report.add(BAD_FAMILY, place, message, related=related, hint="name a parameter without for_each")
     return not parameter.siblings
 
 
@@ -68,7 +69,9 @@ class ParameterFamilies:
         if spec.for_each is None:
             if spec.per is not None:
                 message = f"{name} belongs to no component, whose {spec.per} could be counted"
-                self._report.add(BAD_FAMILY, spec.at("per"), message)
+                self._report.add(
+                    BAD_FAMILY, spec.at("per"), message, hint="leave per out, or say whose it is: for_each: COMPONENT"
+                )
             yield Member(name, spec)
             return
         state, at = self._spec.state, spec.at("for_each")
@@ -78,7 +81,7 @@ class ParameterFamilies:
         prefix = parts[0].prefix
         if not name.startswith(prefix) or name == prefix:
             message = f"{name} does not begin with {prefix}, the prefix of the first {spec.for_each}"
-            self._report.add(BAD_FAMILY, spec.place, message)
+            self._report.add(BAD_FAMILY, spec.place, message, hint=f"call it {prefix}{name}, or leave out for_each")
             return
         siblings = tuple(part.prefix + name.removeprefix(prefix) for part in parts)
         for part, own in zip(parts, siblings, strict=True):

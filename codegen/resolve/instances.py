@@ -14,6 +14,7 @@ BAD_INSTANCES = Rule(
     "The instances of a component in board.yaml contradict themselves or the rest: there are 1 to 16, of a component "
     "that state.yaml has; prefixes are different and of the form BATT2_; defaults are those of the instance's own "
     "parameters, within their limits.",
+    remedy="write defaults of parameters with for_each, and instances of components of state.yaml",
 )
 MOST_INSTANCES = 16
 
@@ -28,7 +29,9 @@ def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, .
         if find_component(name, spec.state.components, spec.state, BAD_INSTANCES, place, report) is None:
             continue
         if not 1 <= len(written) <= MOST_INSTANCES:
-            report.add(BAD_INSTANCES, place, f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}")
+            front = name[:4].upper()
+            message = f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}"
+            report.add(BAD_INSTANCES, place, message, f"list each: [{{prefix: {front}1_}}, {{prefix: {front}2_}}]")
         _check_prefixes(spec, name, report)
     return {name: _parts(spec, name) for name in spec.state.components}
 
@@ -52,11 +55,22 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
             continue
         place = each.at("prefix")
         if not _PREFIX.fullmatch(each.prefix):
-            report.add(BAD_INSTANCES, place, f"{each.prefix} cannot be the front of a parameter's name")
+            report.add(
+                BAD_INSTANCES,
+                place,
+                f"{each.prefix} cannot be the front of a parameter's name",
+                hint=f"write it like {name[:4].upper()}{number}_",
+            )
         first = owners.setdefault(each.prefix, place)
         if first is not place:
             related = [(first, "it is taken here")]
-            report.add(BAD_INSTANCES, place, f"{each.prefix} is the prefix of another {name}", related=related)
+            report.add(
+                BAD_INSTANCES,
+                place,
+                f"{each.prefix} is the prefix of another {name}",
+                related=related,
+                hint=f"write another one, such as {name[:4].upper()}{number}_",
+            )
 
 
 def known_facts(spec: Spec, components: Mapping[str, Component]) -> list[str]:

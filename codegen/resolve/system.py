@@ -122,7 +122,9 @@ def _check_output(spec: Spec, report: Report) -> None:
         hint = f"if it is meant, list it in codegen.yaml: outside: [{project.output}]"
         report.add(BAD_PROJECT, project.at("output"), message, hint)
     if project.protocol not in (1, 2):
-        report.add(BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2")
+        report.add(
+            BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2", hint="protocol: 2"
+        )
 
 
 def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) -> tuple[int, Parameter | None]:
@@ -130,12 +132,20 @@ def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) 
     written = spec.project.system_id
     if spec.vehicle is None or spec.vehicle.system_id is None:
         if not 1 <= written <= 255:
-            report.add(BAD_PROJECT, spec.project.at("system_id"), f"system id {written} is not 1 to 255")
+            report.add(
+                BAD_PROJECT, spec.project.at("system_id"), f"system id {written} is not 1 to 255", hint="system_id: 1"
+            )
         return written, None
     place = spec.vehicle.at("system_id")
     if "system_id" in spec.project.places:
         message = "the system id is stated here, and vehicle.yaml has a parameter for it"
-        report.add(BAD_PROJECT, spec.project.at("system_id"), message, related=[(place, "the parameter is named here")])
+        report.add(
+            BAD_PROJECT,
+            spec.project.at("system_id"),
+            message,
+            related=[(place, "the parameter is named here")],
+            hint="leave out one of them",
+        )
     parameter = find_parameter(spec.vehicle.system_id, place, spec.parameters, parameters, report)
     if parameter is None:
         return 1, None
@@ -146,7 +156,13 @@ def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) 
 def _check_id(parameter: Parameter, place: Place, kind: str, report: Report) -> None:
     if parameter.step != 1 or parameter.minimum < 1 or parameter.maximum > 255:
         related = [(parameter.spec.at("max"), f"{parameter.name} is declared here")]
-        report.add(BAD_PROJECT, place, f"{parameter.name} is not a {kind} id from 1 to 255", related=related)
+        report.add(
+            BAD_PROJECT,
+            place,
+            f"{parameter.name} is not a {kind} id from 1 to 255",
+            related=related,
+            hint=f"give {parameter.name} min: 1, max: 255 and step: 1",
+        )
 
 
 def _component_parameter(
@@ -163,7 +179,7 @@ def _component_parameter(
     if component_id is not None and parameter.default != component_id:
         message = f"the default of {parameter.name} is not {spec.project.component_id} ({component_id})"
         related = [(spec.project.at("component_id"), "the project's own component id")]
-        report.add(BAD_PROJECT, parameter.spec.at("default"), message, related=related)
+        report.add(BAD_PROJECT, parameter.spec.at("default"), message, related=related, hint=f"default: {component_id}")
     return parameter
 
 
@@ -181,5 +197,10 @@ def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int | None:
         )
         return None
     if not 1 <= entry.value <= 255:
-        report.add(BAD_PROJECT, spec.project.at("component_id"), f"{name} ({entry.value}) is no source of messages")
+        report.add(
+            BAD_PROJECT,
+            spec.project.at("component_id"),
+            f"{name} ({entry.value}) is no source of messages",
+            hint="name an entry of MAV_COMPONENT from 1 to 255, such as MAV_COMP_ID_AUTOPILOT1",
+        )
     return entry.value

@@ -23,6 +23,7 @@ BAD_ADC = Rule(
     "bad-adc",
     "An ADC channel cannot be built: its pin is an input of the board's converter, a count has 8 bits to as many as "
     "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only.",
+    remedy="take a board with a converter, or leave the channel out",
 )
 _NAME = pattern("[A-Z][A-Z0-9_]{0,15}")
 """Of a parameter, as PARAM_VALUE carries it."""
@@ -32,13 +33,25 @@ BAD_PARAMETER = Rule(
     "A parameter contradicts itself: names have at most 16 characters of A-Z, 0-9 and _; min <= default <= max; "
     "all three are whole multiples of step and, in steps, fit a small integer of MicroPython. A whole type has a whole "
     "step and carries min and max; single values lie within them, and the default is one of them.",
+    remedy="make min, default and max whole multiples of step, in this order",
 )
 BAD_STREAM = Rule(
     "bad-stream",
     "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000. Its "
     "data_stream is an entry of MAV_DATA_STREAM, and fastest is at most 1000 Hz.",
+    remedy="write an entry of MAV_DATA_STREAM, such as MAV_DATA_STREAM_EXTRA1, or leave data_stream out",
 )
-UNKNOWN_PARAMETER = Rule("unknown-parameter", "A table names a parameter that parameters.yaml does not have.")
+UNKNOWN_PARAMETER = Rule(
+    "unknown-parameter",
+    "A table names a parameter that parameters.yaml does not have.",
+    remedy="write it in parameters.yaml",
+)
+
+_Fault = tuple[str, str, str]
+"""The key of a parameter that is wrong, what is wrong with it, and a hint."""
+_NAMES = "use at most 16 of A-Z, 0-9 and _"
+_REAL = "leave type out: REAL32 carries it; or narrow min and max, with whole steps"
+_VALUE = "write a multiple of step from min to max"
 
 
 def resolve_channels(
@@ -74,10 +87,17 @@ def resolve_channels(
             ("samples", spec.samples, 1, 64),
         ):
             if not low <= value <= high:
-                report.add(BAD_ADC, spec.at(key), f"{key} of {name} is {value}, not {low} to {high}")
+                report.add(
+                    BAD_ADC,
+                    spec.at(key),
+                    f"{key} of {name} is {value}, not {low} to {high}",
+                    hint=f"{key}: {min(max(value, low), high)}",
+                )
                 sane = False
         if reference is not None and reference <= 0:
-            report.add(BAD_ADC, spec.at("reference"), f"the reference of {name} is not above 0 V")
+            report.add(
+                BAD_ADC, spec.at("reference"), f"the reference of {name} is not above 0 V", hint="reference: 3.3 V"
+            )
             sane = False
         if reference is None or gpio is None or not sane:
             continue
@@ -106,7 +126,12 @@ def _when(
         return None
     (switch, value), *more = spec.when.items()
     if more:
-        report.add(BAD_ADC, spec.at("when"), f"when of {name} has one parameter, not {len(spec.when)}")
+        report.add(
+            BAD_ADC,
+            spec.at("when"),
+            f"when of {name} has one parameter, not {len(spec.when)}",
+            hint=f"keep one of them: {{{switch}: {decimal(value)}}}",
+        )
     parameter = find_parameter(switch, spec.at("when"), written, parameters, report)
     if parameter is None:
         return None
@@ -115,7 +140,7 @@ def _when(
     if steps not in accepted:
         related = [(parameter.spec.place, f"{switch} is declared here")]
         message = f"{switch} is never {decimal(value)}, so {name} is never read"
-        report.add(BAD_ADC, spec.at("when"), message, None, related)
+        report.add(BAD_ADC, spec.at("when"), message, f"write a value that {switch} can have", related)
     elif not parameter.spec.reboot:
         report.add(BAD_ADC, spec.at("when"), f"{switch} is looked at when the board starts", f"{switch}: reboot: true")
     return parameter, int(steps)
@@ -137,7 +162,7 @@ def _gpio(
         message = f"gpio of {name} is {spec.gpio}, not {shown_pins(inputs)}"
         if spec.gpio in model.taken:
             message += f": the {model.name} needs it for {model.taken[spec.gpio]}"
-        report.add(BAD_ADC, spec.at("gpio"), message)
+        report.add(BAD_ADC, spec.at("gpio"), message, hint="take a GPIO of these")
         return None
     if pin is None:
         return None
@@ -145,7 +170,13 @@ def _gpio(
     if pin.step != 1 or not inputs.issuperset(accepted):
         message = f"{pin.name} takes other numbers than those of inputs of the {model.name}, {shown_pins(inputs)}"
         related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
-        report.add(BAD_ADC, spec.at("pin"), message, related=related)
+        report.add(
+            BAD_ADC,
+            spec.at("pin"),
+            message,
+            related=related,
+            hint=f"narrow min and max of {pin.name}, or give it values, one for each pin",
+        )
         return None
     return pin.default
 
@@ -175,7 +206,7 @@ def resolve_parameters(
                 continue
             if member.name in parameters or (member.instance and member.name in spec.parameters):
                 message = f"{member.name} is also the name of {name} for another instance"
-                report.add(BAD_PARAMETER, written.place, message)
+                report.add(BAD_PARAMETER, written.place, message, hint="choose another name")
             check_carried(member, report)
             parameters[member.name] = parameter
     families.check_defaults()
@@ -189,42 +220,52 @@ def _check_earlier_names(parameters: Mapping[str, Parameter], report: Report) ->
     for name, parameter in parameters.items():
         for old, factor in parameter.spec.was.items():
             owner = owners.setdefault(old, name)
-            problem = None
+            problem, hint = None, "leave it out"
             if not _NAME.fullmatch(old):
-                problem = f"{old} is not a parameter name"
+                problem, hint = f"{old} is not a parameter name", _NAMES
             elif old in parameters:
                 problem = f"{old} is a parameter of today"
             elif owner != name:
-                problem = f"{old} is also what {owner} was called"
+                problem, hint = f"{old} is also what {owner} was called", f"leave it out here, or at {owner}"
             elif factor == 0:
-                problem = f"{name} is not 0 times what {old} was"
+                problem, hint = (
+                    f"{name} is not 0 times what {old} was",
+                    f"was: {{{old}: 1}}, if a number means the same",
+                )
             if problem is not None and parameter.instance == 0:
-                report.add(BAD_PARAMETER, parameter.spec.at(f"was.{old}"), problem)
+                report.add(BAD_PARAMETER, parameter.spec.at(f"was.{old}"), problem, hint)
 
 
 def _resolve_parameter(member: Member, citation: Citation | None, report: Report) -> Parameter | None:
     name, spec = member.name, member.spec
-    problems: list[tuple[str, str]] = []
+    problems: list[_Fault] = []
     if not _NAME.fullmatch(name):
         length = f": it has {len(name)} characters, and 16 are the most" if len(name) > 16 else ""
-        problems.append(("", f"{name} is not a parameter name{length}"))
+        problems.append(("", f"{name} is not a parameter name{length}", _NAMES))
     if spec.step <= 0:
-        problems.append(("step", f"the step of {name} is not above 0"))
+        problems.append(("step", f"the step of {name} is not above 0", "step: 1, or smaller"))
     else:
         for key in ("default", "min", "max"):
             steps = getattr(spec, key) / spec.step
             if steps.denominator != 1:
-                problems.append((key, f"{key} of {name} is not a whole number of steps"))
+                near = decimal(round(steps) * spec.step)
+                problems.append(
+                    (key, f"{key} of {name} is not a whole number of steps", f"{key}: {near}, or a finer step")
+                )
             elif abs(steps) > SMALL_INT_MAX:
-                problems.append((key, f"{key} of {name} is {steps} steps, more than a small integer holds"))
+                message = f"{key} of {name} is {steps} steps, more than a small integer holds"
+                problems.append((key, message, "write a coarser step, or narrower limits"))
     if spec.min > spec.max:
-        problems.append(("max", f"max of {name} is below its min"))
+        problems.append(("max", f"max of {name} is below its min", "swap them"))
     elif not spec.min <= spec.default <= spec.max:
-        problems.append(("default", f"default of {name} is not between its min and max"))
+        near = decimal(min(max(spec.default, spec.min), spec.max))
+        problems.append(
+            ("default", f"default of {name} is not between its min and max", f"default: {near}, or other limits")
+        )
     problems += _type_problems(name, spec)
     choices = _choices(name, spec, problems)
-    for key, message in problems:
-        report.add(BAD_PARAMETER, member.at(key), message)
+    for key, message, hint in problems:
+        report.add(BAD_PARAMETER, member.at(key), message, hint)
     unit = find_unit(spec.unit, spec.at("unit"), report)
     if problems or unit is None:
         return None
@@ -244,32 +285,34 @@ def _resolve_parameter(member: Member, citation: Citation | None, report: Report
     )
 
 
-def _type_problems(name: str, spec: ParameterSpec) -> list[tuple[str, str]]:
+def _type_problems(name: str, spec: ParameterSpec) -> list[_Fault]:
     """Return what a whole type does not carry of the values, by the key that says so."""
     if spec.type is ParameterType.REAL32:
         return []
     if spec.step.denominator != 1:
-        return [("type", f"{name} has a step of {decimal(spec.step)}, which {spec.type} does not carry")]
+        return [("type", f"{name} has a step of {decimal(spec.step)}, which {spec.type} does not carry", _REAL)]
     bits = int(spec.type.lstrip("uint"))
     low, high = (0, 2**bits - 1) if spec.type.startswith("u") else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
     if spec.min < low or spec.max > high:
-        return [("type", f"{name} has values that {spec.type} does not carry: it is {low} to {high}")]
+        return [("type", f"{name} has values that {spec.type} does not carry: it is {low} to {high}", _REAL)]
     return []
 
 
-def _choices(name: str, spec: ParameterSpec, problems: list[tuple[str, str]]) -> dict[Fraction, str]:
+def _choices(name: str, spec: ParameterSpec, problems: list[_Fault]) -> dict[Fraction, str]:
     choices = {}
     for written, meaning in spec.values.items():
         try:
             value = Fraction(written)
         except (ValueError, ZeroDivisionError):
-            problems.append((f"values.{written}", f"{written!r} is not a number"))
+            problems.append((f"values.{written}", f"{written!r} is not a number", "values: {0: what it means}"))
             continue
         if not spec.min <= value <= spec.max or spec.step <= 0 or (value / spec.step).denominator != 1:
-            problems.append((f"values.{written}", f"{written} is not a value that {name} can have"))
+            problems.append((f"values.{written}", f"{written} is not a value that {name} can have", _VALUE))
         choices[value] = meaning
     if choices and spec.default not in choices:
-        problems.append(("default", f"default of {name} is none of its values"))
+        problems.append(
+            ("default", f"default of {name} is none of its values", f"one of {', '.join(map(decimal, choices))}")
+        )
     return choices
 
 
@@ -320,7 +363,12 @@ def _resolve_stream(
     if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         report.add(BAD_STREAM, spec.place, f"{name} cannot be the name of a stream", "use letters, digits and _")
     if (spec.rate is None) == (spec.parameter is None):
-        report.add(BAD_STREAM, spec.place, f"stream {name} needs exactly one of rate and parameter")
+        report.add(
+            BAD_STREAM,
+            spec.place,
+            f"stream {name} needs exactly one of rate and parameter",
+            hint="rate: 1 Hz, or parameter: and the name of one in Hz",
+        )
         return None
     fastest = None if spec.fastest is None else read_rate(spec.fastest, spec.at("fastest"), report)
     if spec.rate is not None:
@@ -337,6 +385,7 @@ def _resolve_stream(
             spec.at("parameter"),
             f"{parameter.name} is not a rate from 0 to 1000 Hz",
             related=[(parameter.spec.at("unit"), f"{parameter.name} is declared here")],
+            hint=f"declare {parameter.name} with unit: Hz, min: 0, max: 50 and step: 0.1",
         )
         return None
     return Stream(name, None, parameter, number, fastest or largest, spec, citation)

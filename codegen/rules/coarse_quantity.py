@@ -13,6 +13,7 @@ RULE = Rule(
     "what lies between is rounded away. Write 'stored' to say how finely it is kept, even where whole units are meant. "
     "A quantity that goes out in float fields alone, and that nothing compares, is kept as a float.",
     Severity.WARNING,
+    remedy="write stored: with a finer unit, or with the unit itself if that is meant",
 )
 
 

@@ -15,6 +15,7 @@ CYCLE = Rule(
     "dependency-cycle",
     "Criteria depend on one another in a circle, so that none of them can be met first. Take one of the dependencies "
     "out of the documents.",
+    remedy="take one of these dependencies out of the documents",
 )
 
 _Found = Mapping[str, tuple[Requirement, Criterion]]

@@ -13,6 +13,7 @@ RULE = Rule(
     "values of an instance go out together or not at all, so that this message never carries them: what is split "
     "beside them goes out, or unknown. A message with pages takes any number.",
     Severity.WARNING,
+    remedy="answer with pages, or take a message with more elements",
 )
 
 

@@ -10,6 +10,7 @@ RULE = Rule(
     "A populated message is work in progress, deprecated or superseded in the dialect: it can still change, or "
     "receivers are moving away from it.",
     Severity.WARNING,
+    remedy="keep it only where receivers know it: it can still change",
 )
 
 

@@ -14,6 +14,7 @@ RULE = Rule(
     "words, for which nothing is allocated. Without its powers of 2 the numerator of the factor has to be at most "
     f"{NUMERATOR_MAX}, the denominator at most {DIVISOR_MAX}, and one step in a float of 32 bits at least 2 ** "
     f"-{SMALLEST}. Keep the quantity in a unit that is closer to that of the field.",
+    remedy="keep the quantity in a unit that is closer to that of the field",
 )
 
 

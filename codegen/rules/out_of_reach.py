@@ -17,12 +17,14 @@ RULE = Rule(
     "of the quantity, beyond what is plausible of the sensor, or beyond what the table of a received message takes. "
     "What is measured or received there is unknown, or left out, so that nothing would ever happen. Widen the narrower "
     "range, or take a threshold within it.",
+    remedy="take a threshold between these, or widen where the quantity comes from",
 )
 BY_DEFAULT = Rule(
     "default-out-of-reach",
     "The default of a parameter that is a threshold lies where its quantity never comes, so that nothing happens until "
     "somebody sets another value. Take a default within reach, or 0 where that switches the threshold off.",
     Severity.WARNING,
+    remedy="take a default between these, or 0 where that switches the threshold off",
 )
 KNOWN_FOR_EVER = Rule(
     "known-for-ever",

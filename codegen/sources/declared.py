@@ -28,21 +28,36 @@ def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output
     step = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), found)
     steps = None if unit is None or step is None else ratio(unit, step)
     if name and not _NAME.fullmatch(name):
-        found.add(BAD_SOURCE, spec.place, f"{name} cannot be the name of an output")
+        found.add(
+            BAD_SOURCE,
+            spec.place,
+            f"{name} cannot be the name of an output",
+            hint="use lower-case letters, digits and _",
+        )
     if unit is not None and step is not None and steps is None:
         why = obstacle(unit, step)
         message = f"{unit.name or 'a number'} cannot be rounded to {step.name}"
         rule = UNCARRIED_CONVERSION if why else UNIT_MISMATCH
-        found.add(rule, spec.at("stored"), f"{message}: {why}" if why else message)
+        found.add(
+            rule,
+            spec.at("stored"),
+            f"{message}: {why}" if why else message,
+            hint="leave stored out, or write a unit to which a factor leads from unit",
+        )
     if steps is not None:
         low = -SMALL_INT_MAX if spec.min is None else spec.min * steps
         high = SMALL_INT_MAX if spec.max is None else spec.max * steps
         for key, end in (("min", Fraction(low)), ("max", Fraction(high))):
             if end.denominator != 1 or abs(end) > SMALL_INT_MAX:
                 message = f"{key} is {end} steps of {step.name if step else ''}, no whole number of at most 30 bits"
-                found.add(BAD_SOURCE, spec.at(key), message)
+                found.add(
+                    BAD_SOURCE,
+                    spec.at(key),
+                    message,
+                    hint="make it a whole number of steps, or take a coarser unit for stored",
+                )
         if low > high:
-            found.add(BAD_SOURCE, spec.at("max"), "max is below min")
+            found.add(BAD_SOURCE, spec.at("max"), "max is below min", hint="swap them, or leave out one")
     around.report.extend(found)
     if list(found) or step is None or steps is None:
         around.failed = True

@@ -18,6 +18,7 @@ BAD_SOURCE = Rule(
     "bad-source-driver",
     "A sensor cannot be built: its name is a lower-case identifier, it is asked at most 1000 times a second, and the "
     "board has the pins, the UART or the I2C bus that its driver needs.",
+    remedy="make the sensor fit its board: pins, UART or I2C bus, and at most 1000 Hz",
 )
 
 
@@ -51,7 +52,7 @@ class Around:
         self,
         key: str,
         message: str,
-        hint: str | None = None,
+        hint: str | None,
         rule: Rule = BAD_SOURCE,
         related: Iterable[tuple[Place, str]] = (),
     ) -> None:
@@ -64,13 +65,15 @@ class Around:
         if self.board is None:
             self.failed = True
             if self.whole.board.board is None:
-                self.bad("driver", f"{what} is on no known board: say which, such as board: pico_2_w")
+                self.bad(
+                    "driver", f"{what} is on no known board: say which, such as board: pico_2_w", hint="board: pico_2_w"
+                )
         return self.board
 
     def within(self, key: str, value: int, low: int, high: int) -> int:
         """A whole number, which has to lie between two others."""
         if not low <= value <= high:
-            self.bad(key, f"{key} is {value}, not {low} to {high}")
+            self.bad(key, f"{key} is {value}, not {low} to {high}", hint=f"{key}: {min(max(value, low), high)}")
         return value
 
     def pin(self, key: str, gpio: int, choices: frozenset[int], what: str, board: BoardModel) -> int:

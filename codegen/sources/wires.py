@@ -79,7 +79,11 @@ def serial(spec: SerialKeys, baud: int, size: int, around: Around) -> Serial | N
     uart = board.uarts.get(spec.uart)
     if uart is None:
         numbers = f"UART {shown_pins(frozenset(board.uarts))}" if board.uarts else "no UART"
-        around.bad("uart", f"the {board.name} has {numbers} for sensors, and no UART {spec.uart}")
+        around.bad(
+            "uart",
+            f"the {board.name} has {numbers} for sensors, and no UART {spec.uart}",
+            hint=f"uart: {min(board.uarts)}" if board.uarts else "take a board with a UART, or a sensor without",
+        )
         return None
     around.within("baud", baud, 300, 3000000)
     around.within("buffer", size, 64, 65536)
@@ -98,7 +102,11 @@ def bus(spec: BusKeys, frequency: int, around: Around) -> Bus | None:
     found = board.i2c.get(spec.i2c)
     if found is None:
         numbers = f"I2C {shown_pins(frozenset(board.i2c))}" if board.i2c else "no I2C"
-        around.bad("i2c", f"the {board.name} has {numbers}, and no I2C {spec.i2c}")
+        around.bad(
+            "i2c",
+            f"the {board.name} has {numbers}, and no I2C {spec.i2c}",
+            hint=f"i2c: {min(board.i2c)}" if board.i2c else "take a board with I2C, or a sensor without",
+        )
         return None
     around.pin("sda", spec.sda, found.sda, f"sda of I2C {spec.i2c}", board)
     around.pin("scl", spec.scl, found.scl, f"scl of I2C {spec.i2c}", board)

@@ -21,6 +21,7 @@ NO_MEASURE = Rule(
     "bench-measure",
     "A document compares a measure that codegen bench does not have: docs/bench.md lists them.",
     Severity.WARNING,
+    remedy="name one that docs/bench.md lists",
 )
 
 _GROUPS = "|".join(sorted({name.partition(".")[0] for name in MEASURES}))
@@ -79,7 +80,12 @@ def with_bench(
         current = inputs.get((record.project, record.program))
         if current is None:
             name = f"{record.project} {record.program}".strip()
-            report.add(UNRELATED_RESULTS, record.place, f"it is about {name}, which this project has not")
+            report.add(
+                UNRELATED_RESULTS,
+                record.place,
+                f"it is about {name}, which this project has not",
+                hint="give the record of a bench of this project",
+            )
             continue
         path = shown_path(record.place.file).replace("\\", "/")
         function = f"codegen bench on {record.board}"
@@ -91,7 +97,12 @@ def with_bench(
                 module = path.replace("/", ".")
                 found.append(TestResult(module, case, outcome, (name,), record.inputs, record.place))
         if not tests:
-            report.add(UNRELATED_RESULTS, record.place, "no document names a measure of codegen bench")
+            report.add(
+                UNRELATED_RESULTS,
+                record.place,
+                "no document names a measure of codegen bench",
+                hint="name one of docs/bench.md, with a limit, under 'What a host cannot show'",
+            )
     if not tests:
         return trace, ()
     return linked(trace.requirements, (*trace.rows, *trace.uncited), (*trace.tests, *tests)), tuple(found)

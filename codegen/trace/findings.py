@@ -17,39 +17,46 @@ UNCOVERED = Rule(
     "Nothing shows a criterion: no test is marked with it, or, of the results that were given, none passed, or one "
     "failed. Write a test with @pytest.mark.requirement(\"ID.number\"), or state under 'What a host cannot show' of "
     "the document what the bench shows.",
+    remedy='mark a test with @pytest.mark.requirement("ID.number"), or say what the bench shows',
 )
 ORPHANED = Rule(
     "trace-orphaned",
     "A test, or a line of the lock file, names a criterion that no document has any more. Name the one that took its "
     "place, or remove the mark; codegen trace accept removes the line of the lock.",
+    remedy="name the criterion that took its place, or remove the mark",
 )
 SUSPECT = Rule(
     "trace-suspect",
     "The text of a criterion is not the one that was reviewed with its rows and tests, so that these may be about "
     'something else. Look at them, then say so: codegen trace accept ID --reason "...".',
+    remedy='look at its rows and tests, then: codegen trace accept ID --reason "..."',
 )
 UNSPECIFIED = Rule(
     "trace-unspecified",
     "A criterion is cited by no row of the tables, nor is its document as a whole: what meets it does not follow from "
     "the specification. Cite it where the tables decide it.",
     Severity.WARNING,
+    remedy="cite it where the tables decide it: requirement: ID.number",
 )
 UNCITED = Rule(
     "trace-uncited",
     "A record of the specification cites no requirement, and no part of it does: nobody has asked for it, or it is not "
     "said who. Give it a requirement: ID.number of the criterion that asks for it.",
     Severity.WARNING,
+    remedy="add requirement: ID.number of the criterion that asks for it",
 )
 PARTLY = Rule(
     "trace-partly",
     "Some cases of a criterion's tests have passed, and others were skipped, have no result, or one that is stale.",
     Severity.WARNING,
+    remedy="run the tests that were skipped or have no result, and give their results with --results",
 )
 DEPENDENCY = Rule(
     "trace-dependency",
     "A criterion depends on another one that nothing shows: no test is marked with that one, or, of the results that "
     "were given, not all have passed. What its own tests show holds only where the other one is met.",
     Severity.WARNING,
+    remedy="show the other criterion: mark tests with it, and let them pass",
 )
 UNRELATED_RESULTS = Rule(
     "results-unrelated",

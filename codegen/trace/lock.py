@@ -18,6 +18,7 @@ LOCK_FORM = Rule(
     "trace-lock-form",
     "The lock file is valid, but not written with one entry of 'criteria' in each line, so that nothing can be added "
     "without rewriting it. Put each criterion on a line of its own, indented by two spaces.",
+    remedy="put each criterion on a line of its own, indented by two spaces",
 )
 
 HEAD = (

@@ -233,7 +233,7 @@ def only(view: TraceView, chosen: Collection[str]) -> TraceView:
 def _attention(finding: Diagnostic, folder: str) -> AttentionView:
     rule = finding.rule
     mood = "bad" if rule.severity is Severity.ERROR else "warn"
-    return AttentionView(rule.id, mood, finding.message, finding.hint or "", _shown(finding.place, folder))
+    return AttentionView(rule.id, mood, finding.message, finding.advice or "", _shown(finding.place, folder))
 
 
 def _verdicts(asked: Sequence[Coverage], words: _Words) -> Iterable[tuple[str, int, str]]:

@@ -133,5 +133,7 @@ def every_module() -> None:
 def test_the_command_says_which_rule_does_not_exist(pipeline: Any, run: Any) -> None:
     folder = Path(pipeline.folder).parent / "specs"
     (folder / "waivers.yaml").write_text(WAIVER.replace("claim-size", "no-such"))
-    assert run("check")[1] == "specs/waivers.yaml:3:11: error waiver-unknown-rule: there is no rule no-such\n"
+    found, hint = run("check")[1].splitlines()
+    assert found == "specs/waivers.yaml:3:11: error waiver-unknown-rule: there is no rule no-such"
+    assert hint == "  hint: write the id that stands behind error or warning of the finding"
     assert main(["explain", "waiver-unknown-rule"]) == 0

@@ -60,7 +60,12 @@ class EachAnswer(KindOfAnswer):
         """The values from the one that the table names on, and what is split in their place."""
         written, report = covers.written, scope.report
         if written.state is None and "split" in written.places:
-            report.add(POINTLESS_KEY, written.at("split"), "split says nothing without state beside each")
+            report.add(
+                POINTLESS_KEY,
+                written.at("split"),
+                "split says nothing without state beside each",
+                hint="leave split out, or add state: a quantity for what has no values one by one",
+            )
         place = written.at("each")
         quantity = scope.quantity(written.each or "", place)
         fallback = None

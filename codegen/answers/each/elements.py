@@ -25,10 +25,17 @@ def can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope)
         return False
     if written.first < 0 or (is_paged and written.first):
         problem = "from has no meaning on pages" if is_paged else f"from is {written.first}"
-        report.add(BAD_EACH, written.at("from"), problem)
+        report.add(
+            BAD_EACH, written.at("from"), problem, hint="leave from out" if is_paged else "from: 0 is the first value"
+        )
         return False
     if field.type.kind is not Kind.CHAR and not (field.type.is_integer and field.type.size <= 4):
-        report.add(BAD_EACH, place, f"{field.name} is a {field.type.name}, which cannot take values one by one")
+        report.add(
+            BAD_EACH,
+            place,
+            f"{field.name} is a {field.type.name}, which cannot take values one by one",
+            hint="each fills integer fields of at most 32 bits; answer this one otherwise",
+        )
         return False
     return True
 

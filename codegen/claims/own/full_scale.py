@@ -15,6 +15,7 @@ FULL_SCALE = Rule(
     "claim-full-scale",
     "A document gives a measurement another full scale than its converter has with the default factor. Correct it, or "
     "the factor that it was computed with.",
+    remedy="write the full scale that follows, or correct the reference, the bits or the factor",
 )
 
 _SAID = pattern(

@@ -18,6 +18,7 @@ PARAMETER = Rule(
     "claim-parameter",
     "A document says another default, range, step, type or place of a parameter than parameters.yaml has, or another "
     "number of parameters. Correct the one that is out of date.",
+    remedy="write what parameters.yaml has, or change it there",
 )
 
 _NAME = pattern(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")

@@ -14,6 +14,7 @@ RATE = Rule(
     "claim-rate",
     "A document says that a message is sent at another rate than its stream has at first. Correct the one that is out "
     "of date.",
+    remedy="write the rate of the stream, or change it in streams.yaml",
 )
 
 _AT = pattern(

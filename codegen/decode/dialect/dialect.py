@@ -12,6 +12,7 @@ NOT_A_DIALECT = Rule(
     "dialect-root",
     "The root element of a MAVLink dialect is <mavlink>. Check that the path names the intended file.",
     unreadable=True,
+    remedy="give the XML of a dialect, which begins with <mavlink>",
 )
 BAD_VERSION = Rule(
     "dialect-version",
@@ -20,11 +21,13 @@ BAD_VERSION = Rule(
 EMPTY_INCLUDE = Rule(
     "dialect-include-empty",
     "An <include> holds the path of another dialect file, relative to the file it stands in.",
+    remedy="write <include>common.xml</include>, or remove it",
 )
 DUPLICATE_MESSAGE = Rule(
     "message-duplicate",
     "Two messages of a file have the same id, or the same name, be it in capitals or in small letters: pages and "
     "functions are called by it. Rename or renumber one; the second is not read.",
+    remedy="rename or renumber one of the two, or remove the second",
 )
 
 _ROOT_ATTRIBUTES = frozenset({"file"})

@@ -17,16 +17,19 @@ UNKNOWN_ATTRIBUTE = Rule(
     "dialect-unknown-attribute",
     "MAVLink's schema has no such attribute here, so nobody reads it. Correct its name or remove it.",
     Severity.WARNING,
+    remedy="remove it, or take one that MAVLink's schema has here",
 )
 UNKNOWN_ELEMENT = Rule(
     "dialect-unknown-element",
     "MAVLink's schema has no such element here, so nobody reads it. Correct its name or remove it.",
     Severity.WARNING,
+    remedy="remove it, or take one that MAVLink's schema has here",
 )
 BAD_NAME = Rule(
     "dialect-name",
     "Names of messages, fields, enums and entries become names in code: a letter or underscore, then letters, digits "
     "and underscores, ASCII only.",
+    remedy="use letters, digits and _ of ASCII, and no digit at the front",
 )
 BAD_BOOLEAN = Rule(
     "dialect-boolean",
@@ -52,7 +55,12 @@ class ElementReader:
         """The text of an attribute that must be there, or None after a diagnostic."""
         text = element.attributes.get(attribute)
         if text is None:
-            self.report.add(MISSING_ATTRIBUTE, self.place(element), f"<{element.tag}> has no {attribute}")
+            self.report.add(
+                MISSING_ATTRIBUTE,
+                self.place(element),
+                f"<{element.tag}> has no {attribute}",
+                hint=f'write <{element.tag} {attribute}="...">',
+            )
         return text
 
     def name(self, element: XmlElement) -> str | None:

@@ -13,6 +13,7 @@ BAD_ENTRY_VALUE = Rule(
 EMPTY_ENUM = Rule(
     "enum-without-entries",
     "An enum without entries gives a field no value to take. Add entries or remove the enum.",
+    remedy='add <entry value="0" name="..."/>, or remove the enum',
 )
 
 _ENUM_ATTRIBUTES = frozenset({"name", "bitmask"})

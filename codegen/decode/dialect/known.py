@@ -17,6 +17,7 @@ KNOWN_MESSAGES = Rule(
     "known-messages",
     "A file under known in codegen.yaml is a dialect of which only the names and ids of the messages are looked at: "
     '<message id="371" name="FUEL_STATUS"/>.',
+    remedy='list messages like <message id="371" name="FUEL_STATUS"/>',
 )
 
 _MESSAGE = re.compile(rb'<message\s+id="(\d{1,8})"\s+name="(\w+)"')

@@ -12,19 +12,23 @@ MAX_FIELDS = 64
 FIELD_COUNT = Rule(
     "message-field-count",
     "A message has 1 to 64 fields; generators and receivers are built for no more.",
+    remedy="give the message 1 to 64 fields, or make two messages of it",
 )
 REPEATED_EXTENSIONS = Rule(
     "message-extensions-repeated",
     "One <extensions/> divides the base fields from the extensions; a second one has no meaning. Remove it.",
+    remedy="remove it: what follows the first one are extensions",
 )
 DUPLICATE_FIELD = Rule(
     "field-duplicate",
     "Two fields of a message have the same name, be it in capitals or in small letters: constants are called by it. "
     "Rename or remove one; the second is not read.",
+    remedy="rename the field, or remove one of the two",
 )
 UNKNOWN_FIELD_TYPE = Rule(
     "field-type",
     "The type of a field is one of MAVLink's element types, for an array with its length: uint16_t, char[16].",
+    remedy="write a type such as uint16_t, or char[16] for a text",
 )
 BAD_ARRAY_LENGTH = Rule(
     "field-array-length",

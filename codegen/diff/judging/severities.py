@@ -17,10 +17,12 @@ UNKNOWN_KIND = Rule(
     "A severity is set for a kind of change that does not exist, so it would never be used. Kinds are the ids of the "
     "rules of codegen diff, its areas (wire, behaviour, trace, documentation), its weights (silent, breaking, person, "
     "harmless), and any.",
+    remedy="write the id of a rule of codegen diff, an area such as wire, or a weight such as silent",
 )
 SEVERITY_VERSION = Rule(
     "severity-version",
     "The versions for which a severity is set are numbers with points between them, such as 2.4.43.",
+    remedy="write versions like 2.4.43",
 )
 
 _ANY = "any"

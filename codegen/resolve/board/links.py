@@ -20,6 +20,7 @@ BAD_LINK = Rule(
     "UDP has a port, an address to start with, credentials and a retry time, a TCP client these and a timeout, a TCP "
     "server a port that is its own, credentials, a retry time and a timeout, keys of one kind do not stand with "
     "another, and the board has what it needs.",
+    remedy="write a link such as usb: true, or {uart: 0, tx: 0, rx: 1, baud: 57600}",
 )
 _OF_KIND = {
     LinkKind.UART: ("tx", "rx", "baud"),
@@ -29,7 +30,15 @@ _OF_KIND = {
     LinkKind.TCP_CLIENT: ("to", "credentials", "retry", "timeout"),
 }
 _ONLY_OF = {"backlog": LinkKind.TCP_SERVER}
-_EXAMPLES = {"to": "192.168.4.2", "credentials": "wifi.json", "retry": "5 s", "timeout": "30 s"}
+_EXAMPLES = {
+    "tx": "0",
+    "rx": "1",
+    "baud": "57600",
+    "to": "192.168.4.2",
+    "credentials": "wifi.json",
+    "retry": "5 s",
+    "timeout": "30 s",
+}
 _SHORTEST_TIMEOUT_MS = 2000
 _LONGEST_RETRY_MS = 3_600_000
 
@@ -52,7 +61,7 @@ def resolve_links(
             problems += _board_problems(kind, spec, model)
         elif kind is LinkKind.UART and board.board is None:
             message = f"the UART of {name} is on no known board: say which, such as board: pico_2_w"
-            problems.append(("uart", message, None))
+            problems.append(("uart", message, "board: pico_2_w"))
         retry, timeout = (_milliseconds(spec, key, report) for key in ("retry", "timeout"))
         problems += _time_problems(name, kind, retry, timeout)
         for key, message, hint in problems:
@@ -89,23 +98,29 @@ def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]]
         owner, first = taken.setdefault(what.format(value), (name, place))
         if first != place:
             message = f"{key} of {name} is {what.format(value)}, which {owner} takes already"
-            report.add(BAD_LINK, place, message, related=[(first, f"{owner} takes it here")])
+            report.add(
+                BAD_LINK,
+                place,
+                message,
+                related=[(first, f"{owner} takes it here")],
+                hint="take another one, or leave out one of the links",
+            )
 
 
 def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Problem]:
     if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name) or keyword.iskeyword(name):
-        yield "", f"{name} cannot be the name of a link", None
+        yield "", f"{name} cannot be the name of a link", "use lower-case letters, digits and _, and no word of Python"
     needed = _OF_KIND[kind]
     for key in needed:
         if getattr(spec, key) is None:
-            example = f"{key}: {_EXAMPLES[key]}" if key in _EXAMPLES else None
+            example = f"{key}: {_EXAMPLES[key]}"
             yield "", f"{name} is a link over {kind.words} and needs {key}", example
     for key in dict.fromkeys((*(key for keys in _OF_KIND.values() for key in keys), *_ONLY_OF)):
         if getattr(spec, key) is not None and key not in needed and _ONLY_OF.get(key) is not kind:
-            yield key, f"{key} says nothing about a link over {kind.words}", None
+            yield key, f"{key} says nothing about a link over {kind.words}", f"leave {key} out"
     if spec.to is not None and not pattern(r"\d{1,3}(\.\d{1,3}){3}").fullmatch(spec.to):
         message = f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
-        yield "to", message, None
+        yield "to", message, "to: 192.168.4.2, or 255.255.255.255 for whoever listens"
     elif kind is LinkKind.TCP_CLIENT and spec.to is not None and spec.to.endswith(".255"):
         yield "to", f"{spec.to} is a broadcast, and a TCP connection goes to one station", "to: 192.168.4.2"
     limits = {
@@ -118,13 +133,17 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
     for key, (low, high) in limits.items():
         value = getattr(spec, key)
         if value is not None and not low <= value <= high:
-            yield key, f"{key} of {name} is {value}, not {low} to {high}", None
+            yield key, f"{key} of {name} is {value}, not {low} to {high}", f"{key}: {min(max(value, low), high)}"
 
 
 def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[_Problem]:
     """Yield what a link needs that the board lacks."""
     if kind is LinkKind.USB and not model.spec.usb:
-        yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART", None
+        yield (
+            "usb",
+            f"the {model.name} has no USB port of its own: its prompt is on a UART",
+            "take a UART, or a board with USB, such as board: pico_2_w",
+        )
     if kind.is_wireless and not model.spec.wifi:
         hint = "a board with Wi-Fi, such as board: pico_2_w, or a link with uart or usb"
         yield kind.value, f"the {model.name} has no Wi-Fi", hint
@@ -132,7 +151,11 @@ def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterat
         return
     uart = model.uarts.get(spec.uart)
     if uart is None:
-        yield "uart", f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}", None
+        yield (
+            "uart",
+            f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}",
+            f"uart: {min(model.uarts)}" if model.uarts else "take a board with a UART, or another kind of link",
+        )
         return
     for key, pin, pins in (("tx", spec.tx, uart.tx), ("rx", spec.rx, uart.rx)):
         if pin is not None and pin not in pins & model.free:

@@ -25,6 +25,7 @@ BAD_BOARD = Rule(
     "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction. The "
     "shortest timeout of a watchdog is not above its longest, and causes of a reset are numbers of "
     "machine.reset_cause().",
+    remedy="write Python as the board's MicroPython runs it",
 )
 _RUN = pattern(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
@@ -120,7 +121,12 @@ def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
     shortest = read_time(spec.shortest, unit_named("ms"), spec.at("shortest"), report)
     longest = None if spec.longest is None else read_time(spec.longest, unit_named("ms"), spec.at("longest"), report)
     if shortest is not None and longest is not None and shortest > longest:
-        report.add(BAD_BOARD, spec.at("shortest"), f"the shortest timeout, {spec.shortest}, is above the longest")
+        report.add(
+            BAD_BOARD,
+            spec.at("shortest"),
+            f"the shortest timeout, {spec.shortest}, is above the longest",
+            hint="swap them",
+        )
     causes = {spec.restart: "a restart"}
     for key, words in spec.causes.items():
         if key.isdecimal() and key.isascii() and len(key) < 4:

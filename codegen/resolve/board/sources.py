@@ -19,6 +19,7 @@ UNKNOWN_DRIVER = Rule(
     "unknown-driver",
     "A sensor names a driver that there is none of: neither one that comes with codegen, nor a file NAME.yaml in the "
     "folder drivers of the specification.",
+    remedy="write drivers/NAME.yaml and NAME.py, or take driver: user with a class of your own",
 )
 _RETRY_MS = 1000
 _RESERVED = {"every", "watch"}
@@ -71,6 +72,6 @@ def _polling(
         return None
     period_us = round(1000000 / rate)
     if period_us >= 1 << 29:
-        report.add(BAD_SOURCE, spec.at("rate"), f"{name} is asked less than once in nine minutes")
+        report.add(BAD_SOURCE, spec.at("rate"), f"{name} is asked less than once in nine minutes", hint="rate: 1 Hz")
         return None
     return Polling(citation, aspects, name, period_us, limit, retry, spec)

@@ -23,6 +23,7 @@ BAD_COMMAND = Rule(
 BUILT_IN_COMMAND = Rule(
     "built-in-command",
     "Every program answers this command, so commands.yaml cannot: other parts of the specification say how.",
+    remedy="remove it: the program answers this command by itself",
 )
 NO_PROGRAM_FOR_COMMANDS = Rule(
     "no-program-for-commands",
@@ -72,7 +73,12 @@ def _entry(name: str, command: CommandSpec, vehicle: VehicleSpec, dialect: Diale
         report.add(BUILT_IN_COMMAND, command.place, f"{name} is answered already", built_in.configured)
         return None
     if not 0 < entry.value <= 0xFFFF:
-        report.add(BAD_COMMAND, command.place, f"no COMMAND_LONG carries {name}: its number is {entry.value}")
+        report.add(
+            BAD_COMMAND,
+            command.place,
+            f"no COMMAND_LONG carries {name}: its number is {entry.value}",
+            hint="choose an entry of MAV_CMD from 1 to 65535",
+        )
         return None
     return entry
 
@@ -83,12 +89,17 @@ def _check_method(
     """Report what is wrong with a command's method; ``alike`` have it, too, and ``made`` are made for long ones."""
     method = command.method
     if not is_name(method) or is_vehicle_name(method) or method in made:
-        report.add(BAD_COMMAND, command.at("method"), f"{method} cannot be the name of a method of its own")
+        report.add(
+            BAD_COMMAND,
+            command.at("method"),
+            f"{method} cannot be the name of a method of its own",
+            hint="take a lower-case identifier that no other call of the vehicle has",
+        )
         return
     if command.long is not alike[0].long:
         message = f"{method} takes long for one command, and not for another"
-        report.add(BAD_COMMAND, command.at("method"), message)
+        report.add(BAD_COMMAND, command.at("method"), message, "write long at both, or give each a method of its own")
     calls = {action.call for action in vehicle.actions}
     if (method in calls and (command.params or command.long)) or made & calls:
         message = f"{method} of {name} is what a failsafe calls: without parameters, and without waiting"
-        report.add(BAD_COMMAND, command.at("method"), message)
+        report.add(BAD_COMMAND, command.at("method"), message, "give the command a method of its own")

@@ -30,7 +30,7 @@ def resolve_frames(
             report.add(UNKNOWN_ENTRY, spec.at("frames"), message, did_you_mean(written, known))
         elif has_position and not written.startswith(_GLOBAL):
             message = f"{name} has latitude and longitude, which {written} does not have"
-            report.add(BAD_COMMAND_FRAME, spec.at("frames"), message)
+            report.add(BAD_COMMAND_FRAME, spec.at("frames"), message, "take one that begins with MAV_FRAME_GLOBAL")
     meant = {written.removesuffix(_WHOLE) for written in spec.frames}
     is_told = any(param.enum is not None and param.enum.name == "MAV_FRAME" for param in params)
     if altitude is not None and len(meant) != 1 and not is_told:

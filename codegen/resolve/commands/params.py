@@ -49,11 +49,21 @@ def resolve_params(
     found: list[CommandParam] = []
     for key, param in spec.params.items():
         if key not in tuple("1234567"):
-            report.add(BAD_COMMAND_PARAM, param.place, f"a command has parameters 1 to 7, and no {key}")
+            report.add(
+                BAD_COMMAND_PARAM,
+                param.place,
+                f"a command has parameters 1 to 7, and no {key}",
+                hint="write the number of the parameter: params: {1: {name: ...}}",
+            )
             continue
         if not is_name(param.name) or param.name == "self" or any(param.name == each.name for each in found):
             message = f"{param.name} cannot be the name of an argument of its own"
-            report.add(BAD_COMMAND_PARAM, param.at("name"), message)
+            report.add(
+                BAD_COMMAND_PARAM,
+                param.at("name"),
+                message,
+                hint="take a lower-case identifier that no other parameter of the command has",
+            )
             continue
         resolved = _param(f"{name} {key}", int(key), param, _stated(entry, key), dialect, report)
         if resolved is not None:
@@ -95,7 +105,9 @@ def _param(
     scale = conversion(wire_unit, unit)
     if scale is None or scale.offset:
         message = f"{label} is in {wire_unit.name}, and {unit.name} is not: no factor leads from one to the other"
-        report.add(UNIT_MISMATCH, spec.at("unit"), message)
+        report.add(
+            UNIT_MISMATCH, spec.at("unit"), message, hint=f"unit: {wire_unit.name}, or one to which a factor leads"
+        )
         return None
     enum = _enum(spec, stated, dialect, report)
     if enum is None and (spec.enum or (stated.enum and stated.enum in dialect.enums)):
@@ -107,7 +119,12 @@ def _param(
     minimum, maximum = (None if end is None else _nearest(end) for end in ends)
     if minimum is not None and maximum is not None and minimum > maximum:
         key = "min" if spec.min is not None else "max"
-        report.add(BAD_COMMAND_PARAM, spec.at(key), f"{spec.name} has no value: its smallest is above its largest")
+        report.add(
+            BAD_COMMAND_PARAM,
+            spec.at(key),
+            f"{spec.name} has no value: its smallest is above its largest",
+            hint="swap min and max, or widen them to what the dialect allows",
+        )
         return None
     is_whole = spec.whole
     if is_whole is None:
@@ -140,7 +157,12 @@ def _param(
         ends=(next(limits), next(limits)),
     )
     if not _has_value(found):
-        report.add(BAD_COMMAND_PARAM, spec.place, f"{spec.name} has no value: none within its limits is {found.limits}")
+        report.add(
+            BAD_COMMAND_PARAM,
+            spec.place,
+            f"{spec.name} has no value: none within its limits is {found.limits}",
+            hint="widen min and max until there is one",
+        )
         return None
     return found
 
@@ -169,7 +191,12 @@ def _enum(spec: CommandParamSpec, stated: _Stated, dialect: Dialect, report: Rep
         return None
     if stated.enum not in (None, spec.enum) and stated.enum in dialect.enums:
         message = f"{spec.name} is of {stated.enum} in the dialect, not of {spec.enum}"
-        report.add(BAD_COMMAND_PARAM, spec.at("enum"), message)
+        report.add(
+            BAD_COMMAND_PARAM,
+            spec.at("enum"),
+            message,
+            hint=f"leave enum out, or set it in a corrections file: enum: {spec.enum}",
+        )
         return None
     return enum
 
@@ -224,7 +251,12 @@ def _check_default(
     is_within = is_within and (spec.min is None or value >= spec.min) and (spec.max is None or value <= spec.max)
     if not is_within or (is_whole and value.denominator != 1) or (enum is not None and not has_entry(enum, int(value))):
         message = f"the default of {spec.name} is no value that it accepts"
-        report.add(BAD_COMMAND_PARAM, spec.at("default"), message)
+        report.add(
+            BAD_COMMAND_PARAM,
+            spec.at("default"),
+            message,
+            hint="write one within min and max: an entry of the enum, or a whole number, where it wants one",
+        )
 
 
 def has_entry(enum: EnumDefinition, value: int) -> bool:

@@ -28,6 +28,7 @@ CORRECTION_UNKNOWN = Rule(
     "correction-unknown",
     "The message, field, enum or entry that is to be corrected is not in the dialect. Correct the name; if the dialect "
     "no longer has it, remove the correction.",
+    remedy="write the name as the dialect has it; if it is gone from there, remove the correction",
 )
 CORRECTION_ATTRIBUTE = Rule(
     "correction-attribute",
@@ -36,17 +37,20 @@ CORRECTION_ATTRIBUTE = Rule(
     "value of an entry; of a parameter of one label, units, minValue, maxValue, increment, enum, default or "
     "description. id and type only of a message that an overlay adds: the other messages have receivers, and none "
     "would accept a message with another CRC_EXTRA.",
+    remedy="set an attribute that the XML of the dialect has there, such as units or invalid",
 )
 CORRECTION_VALUE = Rule(
     "correction-value",
     "The attribute cannot have this value: an id is a number of 24 bits, a type one of the wire's, instance is true or "
     "false, display is bitmask or empty, wip is empty, an enum is one of the dialect, an entry's value is a number "
     "that no other entry has.",
+    remedy="write an enum that the dialect has, or add it with an overlay",
 )
 OBSOLETE_CORRECTION = Rule(
     "obsolete-correction",
     "The dialect already says what the correction sets. Remove it.",
     Severity.WARNING,
+    remedy="remove it",
 )
 
 
@@ -141,12 +145,23 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
         if attribute != "value":
             report.add(CORRECTION_ATTRIBUTE, place, f"{entry.name}: {attribute} cannot be corrected", "set value")
         elif value is None:
-            report.add(CORRECTION_VALUE, place, f"{entry.name}: the value cannot be {text!r}")
+            report.add(
+                CORRECTION_VALUE,
+                place,
+                f"{entry.name}: the value cannot be {text!r}",
+                hint="write a whole number, such as 7 or 0x10",
+            )
         elif value == entry.value:
             report.add(OBSOLETE_CORRECTION, place, f"the dialect already has the value {text} for {entry.name}")
         elif holder := next((other for other in enum.entries if other.value == value), None):
             related = [(holder.place, "the other entry")]
-            report.add(CORRECTION_VALUE, place, f"{entry.name}: {holder.name} has the value {value}", related=related)
+            report.add(
+                CORRECTION_VALUE,
+                place,
+                f"{entry.name}: {holder.name} has the value {value}",
+                related=related,
+                hint="take a number that no other entry has, or correct that one, too",
+            )
         else:
             new = entry._replace(value=value, is_implicit=False)
             entries = tuple(new if other is entry else other for other in enum.entries)
@@ -237,6 +252,16 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
 """Attribute of the definition, and the function that reads its text (None: not a possible value), by XML attribute."""
 
 
+_VALUES = {
+    "id": f"write a number from 0 to {MAX_MESSAGE_ID}",
+    "wip": "wip: '' takes it away",
+    "display": "write bitmask, or '' for none",
+    "instance": "write true or false",
+    "type": "write a type such as uint16_t, or char[16]",
+}
+"""The form of each attribute that cannot be any text."""
+
+
 def attribute_text(field: FieldDefinition, attribute: str) -> str | None:
     """Return what a definition states under an XML attribute, as text; None where it states nothing."""
     if attribute == "type":
@@ -295,7 +320,7 @@ def _is_accepted(
     """Return whether the attribute can have the value and does not have it yet; otherwise that is reported."""
     place = correction.at("set")
     if not is_possible:
-        report.add(CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}")
+        report.add(CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}", _VALUES.get(attribute))
     elif not is_new:
         report.add(OBSOLETE_CORRECTION, place, f"the dialect already has {attribute} {text!r} for {target}")
     return is_possible and is_new

@@ -67,7 +67,9 @@ def _corrected(
         hint = did_you_mean(attribute, _ATTRIBUTES)
         report.add(CORRECTION_ATTRIBUTE, place, f"{target}: {attribute} cannot be corrected", hint)
     elif attribute in _NUMBERS and text and exact_number(text) is None:
-        report.add(CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}")
+        report.add(
+            CORRECTION_VALUE, place, f"{target}: {attribute} cannot be {text!r}", "write a number, or '' for none"
+        )
     elif attribute == "units" and text and Unit.parse(text) is None:
         report.add(UNKNOWN_UNIT, place, f"{target}: {text!r} is not a known unit", nearest_unit(text))
     elif attribute == "enum" and text and text not in result.enums:

@@ -29,10 +29,12 @@ CORRECTION_TARGET = Rule(
 CORRECTED_TWICE = Rule(
     "corrected-twice",
     "Two corrections set the same attribute of the same message, field or entry. Keep the one that is right.",
+    remedy="keep the one that is right",
 )
 CORRECTION_UNFOUNDED = Rule(
     "correction-unfounded",
     "Whoever reads the specification has to be able to check a correction: state the reason and the source.",
+    remedy="write why the dialect is wrong, and where that can be looked up",
 )
 
 
@@ -96,4 +98,9 @@ def _check_grounds(correction: "Correction", report: Report) -> None:
         if not text.strip():
             report.add(CORRECTION_UNFOUNDED, correction.at(key), f"the {key} is empty")
     if not correction.set:
-        report.add(CORRECTION_ATTRIBUTE, correction.at("set"), "the correction sets nothing")
+        report.add(
+            CORRECTION_ATTRIBUTE,
+            correction.at("set"),
+            "the correction sets nothing",
+            hint="set: {attribute: value}, or remove it",
+        )

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 UNKNOWN_ENUM = Rule(
     "field-unknown-enum",
     "The enum of the field is in no file of the dialect. Correct its name or include the file that has it.",
+    remedy="include the file of the dialect that has it",
 )
 
 DEFAULT_VERSION = 2

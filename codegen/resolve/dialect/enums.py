@@ -10,6 +10,7 @@ ENUM_CONFLICT = Rule(
     "enum-conflict",
     "Files add their entries to an enum of the same name, and two entries disagree: one name with two values, or one "
     "value with two names. Rename or renumber one of them.",
+    remedy="rename or renumber one of the two entries",
 )
 
 

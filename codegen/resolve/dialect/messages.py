@@ -11,6 +11,7 @@ MESSAGE_CONFLICT = Rule(
     "Two files of the dialect define the same message name or id, and not alike, or names that differ in capital "
     "letters alone: pages and functions are called by them. Remove or renumber one of them; to change attributes of a "
     "message, use a corrections file.",
+    remedy="remove or renumber one; to change attributes of a message, use a corrections file",
 )
 BAD_MESSAGE_ID = Rule(
     "message-id",

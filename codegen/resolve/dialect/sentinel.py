@@ -14,6 +14,7 @@ SENTINEL_TEXT = Rule(
     "sentinel-text",
     "The attribute invalid is V, or for arrays [V], [V:] or [V1,,V3], where V is a number, NaN, a limit such as "
     "UINT16_MAX, or an entry of the field's enum. Correct it in the XML, or in a corrections file.",
+    remedy="write a number, NaN, a limit such as UINT16_MAX, or an entry of the enum",
 )
 SENTINEL_RANGE = Rule(
     "sentinel-range",
@@ -93,7 +94,11 @@ def _parts(written: str, length: int | None) -> tuple[SentinelForm, list[str]] |
     if not parts[-1]:
         parts.pop()
     if len(parts) > length:
-        return Problem(SENTINEL_TEXT, f"invalid is {written!r} for {len(parts)} elements, but the array has {length}")
+        return Problem(
+            SENTINEL_TEXT,
+            f"invalid is {written!r} for {len(parts)} elements, but the array has {length}",
+            hint=f"name {length} at most",
+        )
     return SentinelForm.POSITIONS, parts
 
 
@@ -119,7 +124,7 @@ def number_on_wire(text: str, wire_type: WireType, enum: EnumDefinition | None) 
 
 
 def _does_not_fit(text: str, wire_type: WireType) -> Problem:
-    hint = None
+    hint = "NaN is what a float can be that is no number"
     if wire_type.kind is not Kind.FLOAT:
         hint = f"{wire_type.name} carries whole numbers from {wire_type.minimum} to {wire_type.maximum}"
     return Problem(SENTINEL_RANGE, f"a {wire_type.name} cannot carry {text}", hint)
@@ -146,4 +151,8 @@ def _number(text: str, enum: EnumDefinition | None) -> int | float | Problem:
             f"no limit of a type and no entry of {enum.name}" if enum else "no limit of a type, and there is no enum"
         )
         return Problem(SENTINEL_TEXT, f"{text} is {where}", did_you_mean(text, names))
-    return Problem(SENTINEL_TEXT, f"{text!r} is neither a number nor a name")
+    return Problem(
+        SENTINEL_TEXT,
+        f"{text!r} is neither a number nor a name",
+        hint="write a number, NaN, a limit such as UINT16_MAX, or an entry of the enum",
+    )

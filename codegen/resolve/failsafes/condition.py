@@ -15,14 +15,24 @@ def level_conditions(
     given = [key for key in ("below", "above", "unknown", "either") if getattr(written, key)]
     if quantity is None:
         for key in given:
-            scope.bad(written, "or" if key == "either" else key, "silence is compared with a time alone: after")
+            scope.bad(
+                written,
+                "or" if key == "either" else key,
+                "silence is compared with a time alone: after",
+                hint="leave it out, and write after: 5 s",
+            )
         after = written.after or spec.after
         if after is None:
             scope.bad(written, None, "how long it may be silent is not said", "after: 5 s")
         delay = scope.settings.time(after, written.at("after") if written.after else spec.at("after"), None)
         return (Condition(Sense.SILENT, None, None, delay, 0, written),)
     if len(given) - ("either" in given) != 1:
-        scope.bad(written, None, "a level says exactly one of below, above and unknown")
+        scope.bad(
+            written,
+            None,
+            "a level says exactly one of below, above and unknown",
+            hint="keep one, such as below: 3.3 V; others go under or",
+        )
         return ()
     return (*_conditions(scope, (written,), spec, quantity), *_conditions(scope, written.either, spec, quantity))
 
@@ -32,7 +42,7 @@ def arming_conditions(scope: FailsafeScope, spec: FailsafeSpec, quantity: Quanti
     for each in spec.to_arm:
         for key in ("after", "hysteresis"):
             if getattr(each, key) is not None:
-                scope.bad(each, key, "what is looked at for arming has to hold for no time")
+                scope.bad(each, key, "what is looked at for arming has to hold for no time", hint=f"leave {key} out")
     return _conditions(scope, spec.to_arm, spec, quantity)
 
 
@@ -79,4 +89,9 @@ def check_order(scope: FailsafeScope, milder: FailsafeLevel, worse: FailsafeLeve
             is_worse = second.count < first.count if one.sense is Sense.BELOW else second.count > first.count
             if not is_worse:
                 key = "after" if one.limit is None else one.sense.value
-                scope.bad(other.spec, key, f"{worse.name} is no worse than {milder.name}, the level before it")
+                scope.bad(
+                    other.spec,
+                    key,
+                    f"{worse.name} is no worse than {milder.name}, the level before it",
+                    hint="order the levels from the mildest to the worst",
+                )

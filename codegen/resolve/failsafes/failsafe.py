@@ -48,7 +48,12 @@ def resolve_failsafes(
 
 def _failsafe(name: str, spec: FailsafeSpec, scope: FailsafeScope, *, can_arm: bool) -> Failsafe | None:
     if not pattern(r"[a-z][a-z0-9_]*").fullmatch(name):
-        scope.bad(spec, None, f"{name!r} is no name of a failsafe: small letters, digits and _")
+        scope.bad(
+            spec,
+            None,
+            f"{name!r} is no name of a failsafe: small letters, digits and _",
+            hint="write it like 'engine' or 'low_oil'",
+        )
     citation = cite(spec.requirement, spec.at("requirement"), scope.index, scope.report)
     quantity = None if spec.watches is None else scope.quantity(spec, "watches", spec.watches, None)
     if citation is None or (spec.watches is not None and quantity is None):
@@ -100,7 +105,7 @@ def _check_silence(spec: FailsafeSpec, scope: FailsafeScope) -> None:
         scope.bad(spec, "silence", f"{spec.silence} is nobody to wait for, but {GROUND_STATION} is", hint)
     for key in _NOT_OF_SILENCE:
         if getattr(spec, key):
-            scope.bad(spec, key, f"{key} is about a quantity, and silence has none")
+            scope.bad(spec, key, f"{key} is about a quantity, and silence has none", hint=f"leave {key} out")
 
 
 def _check_unarmed(spec: FailsafeSpec, scope: FailsafeScope) -> None:
@@ -129,7 +134,12 @@ def _title(name: str, spec: FailsafeSpec, component: Component | None, scope: Fa
         return name.replace("_", " ").capitalize() + (" {number}" if several else "")
     rest = spec.title.replace("{number}", "")
     if set(rest) & set('{}"\\') or not spec.title.isprintable():
-        scope.bad(spec, "title", f"{spec.title!r} is no title: of braces it has {{number}} alone, and no quotes")
+        scope.bad(
+            spec,
+            "title",
+            f"{spec.title!r} is no title: of braces it has {{number}} alone, and no quotes",
+            hint="write words, and {number} for the number of the instance",
+        )
     elif several and "{number}" not in spec.title:
         scope.bad(spec, "title", "there are several, and the title says of none which it is", "put {number} into it")
     return spec.title
@@ -141,7 +151,12 @@ def _levels(
     found = []
     for number, (name, written) in enumerate(spec.levels.items(), 1):
         if not pattern(r"[a-z][a-z0-9_ ]*").fullmatch(name):
-            scope.bad(written, None, f"{name!r} is no name of a level: small letters, digits, _ and spaces")
+            scope.bad(
+                written,
+                None,
+                f"{name!r} is no name of a level: small letters, digits, _ and spaces",
+                hint="write it like 'low' or 'critical'",
+            )
         found.append(
             FailsafeLevel(
                 name=name,
@@ -178,10 +193,15 @@ def _check_counts(failsafe: Failsafe, scope: FailsafeScope) -> None:
     for key, quantity in (("level", failsafe.level), ("health", failsafe.health)):
         if quantity is not None and quantity.maximum < count:
             message = f"{quantity.path} goes to {quantity.maximum}, and there are {count} levels"
-            scope.bad(failsafe.spec, key, message)
+            scope.bad(failsafe.spec, key, message, hint=f"write max: {count} at the quantity, or fewer levels")
     conditions = len(failsafe.to_arm) + len(failsafe.conditions)
     if conditions > _MOST_CONDITIONS:
         message = f"it has {conditions} conditions, and at most {_MOST_CONDITIONS} are told apart"
         scope.bad(failsafe.spec, None, message, "make two failsafes of it")
     if failsafe.level is not None and failsafe.level is failsafe.health:
-        scope.bad(failsafe.spec, "health", f"{failsafe.health.path} has the level already")
+        scope.bad(
+            failsafe.spec,
+            "health",
+            f"{failsafe.health.path} has the level already",
+            hint="give it a quantity of its own",
+        )

@@ -9,4 +9,5 @@ BAD_FAILSAFE = Rule(
     "quantity, times are at most four hours in whole milliseconds, there are 30 conditions at most, and "
     "hysteresis and over are for failsafes with latch: false. Every value of an action's parameter but 0 is one "
     "of the actions.",
+    remedy="write watches and levels, each with one of below, above and unknown",
 )

@@ -12,6 +12,7 @@ BAD_PRIORITY = Rule(
     "priority lists the calls of all actions once each, the most severe first: of what failsafes that are up ask for, "
     "the first one there holds. So a worse level of a failsafe cannot have an action that gives way to that of a "
     "milder level.",
+    remedy="list the calls of actions alone, or declare the action in vehicle.yaml",
 )
 
 
@@ -26,7 +27,7 @@ def resolve_priority(spec: VehicleSpec, failsafes: Iterable[Failsafe], report: R
         if call not in by_call:
             own.add(BAD_PRIORITY, place, f"there is no action {call}", did_you_mean(call, by_call))
         elif call in spec.priority[:number]:
-            own.add(BAD_PRIORITY, place, f"{call} has a place already")
+            own.add(BAD_PRIORITY, place, f"{call} has a place already", hint="leave out the second one")
     if missing := [call for call in by_call if call not in spec.priority]:
         hint = f"priority: [{', '.join([*dict.fromkeys(spec.priority), *missing])}] has them all; the most severe first"
         own.add(BAD_PRIORITY, place, f"{', '.join(missing)} has no place among the others", hint)

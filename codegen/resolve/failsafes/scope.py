@@ -31,7 +31,7 @@ class FailsafeScope:
         spec: FailsafeSpec | FailsafeLevelSpec | ConditionSpec,
         key: str | None,
         message: str,
-        hint: str | None = None,
+        hint: str | None,
     ) -> None:
         """Report something at a key of a record, or at the record itself."""
         self.report.add(BAD_FAILSAFE, spec.at(key) if key else spec.place, message, hint)
@@ -55,7 +55,12 @@ class FailsafeScope:
             self.bad(spec, key, f"{path} belongs to another component than {component}", "a failsafe of its own")
             return None
         if quantity.kind is not QuantityKind.NUMBER or quantity.elements is not None or quantity.derivation.counts_time:
-            self.bad(spec, key, f"{path} is not a number that can be compared")
+            self.bad(
+                spec,
+                key,
+                f"{path} is not a number that can be compared",
+                hint="name a single number, such as what an ADC measures or code sets",
+            )
             return None
         return quantity
 
@@ -68,9 +73,19 @@ class FailsafeScope:
         if quantity is None:
             return None
         if quantity.initial is None or not quantity.derivation.is_set_by_code:
-            self.bad(spec, key, f"{quantity.path} is not a number with an initial value")
+            self.bad(
+                spec,
+                key,
+                f"{quantity.path} is not a number with an initial value",
+                hint="write initial: 0 at it, and leave it to the failsafe alone",
+            )
         if component is None and self.components[quantity.component].instances > 1:
-            self.bad(spec, key, f"there are several {quantity.component}, and the failsafe is one")
+            self.bad(
+                spec,
+                key,
+                f"there are several {quantity.component}, and the failsafe is one",
+                hint="name a quantity of a component of which there is one",
+            )
         return quantity
 
     def action(self, level: FailsafeLevelSpec, component: Component | None) -> Parameter | ActionSpec | None:
@@ -93,5 +108,5 @@ class FailsafeScope:
         if lacking and len(known) > len(self.actions):  # else one of them has the value of another
             are = "is" if len(lacking) == 1 else "are"
             message = f"{shortened_list(map(str, lacking))} of {parameter.name} {are} none of the actions"
-            self.bad(level, "action", message)
+            self.bad(level, "action", message, hint="give an action each of them, or narrow the parameter's values")
         return parameter

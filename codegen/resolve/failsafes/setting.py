@@ -48,7 +48,8 @@ class SettingReader:
         steps = None if steps is None else steps * parameter.step
         if steps is None or steps.denominator != 1:
             message = f"{parameter.name} is no threshold for {quantity.path}: in whole {quantity.stored.name}"
-            self._report.add(BAD_FAILSAFE, place, message)
+            hint = f"declare {parameter.name} in such a unit, with a step of whole {quantity.stored.name or 'numbers'}"
+            self._report.add(BAD_FAILSAFE, place, message, hint)
             return None
         if max(-parameter.minimum, parameter.maximum) * steps > SMALL_INT_MAX:
             message = f"{parameter.name} goes to more {quantity.stored.name} than can be compared"
@@ -73,7 +74,14 @@ class SettingReader:
             self._report.add(BAD_FAILSAFE, place, message, "give stored: a finer unit in state.yaml")
             return None
         if abs(steps) > SMALL_INT_MAX or (is_difference and steps < 0):
-            self._report.add(BAD_FAILSAFE, place, f"{text} is nothing to compare {quantity.path} with")
+            self._report.add(
+                BAD_FAILSAFE,
+                place,
+                f"{text} is nothing to compare {quantity.path} with",
+                hint="write less; a difference is 0 or more"
+                if is_difference
+                else "write an amount that the quantity can have",
+            )
             return None
         return int(steps)
 
@@ -87,7 +95,12 @@ class SettingReader:
             if time is None:
                 return None
             if time.denominator != 1 or not 0 <= time <= LONGEST_MS:
-                self._report.add(BAD_FAILSAFE, place, f"{text} is not a time of whole ms, at most four hours")
+                self._report.add(
+                    BAD_FAILSAFE,
+                    place,
+                    f"{text} is not a time of whole ms, at most four hours",
+                    hint="write a time such as 500 ms or 5 s",
+                )
                 return None
             return Setting(None, int(time), unit)
         parameter = self.parameter(text, place, component)
@@ -97,7 +110,8 @@ class SettingReader:
         steps = None if steps is None else steps * parameter.step
         if steps is None or steps.denominator != 1 or parameter.minimum < 0 or parameter.maximum * steps > LONGEST_MS:
             message = f"{parameter.name} is not a time in whole milliseconds, from 0 to at most four hours"
-            self._report.add(BAD_FAILSAFE, place, message)
+            hint = f"declare {parameter.name} with unit: s, step: 1, min: 0 and max: 14400 at most"
+            self._report.add(BAD_FAILSAFE, place, message, hint)
             return None
         return Setting(parameter, int(steps), unit)
 

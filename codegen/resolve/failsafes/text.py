@@ -27,7 +27,12 @@ def read_text(
         elif any(isinstance(part, Shown) for part in parts):
             found.append(Clause(parts))
         elif not _names_a_quantity(piece, component):  # else what is wrong with that was reported
-            report.add(BAD_FAILSAFE, place, f"[{piece}] shows no quantity, so that nothing leaves it out")
+            report.add(
+                BAD_FAILSAFE,
+                place,
+                f"[{piece}] shows no quantity, so that nothing leaves it out",
+                hint=f"name a quantity in braces in it, or leave out the brackets: {piece.strip()}",
+            )
             return None
     return FailsafeText(written, tuple(found))
 

@@ -13,7 +13,11 @@ from codegen.pattern import pattern
 from codegen.resolve.citation import cite
 from codegen.source import Place
 
-UNKNOWN_FIELD = Rule("unknown-field", "A population table answers for a field that the message does not have.")
+UNKNOWN_FIELD = Rule(
+    "unknown-field",
+    "A population table answers for a field that the message does not have.",
+    remedy="write the name of a field as the dialect has it",
+)
 UNKNOWN_ELEMENT = Rule(
     "unknown-element",
     "A key of a population table is name, name[2] or name[1..9], and its elements exist in the field.",
@@ -151,12 +155,22 @@ def _answered(
         yield Elements(field, 0, field.count, answer, citation)
         return
     if not field.is_array or field.type.kind is Kind.CHAR:
-        report.add(UNKNOWN_ELEMENT, answer.place, f"{message.name}.{name} is answered as a whole, without an index")
+        report.add(
+            UNKNOWN_ELEMENT,
+            answer.place,
+            f"{message.name}.{name} is answered as a whole, without an index",
+            hint=f"write {name}",
+        )
         return
     begin, end = int(first), int(last if last is not None else first)
     if not begin <= end < field.count:
         message_text = f"{message.name}.{name} has the elements 0 to {field.count - 1}, not {key[len(name) :]}"
-        report.add(UNKNOWN_ELEMENT, answer.place, message_text)
+        report.add(
+            UNKNOWN_ELEMENT,
+            answer.place,
+            message_text,
+            hint=f"write {name}[0..{field.count - 1}] for all, or one of these",
+        )
         return
     yield Elements(field, begin, end - begin + 1, answer, citation)
 

@@ -19,6 +19,7 @@ BAD_GENERATIONS = Rule(
     "Generations of messages contradict themselves: each lists messages that have tables, a message is in one list of "
     "one entry only and about the component of the entry, and the parameter that chooses has the values 0 for old, 1 "
     "for new and 2 for both, is whole and acts at once.",
+    remedy="list messages that have tables, each in one generation of its component",
 )
 BAD_ANNOUNCEMENT = Rule(
     "bad-announcement",
@@ -75,14 +76,19 @@ def _list_problems(spec: GenerationsSpec, tables: set[str], taken: dict[str, Pla
     for key in ("old", "new"):
         names: tuple[str, ...] = getattr(spec, key)
         if not names:
-            yield spec.at(key), f"the {key} generation has no message", None, []
+            yield spec.at(key), f"the {key} generation has no message", "list one, or remove the generations", []
         for number, name in enumerate(names):
             place = spec.at(f"{key}[{number}]")
             if name not in tables:
                 hint = did_you_mean(name, tables) or "write its table in messages/, or take it out"
                 yield place, f"{name} has no population table", hint, []
             if name in taken:
-                yield place, f"{name} belongs to a generation already", None, [(taken[name], "it is listed here")]
+                yield (
+                    place,
+                    f"{name} belongs to a generation already",
+                    "keep it in one list",
+                    [(taken[name], "it is listed here")],
+                )
             taken.setdefault(name, place)
 
 
@@ -97,7 +103,7 @@ def _table_problems(spec: GenerationsSpec, tables: Sequence[PopulationSpec]) -> 
             if other is not None:
                 related = [(other.at("message"), "another table of the message")]
                 message = f"{name} is one of several tables of {table.message}, which receivers cannot tell apart"
-                yield spec.at(f"{key}[{number}]"), message, None, related
+                yield spec.at(f"{key}[{number}]"), message, "take it out, or leave one table of the message", related
 
 
 def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, PopulatedMessage]) -> Iterator[_Problem]:
@@ -108,11 +114,17 @@ def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, Pop
             owner = messages[listed].component
             read = {quantity.component for answer in messages[listed].answers for quantity in answer.quantities}
             if owner is None and read and name not in read:
-                yield spec.at(f"{key}[{number}]"), f"{listed} says nothing about a {name}", None, []
+                yield (
+                    spec.at(f"{key}[{number}]"),
+                    f"{listed} says nothing about a {name}",
+                    f"take it out, or answer a field with a quantity of {name}",
+                    [],
+                )
             if owner is not None and owner.name != name:
                 place = messages[listed].population.at("for_each")
                 related = [(place, "the component is stated here")]
-                yield spec.at(f"{key}[{number}]"), f"{listed} is sent for each {owner.name}, not {name}", None, related
+                message = f"{listed} is sent for each {owner.name}, not {name}"
+                yield spec.at(f"{key}[{number}]"), message, f"list it under {owner.name}", related
 
 
 def _chooses(parameter: Parameter, place: Place, report: Report) -> bool:

@@ -24,7 +24,11 @@ from codegen.resolve.quantities.component import find_component
 from codegen.resolve.quantities.quantity import LONGEST_NAME
 from codegen.resolve.scope import ResolvedScope
 
-UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
+UNKNOWN_MESSAGE = Rule(
+    "unknown-message",
+    "A population table is for a message that the dialect does not have.",
+    remedy="name a message of the dialect, or define it in an overlay",
+)
 BAD_TABLE_NAME = Rule(
     "bad-table-name",
     "The name that a population table gives itself with 'as' is that of its builder, its page and its tests, and "
@@ -32,8 +36,16 @@ BAD_TABLE_NAME = Rule(
     "lower-case letters, digits and underscores, and nothing else is called so: no message of the dialect, no "
     "component, no stream.",
 )
-UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
-UNKNOWN_COMPONENT = Rule("unknown-component", "A table names a component that state.yaml does not have.")
+UNKNOWN_STREAM = Rule(
+    "unknown-stream",
+    "A population table names a stream that streams.yaml does not have.",
+    remedy="write it in streams.yaml: streams: {NAME: {rate: 1 Hz}}",
+)
+UNKNOWN_COMPONENT = Rule(
+    "unknown-component",
+    "A table names a component that state.yaml does not have.",
+    remedy="write it in state.yaml: components: {name: ...}",
+)
 
 _POINTLESS = {
     "from": "says nothing without each",
@@ -41,6 +53,8 @@ _POINTLESS = {
     **dict.fromkeys(("split", "min", "max", "rounding"), "says nothing about what is not read as a number"),
 }
 """The message about a key that shapes answers of other kinds only."""
+_BESIDE = {"from": "each", "per": "board"}
+"""The keys beside which such a key says something, where these are not state and parameter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,5 +170,6 @@ def _bind(covers: Elements, scope: Scope) -> Answer | None:
     kind = next(kind for kind in KINDS if kind.is_meant(covers.written, scope))
     for key, words in _POINTLESS.items():
         if key in covers.written.places and key not in kind.SHAPED_BY:
-            scope.report.add(POINTLESS_KEY, covers.written.at(key), f"{key} {words}")
+            hint = f"leave {key} out, or answer with {_BESIDE.get(key, 'state or parameter')}"
+            scope.report.add(POINTLESS_KEY, covers.written.at(key), f"{key} {words}", hint)
     return kind.bind(covers, scope)

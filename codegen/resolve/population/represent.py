@@ -22,6 +22,7 @@ BAD_REPRESENTATION = Rule(
     "bad-representation",
     "A message represents a component that it reads and is not sent for_each of. A parameter that chooses has whole "
     "numbers from 1 on, and what is lowest is a number of that component.",
+    remedy="write represents: {component: {first: true}}, parameter or lowest",
 )
 
 
@@ -43,9 +44,19 @@ def resolve_representations(
         if component is None:
             continue
         if name == population.for_each:
-            report.add(BAD_REPRESENTATION, place, f"the message is sent for each {name}, and represents all of them")
+            report.add(
+                BAD_REPRESENTATION,
+                place,
+                f"the message is sent for each {name}, and represents all of them",
+                hint="leave it out",
+            )
         elif name not in read:
-            report.add(BAD_REPRESENTATION, place, f"no field of the message is about {name}")
+            report.add(
+                BAD_REPRESENTATION,
+                place,
+                f"no field of the message is about {name}",
+                hint=f"leave it out, or answer a field with a quantity of {name}",
+            )
         elif (choice := _choice(component, policy, written, parameters, report)) is not None:
             chosen[name] = choice
     # A choice that could not be read, or the number of an instance asked for in vain, has been reported.
@@ -76,7 +87,13 @@ def _choice(
         if parameter.step != 1 or parameter.minimum < 1 or parameter.unit is not NUMBER:
             related = [(parameter.spec.place, f"{parameter.name} is declared here")]
             message = f"{parameter.name} is not the number of a {component.name}, from 1 on"
-            report.add(BAD_REPRESENTATION, place, message, related=related)
+            report.add(
+                BAD_REPRESENTATION,
+                place,
+                message,
+                related=related,
+                hint=f"give {parameter.name} min: 1 and step: 1, and no unit",
+            )
             return None
         return Representation(component, Policy.PARAMETER, parameter=parameter)
     if policy.lowest is not None:
@@ -88,7 +105,12 @@ def _choice(
                 report.add(BAD_REPRESENTATION, place, f"{component.name} has no quantity {policy.lowest}", hint)
             return None
         if quantity.kind is not QuantityKind.NUMBER or quantity.elements is not None:
-            report.add(BAD_REPRESENTATION, place, f"{quantity.path} is not a single number")
+            report.add(
+                BAD_REPRESENTATION,
+                place,
+                f"{quantity.path} is not a single number",
+                hint=f"name a number of {component.name} without elements",
+            )
             return None
         return Representation(component, Policy.LOWEST, quantity=quantity)
     return Representation(component, Policy.FIRST)

@@ -16,6 +16,7 @@ BAD_ACCESS = Rule(
     "access of vehicle.yaml says for each link of the board, and for no other, whether it is open, signed or listed. "
     "Signatures need MAVLink 2, listed links the stations that count, and a new key comes over an open cable only: "
     "who hears it on a radio or a network has it.",
+    remedy="write open, signed or listed for each link of board.yaml, and for no other",
 )
 
 _Problem = tuple[str, str, str | None]
@@ -65,21 +66,29 @@ def _link_problems(access: AccessSpec, spec: Spec) -> Iterator[_Problem]:
         yield "stations", "stations are listed, and no link asks for them", "links: {wifi: listed}"
     for number in access.stations:
         if not 1 <= number <= 255:
-            yield "stations", f"{number} is not a system id from 1 to 255", None
+            yield "stations", f"{number} is not a system id from 1 to 255", "stations: [255]"
 
 
 def _key_problems(access: AccessSpec, vehicle: VehicleSpec, spec: Spec, dialect: Dialect) -> Iterator[_Problem]:
     if not re.fullmatch(r"[A-Za-z0-9_.-]{1,64}", access.key) or access.key in vehicle.storage.files:
         yield "key", f"{access.key} cannot be the name of the key's file", "key: signing.key"
     if access.setup and Admission.SIGNED not in access.links.values():
-        yield "setup", "no link is signed, so there is no use for a key", None
+        yield "setup", "no link is signed, so there is no use for a key", "leave setup out, or write signed for a link"
     for name in access.setup:
         link = spec.board.links.get(name)
         if link is None:
             yield "setup", f"the board has no link {name}", did_you_mean(name, spec.board.links)
         elif link.is_wireless:
-            yield "setup", f"a key that comes over {name} is known to all that hear its network", None
+            yield (
+                "setup",
+                f"a key that comes over {name} is known to all that hear its network",
+                "name a link over a cable: usb, or a UART",
+            )
         elif access.links.get(name) is not Admission.OPEN:
             yield "setup", f"{name} is not open: whoever has no key yet could not bring one", f"links: {{{name}: open}}"
     if access.setup and SETUP_SIGNING not in dialect.messages:
-        yield "setup", f"{dialect.name} has no message {SETUP_SIGNING}", None
+        yield (
+            "setup",
+            f"{dialect.name} has no message {SETUP_SIGNING}",
+            "leave setup out, or take a dialect that includes common.xml",
+        )

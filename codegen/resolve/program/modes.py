@@ -15,6 +15,7 @@ BAD_MODE = Rule(
     "A mode has a whole number that vehicle.mode of the state can have, and a name of its own; what its base lists are "
     "booleans of the component vehicle that can be set. Where modes are declared, the one at the start and those "
     "of actions are among them.",
+    remedy="name a boolean of the component vehicle that code sets",
 )
 
 
@@ -32,16 +33,31 @@ def resolve_modes(
     quantity = vehicle.quantities.get("mode") if vehicle and vehicle.instances == 1 else None
     if vehicle is None or quantity is None or quantity.kind is not QuantityKind.NUMBER:
         if not state.is_written("vehicle", "mode"):  # else what is wrong with it has been reported
-            report.add(BAD_MODE, spec.at("modes"), "the component vehicle of the state has no number mode to be set")
+            report.add(
+                BAD_MODE,
+                spec.at("modes"),
+                "the component vehicle of the state has no number mode to be set",
+                hint="mode: {doc: Number of the mode., min: 0, max: 30, initial: 0}",
+            )
         return ()
     found: dict[int, Mode] = {}
     for key, mode in spec.modes.items():
         citation = cite_optional(mode.requirement, mode.at("requirement"), index, report)
         if not key.isascii() or not key.isdigit() or not quantity.minimum <= int(key) <= quantity.maximum:
-            report.add(BAD_MODE, mode.place, f"{key} is not a mode that vehicle.mode can have")
+            report.add(
+                BAD_MODE,
+                mode.place,
+                f"{key} is not a mode that vehicle.mode can have",
+                hint=f"take a whole number from {quantity.minimum} to {quantity.maximum}",
+            )
             continue
         if any(mode.name == other.name for other in found.values()):
-            report.add(BAD_MODE, mode.at("name"), f"{mode.name} is the name of another mode already")
+            report.add(
+                BAD_MODE,
+                mode.at("name"),
+                f"{mode.name} is the name of another mode already",
+                hint="choose another name",
+            )
         found[int(key)] = Mode(int(key), mode.name, _base(mode, vehicle, report), citation, mode)
     _check_uses(spec, quantity, found, report)
     return tuple(found.values())
@@ -57,7 +73,12 @@ def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity,
                 hint = did_you_mean(name, vehicle.quantities)
                 report.add(BAD_MODE, place, f"the component vehicle has no quantity {name}", hint)
         elif quantity.kind is not QuantityKind.BOOLEAN or not quantity.derivation.is_set_by_code or name in _OWN:
-            report.add(BAD_MODE, place, f"{quantity.path} is no boolean that a mode can set")
+            report.add(
+                BAD_MODE,
+                place,
+                f"{quantity.path} is no boolean that a mode can set",
+                hint="name a boolean of the component vehicle that code sets",
+            )
         else:
             found.append(quantity)
     return tuple(found)

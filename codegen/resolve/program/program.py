@@ -29,6 +29,7 @@ BAD_PROGRAM = Rule(
     "vehicle.yaml contradicts itself or the rest of the specification: what can be armed needs the component vehicle "
     "of the state with armed, ready, status, mode and load, failsafes need arming, parameters are saved in two files, "
     "and each action has a name of its own.",
+    remedy="make vehicle.yaml fit the component vehicle of state.yaml",
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
 """The largest difference of two ticks_us() on a board."""
@@ -103,7 +104,12 @@ def resolve_program(
         (code, "measure", 1000000 / measure if measure else 0),
     ):
         if period_us > LONGEST_PERIOD_US:
-            report.add(BAD_PROGRAM, record.at(key), "a job of the main loop is due every 536 s at least")
+            report.add(
+                BAD_PROGRAM,
+                record.at(key),
+                "a job of the main loop is due every 536 s at least",
+                hint=f"{key}: {'60 s' if key == 'report_every' else '1 Hz'}",
+            )
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
     silence_ms = read_time(spec.services.silence, unit_named("ms"), spec.services.at("silence"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
@@ -112,7 +118,9 @@ def resolve_program(
         return None
     if links > control:
         message = f"links are served in a pass of the main loop, and that runs at {spec.control.rate} only"
-        report.add(BAD_PROGRAM, spec.control.at("links"), message)
+        report.add(
+            BAD_PROGRAM, spec.control.at("links"), message, hint=f"links: {spec.control.rate} at most, or a higher rate"
+        )
     return Program(
         control_us=round(Fraction(1000000) / control),
         links_us=round(Fraction(1000000) / links),

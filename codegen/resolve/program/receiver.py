@@ -18,6 +18,7 @@ BAD_RECEIVER = Rule(
     "bad-receiver",
     "A receiver is for a component of the state, and turns back those messages that are sent for each instance of it "
     "and carry the number of the instance. Name such a component, or write a table with for_each and an id.",
+    remedy="name a component of state.yaml that a message with for_each is sent for",
 )
 
 UNPLAYED_ROLE = Rule(
@@ -25,6 +26,7 @@ UNPLAYED_ROLE = Rule(
     "receiver.yaml gives a role to fields of which the messages that are received have none: what is computed from it "
     "stays unknown. Name a field of these messages.",
     Severity.WARNING,
+    remedy="name a field of the messages that are received, or leave the role out",
 )
 
 

@@ -15,6 +15,7 @@ NO_SERVICE_MESSAGE = Rule(
     "no-service-message",
     "The services to ground stations need a message, a field of one, or an entry of an enum, that the dialect does not "
     "have. Choose a dialect that includes common.xml, or add it with an overlay.",
+    remedy="take a dialect that includes common.xml, or add it with an overlay",
 )
 
 HEAD_ONLY = ("FILE_TRANSFER_PROTOCOL",)

@@ -26,5 +26,10 @@ def find_component(
     """
     found = resolved.get(name)
     if found is None and not state.has_written(name):
-        report.add(rule, place, f"the state has no component {name}", did_you_mean(name, resolved) or hint)
+        report.add(
+            rule,
+            place,
+            f"the state has no component {name}",
+            did_you_mean(name, resolved) or hint or f"components: {{{name}: ...}}",
+        )
     return found

@@ -16,8 +16,16 @@ from codegen.model.spec.population import Rounding
 from codegen.model.units.unit import Unit, decimal, ratio
 from codegen.model.vehicle import QuantityKind
 
-UNKNOWN_ENUM = Rule("unknown-enum", "A table names an enum that the dialect does not have.")
-UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum of the dialect does not have.")
+UNKNOWN_ENUM = Rule(
+    "unknown-enum",
+    "A table names an enum that the dialect does not have.",
+    remedy="write an enum that the dialect has, or add it with an overlay",
+)
+UNKNOWN_ENTRY = Rule(
+    "unknown-enum-entry",
+    "A table names an entry that the enum of the dialect does not have.",
+    remedy="write an entry that the enum has in the dialect, or add it with an overlay",
+)
 BEYOND_STORAGE = Rule(
     "beyond-storage",
     "The limits of a quantity are wider than what it can be kept in: whole numbers of stored units have 64 bits at "
@@ -44,12 +52,21 @@ def resolve_kept(around: Surroundings) -> tuple[Kept, EnumDefinition | None] | N
     if steps is None:
         why = obstacle(unit, stored)
         message = f"{unit.name or 'a number'} cannot be kept in {stored.name}"
-        around.bad("stored", f"{message}: {why}" if why else message, UNCARRIED_CONVERSION if why else UNIT_MISMATCH)
+        around.bad(
+            "stored",
+            f"{message}: {why}" if why else message,
+            UNCARRIED_CONVERSION if why else UNIT_MISMATCH,
+            hint="leave stored out, or write a unit to which a factor leads from unit",
+        )
         return None
     storage, (minimum, maximum) = _storage(around, kind, stored, steps, enum)
     initial = _initial(around, kind, enum, steps, storage)
     if initial is not None and not isinstance(initial, str) and not minimum <= initial <= maximum:
-        around.bad("initial", f"initial of {around.name} is not between its limits")
+        around.bad(
+            "initial",
+            f"initial of {around.name} is not between its limits",
+            hint="write one that is, or widen min and max",
+        )
     return Kept(kind, unit, stored, steps, storage, minimum, maximum, initial), enum
 
 
@@ -66,9 +83,13 @@ def _kind(around: Surroundings) -> QuantityKind:
     if kind is not QuantityKind.NUMBER:
         for key in ("unit", "stored", "min", "max"):
             if getattr(spec, key) is not None:
-                around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")
+                around.bad(
+                    key,
+                    f"{name} is a {kind.value} quantity and cannot have {key}",
+                    hint=f"leave {key} out, or make it a number: without {kind.value}",
+                )
     if kind is not QuantityKind.TEXT and spec.boolean and spec.enum is not None:
-        around.bad("enum", f"{name} cannot be both a boolean and an enum")
+        around.bad("enum", f"{name} cannot be both a boolean and an enum", hint="leave out one of them")
     return kind
 
 
@@ -77,10 +98,10 @@ def _check_text(around: Surroundings) -> None:
     spec, name = around.spec, around.name
     assert spec.text is not None
     if not 1 <= spec.text <= LONGEST_TEXT:
-        around.bad("text", f"text of {name} is {spec.text}, not 1 to {LONGEST_TEXT} bytes")
+        around.bad("text", f"text of {name} is {spec.text}, not 1 to {LONGEST_TEXT} bytes", hint="text: 50")
     for key in ("boolean", "enum", "elements", "restarts_with"):
         if getattr(spec, key) not in (None, False):
-            around.bad(key, f"{name} is a text and cannot have {key}")
+            around.bad(key, f"{name} is a text and cannot have {key}", hint=f"leave out text, or {key}")
 
 
 def _enum(around: Surroundings) -> EnumDefinition | None:
@@ -158,7 +179,10 @@ def _storage(
     storage = storage_of(*whole)
     if storage is None:
         around.bad(
-            "max", f"{around.name} goes from {whole[0]} to {whole[1]}, which 64 bits do not hold", BEYOND_STORAGE
+            "max",
+            f"{around.name} goes from {whole[0]} to {whole[1]}, which 64 bits do not hold",
+            BEYOND_STORAGE,
+            hint="narrow min and max, or keep the quantity in a coarser unit: stored",
         )
         return Storage.SMALL, whole
     if storage is not Storage.SMALL and not _is_plain(around):
@@ -171,7 +195,7 @@ def _storage(
 
 def _check_order(around: Surroundings, limits: Limits) -> None:
     if limits[0] > limits[1]:
-        around.bad("max", f"max of {around.name} is below its min")
+        around.bad("max", f"max of {around.name} is below its min", hint="swap them, or leave out one")
 
 
 def _of_enum(enum: EnumDefinition) -> tuple[int, int]:
@@ -228,7 +252,7 @@ def _initial(
     if kind is QuantityKind.BOOLEAN:
         is_set = not any(each.GIVES_BOOLEAN and each.is_named for each in around.spec.derivations)
         if is_set and not isinstance(written, bool):
-            around.bad("initial", f"the boolean {name} needs initial: true or false")
+            around.bad("initial", f"the boolean {name} needs initial: true or false", hint="initial: false")
         return int(written is True)
     if written is None:
         return None
@@ -236,7 +260,11 @@ def _initial(
         return _initial_text(around, written)
     if isinstance(written, bool) or (kind is QuantityKind.NUMBER) != isinstance(written, Fraction):
         wanted = "a number" if kind is QuantityKind.NUMBER else "an entry of its enum"
-        around.bad("initial", f"initial of {name} is not {wanted}")
+        around.bad(
+            "initial",
+            f"initial of {name} is not {wanted}",
+            hint="initial: 0" if kind is QuantityKind.NUMBER else f"name an entry of {around.spec.enum}",
+        )
         return None
     if isinstance(written, Fraction):
         return storage.nearest(written * steps) if storage.is_float else around.in_steps("initial", written, steps)

@@ -105,16 +105,24 @@ def _check(around: Surroundings) -> None:
     if not is_name(name) or name in _RESERVED_QUANTITIES:
         around.bad("", f"{name} cannot be the name of a quantity", hint="choose another name")
     if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
-        around.bad("invalid_after", f"invalid_after of {name} is {spec.invalid_after}, not 1 to 1000")
+        around.bad(
+            "invalid_after", f"invalid_after of {name} is {spec.invalid_after}, not 1 to 1000", hint="invalid_after: 3"
+        )
     if not any(written.has_readings for written in spec.derivations):
         if spec.invalid_after is not None:
-            around.bad("invalid_after", f"{name} has no adc and no source, so invalid_after says nothing")
+            around.bad(
+                "invalid_after",
+                f"{name} has no adc and no source, so invalid_after says nothing",
+                hint="leave it out, or say what measures it: adc or source",
+            )
         if spec.stale_after is not None:
             _check_age(around)
     if spec.reaches is not None:
         _check_reach(around)
     if spec.per is not None and spec.reaches is None and not any(written.has_limit for written in spec.derivations):
-        around.bad("per", "per says nothing without a limit, such as that of follows", BAD_FOLLOWING)
+        around.bad(
+            "per", "per says nothing without a limit, such as that of follows", BAD_FOLLOWING, hint="leave it out"
+        )
 
 
 def _check_reach(around: Surroundings) -> None:
@@ -130,7 +138,12 @@ def _check_reach(around: Surroundings) -> None:
         for name in names:
             measure = read_measure(str(name))
             if measure is None or measure.in_unit(unit) is None:
-                around.bad("reaches", f"{name} is no amount in {around.spec.unit}", UNIT_MISMATCH)
+                around.bad(
+                    "reaches",
+                    f"{name} is no amount in {around.spec.unit}",
+                    UNIT_MISMATCH,
+                    hint=f"write an amount such as 5 {around.spec.unit}, or the name of a fact that is one",
+                )
                 return
 
 
@@ -138,9 +151,17 @@ def _check_age(around: Surroundings) -> None:
     """Report stale_after where it says nothing: only what code sets as a whole, and can be unknown, grows old."""
     spec, name = around.spec, around.name
     if any(written.is_named for written in spec.derivations):
-        around.bad("stale_after", f"{name} is not set by code, so stale_after says nothing")
+        around.bad(
+            "stale_after",
+            f"{name} is not set by code, so stale_after says nothing",
+            hint="leave it out: what it comes from says when it is unknown",
+        )
     elif spec.boolean:
-        around.bad("stale_after", f"{name} is a boolean, which is never unknown, so stale_after says nothing")
+        around.bad(
+            "stale_after",
+            f"{name} is a boolean, which is never unknown, so stale_after says nothing",
+            hint="leave it out, or make it a number",
+        )
     elif spec.initial is not None and not isinstance(spec.elements, str):  # such a list has a finding of its own, below
         hint = "leave out one of them"
         around.bad(

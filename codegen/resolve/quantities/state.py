@@ -108,7 +108,12 @@ def _first_number(
     place = spec.at("first_number")
     parameter = find_parameter(spec.first_number, place, whole.parameters, parameters, report)
     if parameter is not None and (parameter.step != 1 or parameter.minimum < 0 or parameter.maximum > 255):
-        report.add(BAD_COMPONENT, place, f"{parameter.name} is not a whole number from 0 to 255")
+        report.add(
+            BAD_COMPONENT,
+            place,
+            f"{parameter.name} is not a whole number from 0 to 255",
+            hint=f"give {parameter.name} min: 0, max: 255 and step: 1, or name another parameter",
+        )
     return parameter
 
 
@@ -130,7 +135,13 @@ def _check_names(quantities: Mapping[str, Quantity], report: Report) -> None:
             owner = owners.setdefault(name, quantity)
             if owner is not quantity:
                 related = [(owner.spec.place, f"{owner.name} takes the name {name} in the firmware")]
-                report.add(BAD_QUANTITY, quantity.spec.place, f"{quantity.name} needs the name {name}", None, related)
+                report.add(
+                    BAD_QUANTITY,
+                    quantity.spec.place,
+                    f"{quantity.name} needs the name {name}",
+                    f"rename {quantity.name}",
+                    related,
+                )
 
 
 def find_quantity(

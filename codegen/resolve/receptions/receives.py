@@ -22,11 +22,13 @@ NOTHING_RECEIVES = Rule(
     "nothing-receives",
     "A table in receives/ is for a message that the program never sees: the project has no vehicle.yaml, which "
     "describes the program that reads the links, or the message is one of which the services read a part only.",
+    remedy="describe the program in vehicle.yaml, or remove the table",
 )
 BAD_CONDITION = Rule(
     "bad-condition",
     "'where' names a field that is no single whole number, or a number that the field cannot carry: no message would "
     "ever be taken.",
+    remedy="name a field of whole numbers of 8 or 16 bits, and a number that it carries",
 )
 _ELEMENT = pattern(r"(\w+)(\[.*\])?")
 
@@ -44,7 +46,9 @@ def resolve_reception(spec: ReceiveSpec, parts: Parts, report: Report) -> Recept
         report.add(NOTHING_RECEIVES, spec.at("receive"), f"nothing receives {spec.receive}: there is no program", hint)
     elif spec.receive in HEAD_ONLY:
         message = f"the services read the beginning of {spec.receive} only, so its fields are not there to be taken"
-        report.add(NOTHING_RECEIVES, spec.at("receive"), message)
+        report.add(
+            NOTHING_RECEIVES, spec.at("receive"), message, hint="remove the table: the services answer the message"
+        )
     citation = cite(spec.requirement, spec.at("requirement"), parts.requirements, report)
     aspects = cite_aspects(spec, parts.requirements, report)
     if wire is None:
@@ -56,7 +60,13 @@ def resolve_reception(spec: ReceiveSpec, parts: Parts, report: Report) -> Recept
             earlier = places.setdefault((field.name, element), written.place)
             if earlier is not written.place:
                 message = f"{wire.name}.{key} is taken twice"
-                report.add(ANSWERED_TWICE, written.place, message, related=[(earlier, "the first time is here")])
+                report.add(
+                    ANSWERED_TWICE,
+                    written.place,
+                    message,
+                    related=[(earlier, "the first time is here")],
+                    hint="keep one of them",
+                )
             taken = _taken(field, element, written, spec, parts, report)
             fields += [] if taken is None else [taken]
     conditions = tuple(_conditions(spec, wire, parts, report))
@@ -96,7 +106,12 @@ def _elements(
     is_text = field.type.kind is Kind.CHAR
     if not ranges or (match and match[2] and (is_text or not field.is_array)):
         what = "a text, taken as a whole" if is_text else f"{field.count} elements, from 0"
-        report.add(UNKNOWN_ELEMENT, written.place, f"{key!r} is no element: {field.name} has {what}")
+        report.add(
+            UNKNOWN_ELEMENT,
+            written.place,
+            f"{key!r} is no element: {field.name} has {what}",
+            hint=f"write {field.name}" if is_text else f"write {field.name}[0]",
+        )
         return
     ((_, first, count),) = ranges
     if count != 1 and not is_text:

@@ -15,6 +15,7 @@ SPECIAL_VALUE = Rule(
     "'unchanged' and 'unknown' of a received field list numbers that the field carries on the wire, limits of types "
     "such as UINT16_MAX or UINT16_MAX-1, entries of the field's enum, or NaN, each in one list only; a text has none. "
     "Those that a correction of the dialect states are written alike, with commas between them.",
+    remedy="write numbers that the field carries, limits such as UINT16_MAX, or entries of its enum",
 )
 Numbers = tuple[int | float, ...]
 

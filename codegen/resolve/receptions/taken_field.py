@@ -30,6 +30,7 @@ NOT_RECEIVED = Rule(
     "unit, or unconverted into one of more; a float into a quantity that is kept as a float of its size in the field's "
     "unit, or one of 32 bits into one of one word, rounded to the nearest; a text into a text of at least its length. "
     "The quantity belongs to a component of which there is one, and is no list.",
+    remedy="take a quantity that is kept as the field is: a number, a float, or a text of its length",
 )
 _ONE_FOR_EACH = (
     "declare a quantity for each value that arrives, in a component of which there is one, such as "
@@ -227,7 +228,12 @@ def _bounds(
     for key in ("min", "max"):
         limit = getattr(written, key)
         if limit is not None and quantity.kind is not QuantityKind.NUMBER:
-            report.add(NOT_RECEIVED, written.at(key), f"{quantity.path} is no number, so {key} says nothing of it")
+            report.add(
+                NOT_RECEIVED,
+                written.at(key),
+                f"{quantity.path} is no number, so {key} says nothing of it",
+                hint=f"leave {key} out",
+            )
             limit = None
         value = None if limit is None else read_number(limit, quantity.unit, written.at(key), report)
         stated.append(None if value is None else value * in_wire)

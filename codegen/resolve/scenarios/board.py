@@ -13,6 +13,7 @@ SCENARIO_PARAMETER = Rule(
     "scenario-parameter",
     "A scenario sets a parameter that the program does not have, or to a value that it does not take: outside its "
     "limits, between two steps, or none of its single values.",
+    remedy="name a parameter of parameters.yaml, with a value that it takes",
 )
 
 
@@ -42,9 +43,15 @@ def _problem(parameters: Mapping[str, Parameter], name: str, value: Fraction) ->
         return f"{name} does not take {_number(value)}", f"it takes {choices}"
     if not parameter.minimum <= steps <= parameter.maximum:
         low, high = (_number(limit * parameter.step) for limit in (parameter.minimum, parameter.maximum))
-        return f"{name}: {_number(value)}{unit} is not from {low} to {high}", None
+        return (
+            f"{name}: {_number(value)}{unit} is not from {low} to {high}",
+            f"the nearest is {low if steps < parameter.minimum else high}",
+        )
     if steps.denominator != 1:
-        return f"{name}: {_number(value)}{unit} lies between two steps of {_number(parameter.step)}{unit}", None
+        return (
+            f"{name}: {_number(value)}{unit} lies between two steps of {_number(parameter.step)}{unit}",
+            f"the nearest is {_number(round(steps) * parameter.step)}",
+        )
     return None
 
 

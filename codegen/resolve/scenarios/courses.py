@@ -18,6 +18,7 @@ SCENARIO_COURSE = Rule(
     "A course is that of a quantity of state.yaml, component.quantity, or component[1].quantity for the second "
     "instance. It is measured, or set by code of the vehicle: what the firmware makes of others, and what the program "
     "itself sets, follows by itself.",
+    remedy="give a course to what is measured, or what code sets; the rest follows by itself",
 )
 _LABEL = pattern(r"(\w+)(?:\[(\d{1,3})\])?\.(\w+)")
 _EVERY_MS = 100
@@ -39,7 +40,12 @@ class Courses:
         for written, spec in source.courses.items():
             course = self._course(written, spec, parameters)
             if course is not None and course.label in found:
-                self._values.say(SCENARIO_COURSE, spec.place, f"there is another course of {course.label}")
+                self._values.say(
+                    SCENARIO_COURSE,
+                    spec.place,
+                    f"there is another course of {course.label}",
+                    hint="leave out one of them",
+                )
             elif course is not None:
                 found[course.label] = course
         return tuple(found.values())
@@ -62,7 +68,12 @@ class Courses:
         instance, count = int(match[2] or 0), system.components[match[1]].instances
         if instance >= count:
             there = "one" if count == 1 else f"{match[1]}[0] to {match[1]}[{count - 1}]"
-            self._values.say(SCENARIO_COURSE, place, f"there is no {match[1]}[{instance}]: there is {there}")
+            self._values.say(
+                SCENARIO_COURSE,
+                place,
+                f"there is no {match[1]}[{instance}]: there is {there}",
+                hint=f"write {match[1]}.{match[3]} for the first one",
+            )
             return None
         return quantity_label(quantity, instance), quantity, instance
 
@@ -118,7 +129,12 @@ class Courses:
             place = spec.places.get(f"points[{index}][0]", at)
             at_ms = values.milliseconds(pair[0], place, 0)
             if at_ms is not None and at_ms < last:
-                values.say(SCENARIO_POINTS, place, f"{pair[0]} lies before the point in front of it")
+                values.say(
+                    SCENARIO_POINTS,
+                    place,
+                    f"{pair[0]} lies before the point in front of it",
+                    hint="order the points by their times",
+                )
             last = last if at_ms is None else at_ms
             found.append(at_ms)
         return found
@@ -128,12 +144,19 @@ class Courses:
             return 0.0
         place = spec.at("noise")
         if quantity.kind is not QuantityKind.NUMBER:
-            self._values.say(SCENARIO_POINTS, place, f"{quantity.path} is no number, so it has no noise")
+            self._values.say(
+                SCENARIO_POINTS, place, f"{quantity.path} is no number, so it has no noise", hint="leave noise out"
+            )
             return 0.0
         text = str(spec.noise)
         noise = self._values.number(text, quantity, place)
         if noise is not None and noise < 0:
-            self._values.say(SCENARIO_POINTS, place, f"noise is from 0 on, not {text}")
+            self._values.say(
+                SCENARIO_POINTS,
+                place,
+                f"noise is from 0 on, not {text}",
+                hint="write how far readings are off at most, such as 0.02",
+            )
         return noise or 0.0
 
     def _every_ms(self, spec: CourseSpec) -> int:
@@ -141,7 +164,9 @@ class Courses:
             return _EVERY_MS
         rate = self._values.amount(spec.rate, "Hz", spec.at("rate"))
         if rate is not None and not 0 < rate <= 1000:
-            self._values.say(SCENARIO_POINTS, spec.at("rate"), f"{spec.rate} is not a rate up to 1000 Hz")
+            self._values.say(
+                SCENARIO_POINTS, spec.at("rate"), f"{spec.rate} is not a rate up to 1000 Hz", hint="rate: 10 Hz"
+            )
             return _EVERY_MS
         return max(1, round(1000 / rate)) if rate else _EVERY_MS
 

@@ -43,13 +43,23 @@ class Expectations:
         when = f" at {spec.at_}" if spec.at_ else " at the end"
         if key in ("text", "no_text"):
             if spec.is_ is not None or has_bounds:
-                self._values.say(SCENARIO_EXPECT, spec.at("is" if spec.is_ else "between"), "a text is said, or not")
+                self._values.say(
+                    SCENARIO_EXPECT,
+                    spec.at("is" if spec.is_ else "between"),
+                    "a text is said, or not",
+                    hint="leave is and between out",
+                )
             by = f" by {spec.at_}" if spec.at_ else ""
             what = f"{'no ' if key == 'no_text' else 'a '}text with {subject!r}{by}"
             return Expectation(what, at_ms, text=subject, is_absent=key == "no_text")
         found = self._courses.subject(subject, spec.at(key))
         if (spec.is_ is None) is not has_bounds:
-            self._values.say(SCENARIO_EXPECT, spec.place, "exactly one of is and between is wanted")
+            self._values.say(
+                SCENARIO_EXPECT,
+                spec.place,
+                "exactly one of is and between is wanted",
+                hint="write is: 12.6 V, or between: [12 V, 13 V]",
+            )
             return None
         if found is None:
             return None
@@ -72,13 +82,23 @@ class Expectations:
             return None
         at_ms = self._values.milliseconds(spec.at_, spec.at("at"), 0)
         if at_ms is not None and self._duration_ms is not None and at_ms > self._duration_ms:
-            self._values.say(SCENARIO_TIME, spec.at("at"), f"{spec.at_} lies after the end")
+            self._values.say(
+                SCENARIO_TIME,
+                spec.at("at"),
+                f"{spec.at_} lies after the end",
+                hint="expect it earlier, or give the scenario a longer duration",
+            )
         return at_ms
 
     def _can_be(self, quantity: Quantity, place: Place, *, told: bool) -> bool:
         """Return whether the quantity can be looked at, with a finding where not."""
         if quantity.elements is not None:
-            self._values.say(SCENARIO_EXPECT, place, f"{quantity.path} is a list")
+            self._values.say(
+                SCENARIO_EXPECT,
+                place,
+                f"{quantity.path} is a list",
+                hint="expect a single quantity, such as the lowest of the list",
+            )
             return False
         if told and not self._is_told(quantity):
             self._values.say(SCENARIO_EXPECT, place, f"no message carries {quantity.path} as a number", "write state:")
@@ -96,7 +116,12 @@ class Expectations:
 
     def _bounds(self, spec: ExpectSpec, quantity: Quantity) -> tuple[float, float] | None:
         if quantity.kind is not QuantityKind.NUMBER or len(spec.between) != 2:
-            self._values.say(SCENARIO_EXPECT, spec.at("between"), "between has the least and the largest number")
+            self._values.say(
+                SCENARIO_EXPECT,
+                spec.at("between"),
+                "between has the least and the largest number",
+                hint="write between: [12 V, 13 V], or is: and what is no number",
+            )
             return None
         low, high = (
             self._values.number(text, quantity, spec.places.get(f"between[{index}]", spec.at("between")))
@@ -105,5 +130,7 @@ class Expectations:
         if low is None or high is None:
             return None
         if low > high:
-            self._values.say(SCENARIO_EXPECT, spec.at("between"), f"{spec.between[0]} is above {spec.between[1]}")
+            self._values.say(
+                SCENARIO_EXPECT, spec.at("between"), f"{spec.between[0]} is above {spec.between[1]}", hint="swap them"
+            )
         return low, high

@@ -106,10 +106,20 @@ class _Resolver:
         if at_ms is None:
             return None
         if self._duration_ms is not None and at_ms > self._duration_ms:
-            values.say(SCENARIO_TIME, event.at("at"), f"{event.at_} lies after the end, {self._spec.duration}")
+            values.say(
+                SCENARIO_TIME,
+                event.at("at"),
+                f"{event.at_} lies after the end, {self._spec.duration}",
+                hint="let it happen earlier, or give the scenario a longer duration",
+            )
         if event.swap is not None:
             if at_ms == 0:
-                values.say(SCENARIO_SWAP, event.at("at"), "at the start there is nothing that could be swapped")
+                values.say(
+                    SCENARIO_SWAP,
+                    event.at("at"),
+                    "at the start there is nothing that could be swapped",
+                    hint="write a later time, such as at: 10 s",
+                )
             return None if for_ms is None else Swap(at_ms, event.swap, at_ms + for_ms, courses)
         if event.arm is not None:
             return Arming(at_ms, event.arm)
@@ -122,7 +132,7 @@ class _Resolver:
         say, kind = self._values.say, event.fault or ""
         delay = None if event.delay is None else self._values.amount(event.delay, "us", event.at("delay"))
         if delay is not None and not 1 <= delay <= 1_000_000:
-            say(SCENARIO_EVENT, event.at("delay"), f"{event.delay} is not from 1 us to 1 s")
+            say(SCENARIO_EVENT, event.at("delay"), f"{event.delay} is not from 1 us to 1 s", hint="delay: 3 ms")
         if kind == ABSENT and at_ms != 0:
             say(SCENARIO_EVENT, event.at("at"), "what is absent is so from the start", "write at: 0 s")
         if event.of is None:
@@ -160,22 +170,42 @@ class _Resolver:
         say = self._values.say
         repeats = event.fault is not None or event.every is not None
         if event.for_ is not None and not repeats and event.swap is None:
-            say(SCENARIO_EVENT, event.at("for"), "for belongs to a fault, to a swap, or to what is sent every so often")
+            say(
+                SCENARIO_EVENT,
+                event.at("for"),
+                "for belongs to a fault, to a swap, or to what is sent every so often",
+                hint="leave for out, or add every: to send it again and again",
+            )
         for key in ("fields", "every"):
             if key in event.places and event.send is None:
-                say(SCENARIO_EVENT, event.at(key), f"{key} belongs to send")
+                say(
+                    SCENARIO_EVENT,
+                    event.at(key),
+                    f"{key} belongs to send",
+                    hint=f"leave {key} out, or add send: MESSAGE",
+                )
         if event.for_ is None and event.swap is not None:
             say(SCENARIO_EVENT, event.at("swap"), "a swap needs the time that it takes", "add for: 5 s")
         if event.delay is not None and event.fault != SLOW:
-            say(SCENARIO_EVENT, event.at("delay"), "delay belongs to fault: slow")
+            say(
+                SCENARIO_EVENT,
+                event.at("delay"),
+                "delay belongs to fault: slow",
+                hint="leave delay out, or write fault: slow",
+            )
         if event.delay is None and event.fault == SLOW:
             say(SCENARIO_EVENT, event.at("fault"), "slow readings need a delay", "add delay: 3 ms")
         if event.of is not None and event.fault is None:
-            say(SCENARIO_EVENT, event.at("of"), "of belongs to a fault")
+            say(SCENARIO_EVENT, event.at("of"), "of belongs to a fault", hint="leave of out, or say which fault it has")
         if event.reboot is False:
             say(SCENARIO_EVENT, event.at("reboot"), "a reboot that does not happen", "remove the event")
         if "courses" in event.places and event.swap is None:
-            say(SCENARIO_EVENT, event.at("courses"), "courses belong to a swap")
+            say(
+                SCENARIO_EVENT,
+                event.at("courses"),
+                "courses belong to a swap",
+                hint="leave courses out, or write swap: PROGRAM",
+            )
 
     def _check_swaps(self, events: Sequence[tuple[Event, EventSpec]]) -> None:
         """Report each that begins before the one before it has ended."""
@@ -185,7 +215,12 @@ class _Resolver:
                 end_ms = ends.get(swap.program, -1)
                 if swap.at_ms <= end_ms:
                     message = f"the swap before it ends at {end_ms / 1000:g} s"
-                    self._values.say(SCENARIO_SWAP, spec.at("at"), message)
+                    self._values.say(
+                        SCENARIO_SWAP,
+                        spec.at("at"),
+                        message,
+                        hint="write a later time, or let the swap before it end earlier: for",
+                    )
                 ends[swap.program] = max(swap.until_ms, end_ms)
 
 

@@ -19,6 +19,7 @@ SCENARIO_SEND = Rule(
     "A scenario sends a message of the dialect: fields by their names, field[1] for an element, what is not listed is "
     "0, or the vehicle's own ids for its target. A value is a number in the unit of the field, an amount in any unit "
     "that fits, an entry of its enum, a text.",
+    remedy="write values that the field has: a number, an amount in its unit, an entry of its enum",
 )
 _NAME = pattern(r"(\w+)(?:\[(\d{1,3})\])?")
 
@@ -56,12 +57,24 @@ def _put(payload: bytearray, wire: WireMessage, written: str, text: str, place: 
         return
     element = int(match[2] or 0)
     if element >= field.count or (match[2] and not field.is_array):
-        values.say(SCENARIO_SEND, place, f"{field.name} has {field.count} elements")
+        values.say(
+            SCENARIO_SEND,
+            place,
+            f"{field.name} has {field.count} elements",
+            hint=f"write {field.name}[0] to {field.name}[{field.count - 1}]"
+            if field.is_array
+            else f"write {field.name}",
+        )
         return
     if field.type.kind is Kind.CHAR:
         data = text.encode()
         if len(data) > field.size:
-            values.say(SCENARIO_SEND, place, f"{text!r} has more than the {field.size} bytes of {field.name}")
+            values.say(
+                SCENARIO_SEND,
+                place,
+                f"{text!r} has more than the {field.size} bytes of {field.name}",
+                hint="shorten it",
+            )
             return
         payload[field.offset : field.offset + len(data)] = data
         return
@@ -84,7 +97,12 @@ def _number(text: str, field: WireField, wire: WireMessage, place: Place, values
     number = round(value)
     if not field.type.minimum <= number <= field.type.maximum:
         low, high = field.type.minimum, field.type.maximum
-        values.say(SCENARIO_SEND, place, f"{wire.name}.{field.name} carries {low} to {high}, not {text}")
+        values.say(
+            SCENARIO_SEND,
+            place,
+            f"{wire.name}.{field.name} carries {low} to {high}, not {text}",
+            hint=f"the nearest is {low if number < low else high}",
+        )
         return None
     return number
 

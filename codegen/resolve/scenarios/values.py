@@ -16,6 +16,7 @@ SCENARIO_POINTS = Rule(
     "A course is one value, or points of a time and a value, [5 s, 12.6 V], whose times do not go back. A value is an "
     "amount in a unit that fits the quantity, a number where it has no unit, an entry of its enum, true or false, a "
     "text, or unknown. Noise is from 0 on, and that of a number.",
+    remedy="write an entry that the enum has in the dialect, or unknown",
 )
 SCENARIO_TIME = Rule(
     "scenario-time",
@@ -40,7 +41,12 @@ class ScenarioValues:
         if time is None:
             return None
         if not least <= time <= DAY_S * 1000 or time.denominator != 1:
-            self.say(SCENARIO_TIME, place, f"{text} is not a time of whole ms, from {least} ms to a day")
+            self.say(
+                SCENARIO_TIME,
+                place,
+                f"{text} is not a time of whole ms, from {least} ms to a day",
+                hint="write a time such as 500 ms or 5 s",
+            )
             return None
         return int(time)
 
@@ -61,7 +67,12 @@ class ScenarioValues:
             case QuantityKind.BOOLEAN:
                 if text in ("true", "false"):
                     return (text == "true",)
-                self.say(SCENARIO_POINTS, place, f"{quantity.path} is true or false, not {text!r}")
+                self.say(
+                    SCENARIO_POINTS,
+                    place,
+                    f"{quantity.path} is true or false, not {text!r}",
+                    hint="write true, false or unknown",
+                )
                 return None
             case QuantityKind.ENUM:
                 return self._entry(text, quantity, place)
@@ -77,7 +88,12 @@ class ScenarioValues:
         try:
             return float(Fraction(text))
         except (ValueError, ZeroDivisionError, OverflowError):
-            self.say(SCENARIO_POINTS, place, f"{quantity.path} is a number without a unit, not {text!r}")
+            self.say(
+                SCENARIO_POINTS,
+                place,
+                f"{quantity.path} is a number without a unit, not {text!r}",
+                hint="write the number alone",
+            )
             return None
 
     def say(self, rule: Rule, place: Place, message: str, hint: str | None = None) -> None:

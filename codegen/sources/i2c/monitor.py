@@ -126,11 +126,15 @@ def resolve_monitor(spec: MonitorSpec, polling: Polling, around: Around, chip: C
     if spec.frequency is not None:
         frequency = read_amount(spec.frequency, unit_named("Hz"), spec.at("frequency"), around.report) or Fraction(0)
     if frequency.denominator != 1 or not 10000 <= frequency <= 1000000:
-        around.bad("frequency", f"{spec.frequency} is no clock of 10 kHz to 1 MHz")
+        around.bad("frequency", f"{spec.frequency} is no clock of 10 kHz to 1 MHz", hint="frequency: 400 kHz")
     if shunt is not None and not Fraction(1, 100000) <= shunt <= 10:
-        around.bad("shunt", f"a shunt of {spec.shunt} is not one of 0.01 mOhm to 10 Ohm")
+        around.bad("shunt", f"a shunt of {spec.shunt} is not one of 0.01 mOhm to 10 Ohm", hint="shunt: 2 mOhm")
     if not 0x40 <= spec.address <= 0x4F:
-        around.bad("address", f"{spec.address:#x} is no address of an {chip.name}, which has 0x40 to 0x4f")
+        around.bad(
+            "address",
+            f"{spec.address:#x} is no address of an {chip.name}, which has 0x40 to 0x4f",
+            hint="address: 0x40, if its pins A0 and A1 are at GND",
+        )
     if spec.average not in chip.codes:
         known = ", ".join(map(str, chip.codes))
         around.bad("average", f"the {chip.name} does not average {spec.average} conversions", f"known: {known}")

@@ -139,13 +139,13 @@ def _value(name: str, key: DriverKeySpec, spec: OwnSourceSpec, around: Around) -
                 return _limited(name, Fraction(written), key, around)
             except (ValueError, ZeroDivisionError):
                 pass
-    around.bad(f"keys.{name}", f"{name} is {written}, no {key.kind}")
+    around.bad(f"keys.{name}", f"{name} is {written}, no {key.kind}", hint=f"{name}: {key.doc}")
     return None
 
 
 def _limited(name: str, value: Fraction, key: DriverKeySpec, around: Around) -> str | None:
     if (key.min is not None and value < key.min) or (key.max is not None and value > key.max):
-        around.bad(f"keys.{name}", f"{name} is {float(value):g}, not {key.min} to {key.max}")
+        around.bad(f"keys.{name}", f"{name} is {float(value):g}, not {key.min} to {key.max}", hint=f"{name}: {key.doc}")
         return None
     return str(int(value)) if value.denominator == 1 else repr(float(value))
 
@@ -167,7 +167,11 @@ def _wires(kind: BusKind | None, spec: OwnSourceSpec, around: Around) -> Bus | S
         written: Verbatim | str | None = spec.keys.get(name, _USUAL_BAUD if name == "baud" else None)
         if written is None or not _WHOLE.fullmatch(written):
             problem = "is missing" if written is None else f"is {written}, no whole number"
-            around.bad("driver" if written is None else f"keys.{name}", f"{name} {problem}")
+            around.bad(
+                "driver" if written is None else f"keys.{name}",
+                f"{name} {problem}",
+                hint=f"write a whole number: {name}: 4",
+            )
             continue
         given[name] = int(written, 0)
     if kind is None or len(given) < len(_OF_BUS[kind]):

@@ -20,6 +20,7 @@ EXAMPLE = Rule(
     "A worked example says another number than follows from the specification, or from the other numbers beside it. "
     "Correct the example, or the number that it was computed from. codegen check --examples lists the numbers of "
     "worked examples that nothing can compute.",
+    remedy="write the number that follows, or correct the one that it was computed from",
 )
 
 _BRACKETS = pattern(r"\(([^()]{1,18})\)$")
