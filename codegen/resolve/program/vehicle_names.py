@@ -10,7 +10,7 @@ VEHICLE_NAMES = frozenset(
 )
 """Those of all programs, whether this one has them or not."""
 _OF_FAILSAFES, _OF_TABLES = "_failsafes", "received_"
-"""What the names end or begin with that are made of those of failsafes, and of tables of received messages."""
+"""The ends and fronts of the names that are made of those of failsafes, and of tables of received messages."""
 
 
 def is_vehicle_name(name: str) -> bool:

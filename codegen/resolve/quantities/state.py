@@ -31,7 +31,7 @@ _RESERVED_COMPONENTS = {
 }
 """Names that the generated code uses itself, beside Python's own."""
 _FRONTS = ("update_", "calibrate_", "tell_")
-"""What the names of methods begin with that the state has for each component."""
+"""The fronts of the names of methods that the state has for each component."""
 _CONVERSIONS = {"complete", "limited", "pack_into", "put_float", "spill", *Rounding}
 
 

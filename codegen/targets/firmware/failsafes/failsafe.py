@@ -40,7 +40,7 @@ from codegen.targets.imports import LINE_LENGTH, either_import
 from codegen.targets.naming import failsafe_function, quoted
 
 _SAID = ("title", "level")
-"""What the functions that make texts are given, beside the component."""
+"""The arguments of the functions that make texts, beside the component."""
 _TO_TELL = "rows[_WORST] != self._told or self._told_ms is not None"
 """The condition under which a text about the health of the watched quantity may be due."""
 
