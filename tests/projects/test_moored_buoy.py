@@ -162,7 +162,7 @@ def test_a_failsafe_can_have_the_name_of_a_column(tmp_path: Path, name: str) -> 
 
 
 TAKEN = [
-    *(("sea", name) for name in ("words", "words_at", "forget_next", "tell_sea", "update_sea", "store_words")),
+    *(("sea", name) for name in ("words", "words_at", "forget_next", "tell_sea", "update_sea", "store_words", "board")),
     *(
         ("dim", name)
         for name in ("access", "connections", "is_armed", "restart_ms", "frost_failsafes", "received_ping")

@@ -27,7 +27,7 @@ BAD_COMPONENT = Rule(
 
 _RESERVED_COMPONENTS = {
     *("parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"),
-    *("words", "words_at", "forget_next"),
+    *("words", "words_at", "forget_next", "board", "ticks", "now_ms"),
 }
 """Names that the generated code uses itself, beside Python's own."""
 _FRONTS = ("update_", "calibrate_", "tell_")
