@@ -162,6 +162,8 @@ class _RecordDecoder(Generic[Record]):
                 continue
             is_near = bool(get_close_matches(key.text, self._keys, n=1))
             hint = (None if is_near else instead(self._cls)) or did_you_mean(key.text, self._keys)
+            if key.text[:1].isdigit():
+                hint = "YAML divides at a comma: write a decimal point, such as 5.5"
             self._report.add(UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", hint)
             meant.update(get_close_matches(key.text, absent_names, n=1))
         missing = [key for key in self._keys.values() if key.is_required and key.name not in written]

@@ -172,6 +172,11 @@ def test_an_answer_whose_source_cannot_be_read_is_no_answer() -> None:
 @pytest.mark.parametrize(
     ("kind", "text", "said"),
     [
+        (
+            "state",
+            "components: {c: {doc: d, quantities: {q: {doc: d, min: -400,5}}}}",
+            "unknown key '5' | YAML divides at a comma: write a decimal point, such as 5.5",
+        ),
         ("codegen", "projct: r\ndialect: c", "unknown key 'projct' | did you mean project?"),
         ("codegen", "project: 1\ndialect: c", 'not the number 1 | for this text, put it in quotes: "1"'),
         ("codegen", "project: r\ndialect: c\noverlays: a.xml", "wants a list, not the text 'a.xml' | write [a.xml]"),
