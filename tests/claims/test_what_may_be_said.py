@@ -74,10 +74,14 @@ def test_what_is_said_of_something_else_is_no_candidate(read: Read, text: str) -
 
 
 def test_a_parameter_is_one_of_the_command_above(read: Read) -> None:
-    """A heading without a command ends what the last one was about."""
-    reading = read("## MAV_CMD_DO_JUMP\n\nparam1 is a number.\n\n## Other things\n\nparam2 is a number.\n")
-    places = [place for span in spans(reading) for place in parameter_places(reading, span)]
-    assert [(place.command.name, place.parameter.number) for place in places] == [("MAV_CMD_DO_JUMP", "1")]
+    """A heading without a command ends what the last one was about, unless the document names no other."""
+    jump = "## MAV_CMD_DO_JUMP\n\nparam1 is a number.\n\n## Other things\n\nparam2 is a number.\n"
+    other = "\n## Yaw\n\nMAV_CMD_CONDITION_YAW turns.\n"
+    for text, numbers in ((jump, ["1", "2"]), (jump + other, ["1"])):
+        reading = read(text)
+        places = [place for span in spans(reading) for place in parameter_places(reading, span)]
+        assert {place.command.name for place in places} == {"MAV_CMD_DO_JUMP"}
+        assert [place.parameter.number for place in places] == numbers
 
 
 EFFECTS = {

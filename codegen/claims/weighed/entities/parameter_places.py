@@ -90,15 +90,17 @@ def enums_of_parameters(command: EnumEntry) -> tuple[tuple[str, str], ...]:
 
 @once
 def _above(reading: Reading) -> dict[int, str]:
-    """By the identity of each part the one command that its heading, or the last part with a command, names."""
-    commands, last = commands_of(reading), ""
+    """By the identity of each part the one command that its heading, the last part with a command, or all name."""
+    commands, last, every = commands_of(reading), "", set[str]()
     found: dict[int, str] = {}
     for span in spans(reading):
         named = {str(term.value) for _, term in span.sentence.within(0, len(span.text), "V")} & set(commands)
+        every |= named
         if named or span.kind is PassageKind.HEADING:
             last = next(iter(named)) if len(named) == 1 else ""
         found[id(span)] = last
-    return found
+    only = next(iter(every)) if len(every) == 1 else ""
+    return {part: name or only for part, name in found.items()}
 
 
 def _marks(span: Span) -> Iterator[tuple[int, int, int, int, str]]:
