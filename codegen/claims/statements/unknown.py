@@ -94,7 +94,8 @@ def is_unknown(field: WireField, value: float) -> bool:
         return True
     if (value == 0 and field.definition.enum) or (value < 0 and is_negative_unknown(field)):
         return True
-    return any(same_number(value, each) for each in (*known[0], *described_unknowns(field)))
+    # Floats on both sides: no float is UINT64_MAX, which a document may name.
+    return any(same_number(value, float(each)) for each in (*known[0], *described_unknowns(field)))
 
 
 def _said(reading: Reading, said: Said) -> Iterator[Diagnostic]:
