@@ -39,3 +39,15 @@ def test_the_largest_number_is_the_sentinel(
     main(["check", "--dialect", str(tmp_path / "lab.xml"), str(document)])
     out = capsys.readouterr().out
     assert (says in out) if says else ("claim" not in out), out
+
+
+def test_a_number_that_means_unknown_is_none_for_an_amount(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A row has the sentinel of the field and an amount beside it: neither is the other one."""
+    document = tmp_path / "status.md"
+    head = "# SYS_STATUS (1)\n\n| Field | Unit | Unknown | Value |\n| --- | --- | --- | --- |\n"
+    document.write_text(head + "| current_battery | cA | -1 | 1.5 A |\n")
+    main(["check", "--dialect", "common", str(document)])
+    assert "claim-scaling" not in capsys.readouterr().out
+    document.write_text(head + "| current_battery | cA | -1 | 1.5 A = 1500 |\n")
+    main(["check", "--dialect", "common", str(document)])
+    assert "1.5 A is 150 in SYS_STATUS.current_battery (cA), not 1500" in capsys.readouterr().out

@@ -102,7 +102,7 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
-        if own is None or _is_taken(one.field, own):
+        if own is None or _is_taken(one.field, own) or _is_taken(one.field, Fraction(value)):
             continue
         written = span.sentence.term(at).written
         stated = f"{one.name} {term.written} for {written}"
