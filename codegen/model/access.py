@@ -14,3 +14,7 @@ class Access(Cited):
     signed: Mapping[str, int]
     listed: tuple[str, ...]
     spec: AccessSpec
+
+    def hears(self, link: str, station: int) -> bool:
+        """Return whether a link takes what a station does not sign."""
+        return link not in self.signed and (link not in self.listed or station in self.spec.stations)

@@ -7,6 +7,9 @@ from typing import Any, TypeGuard
 from codegen.frozen import dataclass
 from codegen.model.quantities.simulated import SimulatedInput
 
+GROUND_STATION = 255
+"""The system id as which a scenario sends."""
+
 Truth = float | bool | str | None
 """The true value of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from codegen.frozen import dataclass
 from codegen.loop.load import TrafficLoad, traffic_load
+from codegen.model.listening import bridged_link, deaf_links
 from codegen.model.program_folders import ProgramFolders
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
@@ -36,6 +37,8 @@ class SimulatedProgram:
     ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
     is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
     links over TCP, by their names: its servers listen on this computer alone, its clients connect to who gets its UDP.
+    ``deaf`` are the names of those that take nothing of what the scenario sends, since nobody signs it, ``bridge``
+    is the cable in whose place UDP stands on a board without a network.
     """
 
     name: str
@@ -59,6 +62,8 @@ class SimulatedProgram:
     load: TrafficLoad | str = ""
     restart_cause: int | None = None
     ends: Mapping[str, LinkEnd] = field(default_factory=dict)
+    deaf: tuple[str, ...] = ()
+    bridge: str | None = None
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -89,6 +94,8 @@ class SimulatedProgram:
         return {
             "courses": [course_data(course, seed + number) for number, course in enumerate(stretch.courses)],
             "events": [data for event in self.events if (data := event_data(event)) is not None],
+            "deaf": self.deaf,
+            "bridge": self.bridge,
             "unique_id": unique_id(self.key or "", stretch.number),
             "names": {str(number): name for number, name in self.messages.items()},
             "told": self.telling.ids,
@@ -148,6 +155,8 @@ def _program(
         load=traffic_load(system),
         ends=dict(_ends(system)),
         restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
+        deaf=deaf_links(system),
+        bridge=bridged_link(system),
     )
 
 

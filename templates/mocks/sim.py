@@ -68,7 +68,9 @@ class Simulation:
         events = settings["events"]
         happening = [event for event in events if "arm" in event or "reboot" in event]
         self._events = [event for event in happening if self._is_ahead(event)]
-        self._ground = Ground([event for event in events if "send" in event], self._start_ms)
+        self._bridge = settings["bridge"]
+        sendings = [event for event in events if "send" in event]
+        self._ground = Ground(sendings, self._start_ms, settings["deaf"])
         self.records = Records(settings["records"], self.now_ms)
         self._turns = sim_pace.Turns(settings["turns"], settings["until_ms"], self.records)
         self._store = settings["store"]
@@ -167,10 +169,10 @@ class Simulation:
         hear = self.records.hear
 
         def open_serial(name, *_, **__):
-            """Open nothing, or UDP in place of the first UART or USB of a board that has no UDP."""
+            """Open nothing, or UDP in place of a cable of a board that has no UDP: the first that is not signed."""
             import board  # noqa: PLC0415
 
-            if hasattr(board, "UdpPort") or self._is_bridged:
+            if hasattr(board, "UdpPort") or self._is_bridged or (self._bridge or name) != name:
                 return SilentPort(name)
             self._is_bridged = True
 

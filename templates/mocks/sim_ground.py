@@ -8,10 +8,12 @@ HERE = (True,)  # what a port returns that has something
 class Ground:
     """Sends messages: each of `sendings` has `at_ms`, `id`, `crc_extra` and `payload` in hex.
 
-    One with `every_ms` is sent again and again, to `until_ms` or to the end.
+    One with `every_ms` is sent again and again, to `until_ms` or to the end. `deaf` are the names of the ports that
+    take nothing of it, since nobody signs it.
     """
 
-    def __init__(self, sendings, start_ms):
+    def __init__(self, sendings, start_ms, deaf=()):
+        self._deaf = deaf
         self._sendings = [[_first(sending, start_ms), sending] for sending in sendings]
         self._sequence = 0
         self._waiting = bytearray()
@@ -22,7 +24,7 @@ class Ground:
 
         def heard(port):
             data = bytes(self._waiting)
-            if not data:
+            if not data or not self._is_heard_by(port):
                 return read(port)
             self._waiting = bytearray()
             peers = getattr(port, "peers", None)  # over TCP it speaks as who is there, or as nobody
@@ -40,9 +42,12 @@ class Ground:
                 init(port, *arguments, **named)
                 look = getattr(port, "look", None)
                 if look is not None:
-                    port.look = lambda wait_ms: HERE if self._waiting else look(wait_ms)
+                    port.look = lambda wait_ms: HERE if self._waiting and self._is_heard_by(port) else look(wait_ms)
 
             port_class.__init__ = made
+
+    def _is_heard_by(self, port):
+        return getattr(port, "name", None) not in self._deaf
 
     def next_ms(self):
         """Return when something is sent next, far ahead for never."""

@@ -6,8 +6,9 @@ from fractions import Fraction
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import find_unit, read_real
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
+from codegen.model.listening import deaf_links
 from codegen.model.reception import SYSTEM_FIELDS
-from codegen.model.scenario import Sending
+from codegen.model.scenario import GROUND_STATION, Sending
 from codegen.model.spec.scenario import EventSpec
 from codegen.model.system import System
 from codegen.pattern import pattern
@@ -31,6 +32,10 @@ def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues
     if wire is None:
         hint = did_you_mean(name, system.dialect.messages)
         values.say(SCENARIO_SEND, event.at("send"), f"{system.dialect.name} has no message {name}", hint)
+        return None
+    if system.links and len(deaf_links(system)) == len(system.links):
+        message = f"no link takes what a scenario sends, unsigned and as system {GROUND_STATION}"
+        values.say(SCENARIO_SEND, event.at("send"), message, "open a link in access, or list that station")
         return None
     payload = bytearray(wire.length)
     own = {**dict.fromkeys(SYSTEM_FIELDS, system.system_id), "target_component": system.component_id}
