@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.change import Change, ChangeRule
+from codegen.diff.system import acted_otherwise, commanded_otherwise
 from codegen.diff.system import behaviour_rules as rules
-from codegen.diff.system import commanded_otherwise
 from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
 from codegen.diff.system.judged import Sides, breaking, doubtful
 from codegen.model.price import default_rate
@@ -165,5 +165,7 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.COMMAND: commanded_otherwise.command,
     rules.COMMAND_RANGE: commanded_otherwise.accepted,
     rules.COMMAND_REMOVED: commanded_otherwise.refused,
+    rules.FAILSAFE: acted_otherwise.failsafe,
+    rules.PROGRAM: acted_otherwise.program,
     rules.MODE: commanded_otherwise.mode,
 }
