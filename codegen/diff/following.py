@@ -27,7 +27,13 @@ _CONVERTED = frozenset(
     rule.id for rule in (behaviour_rules.CONVERSION, behaviour_rules.LIMITS, behaviour_rules.QUANTITY_SOURCE)
 )
 _KEPT = frozenset(
-    rule.id for rule in (behaviour_rules.QUANTITY_UNIT, behaviour_rules.QUANTITY_RANGE, behaviour_rules.CHANNEL)
+    rule.id
+    for rule in (
+        behaviour_rules.QUANTITY_UNIT,
+        behaviour_rules.QUANTITY_RANGE,
+        behaviour_rules.CHANNEL,
+        behaviour_rules.SENSOR,
+    )
 )
 _STATED = frozenset(
     rule.id

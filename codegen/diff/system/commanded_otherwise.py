@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.diff.change import Change
 from codegen.diff.dialect.wire_rules import ENTRY_RENAMED
 from codegen.diff.judging.wording import Likeness, name_likeness
-from codegen.diff.system.judged import Sides, breaking, doubtful, joined, silent
+from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower, joined, silent
 from codegen.model.command import Command, CommandParam
 from codegen.model.spec.command import Allowed, Sender
 from codegen.model.system import System
@@ -83,19 +83,18 @@ def accepted(change: Change, sides: Sides) -> Change:
 
 
 def _fewer(old: CommandParam, new: CommandParam) -> Iterator[str]:
-    if old.wire_unit == new.wire_unit and _is_narrower(old, new):
+    if old.wire_unit == new.wire_unit and _takes_less(old, new):
         yield f"whether {new.name} is sent that is refused now"
     if old.default is not None and _on_the_wire(old) != _on_the_wire(new):
         yield f"whether who sends NaN for {new.name} means the other value"
 
 
-def _is_narrower(old: CommandParam, new: CommandParam) -> bool:
-    for sign, before, after in ((1, old.minimum, new.minimum), (-1, old.maximum, new.maximum)):
-        if after is not None and (before is None or sign * after > sign * before):
-            return True
-    entries = [{entry.value for entry in side.enum.entries} if side.enum else None for side in (old, new)]
-    fewer = entries[1] is not None and (entries[0] is None or not entries[0] <= entries[1])
-    return fewer or (new.is_whole and not old.is_whole)
+def _takes_less(old: CommandParam, new: CommandParam) -> bool:
+    if is_narrower((old.minimum, old.maximum), (new.minimum, new.maximum)):
+        return True
+    # What an enum has lost, or numbers otherwise, is told of the dialect.
+    is_other = new.enum is not None and (old.enum is None or old.enum.name != new.enum.name)
+    return is_other or (new.is_whole and not old.is_whole)
 
 
 def _on_the_wire(param: CommandParam) -> Fraction | None:

@@ -5,10 +5,10 @@ from fractions import Fraction
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.change import Change, ChangeRule
-from codegen.diff.system import acted_otherwise, commanded_otherwise
+from codegen.diff.system import acted_otherwise, commanded_otherwise, kept_otherwise
 from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
-from codegen.diff.system.judged import Sides, breaking, doubtful
+from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower
 from codegen.model.price import default_rate
 from codegen.model.spec.receive import Sender as TakenFrom
 from codegen.model.system import PopulatedMessage, System
@@ -149,6 +149,23 @@ def _taken_from(change: Change, sides: Sides) -> Change:
         return breaking(change, f"who sends it with anything but {shown} is not heard any more, and nothing tells")
     if new.spec.sender not in (old.spec.sender, TakenFrom.ANY):
         return breaking(change, f"only a sender that is {new.spec.sender.value} is heard, and nothing tells")
+    if old.spec.call and not new.spec.call:
+        return doubtful(change, "whether nothing is to be done when it arrives")
+    return change
+
+
+def _taken_range(change: Change, sides: Sides) -> Change:
+    """A field of a received message of which fewer numbers count as plausible."""
+    name = change.subject.removesuffix(", received")
+    taken = [
+        {f"{table.name}.{field.label}": field for table in side.receptions for field in table.fields}
+        for side in (sides.old, sides.new)
+    ]
+    old, new = (each.get(name) for each in taken)
+    if old is None or new is None or (old.factor, old.spec.rounding) != (new.factor, new.spec.rounding):
+        return change  # whose limits are other numbers anyway
+    if is_narrower((old.low, old.high), (new.low, new.high)):
+        return doubtful(change, "whether what is ignored now is sent, which nothing tells")
     return change
 
 
@@ -162,9 +179,16 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.FACT: _fact,
     rules.GENERATIONS: _generations,
     rules.TAKEN_FROM: _taken_from,
+    rules.TAKEN_RANGE: _taken_range,
     rules.COMMAND: commanded_otherwise.command,
     rules.COMMAND_RANGE: commanded_otherwise.accepted,
     rules.COMMAND_REMOVED: commanded_otherwise.refused,
+    rules.QUANTITY_SOURCE: kept_otherwise.source,
+    rules.QUANTITY_UNIT: kept_otherwise.width,
+    rules.QUANTITY_RANGE: kept_otherwise.limits,
+    rules.SENSOR: kept_otherwise.sensor,
+    rules.PARAMETER_RANGE: kept_otherwise.parameter_range,
+    rules.PARAMETER: kept_otherwise.parameter,
     rules.FAILSAFE: acted_otherwise.failsafe,
     rules.PROGRAM: acted_otherwise.program,
     rules.MODE: commanded_otherwise.mode,

@@ -2,10 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 
 from codegen.diff.change import Change, Notice, Victim
 from codegen.frozen import dataclass
 from codegen.model.system import System
+
+Range = tuple[Fraction | int | None, Fraction | int | None]
+"""The smallest and the largest value, in one unit."""
 
 STATION = (Victim.OLD_STATION,)
 
@@ -33,6 +37,14 @@ def doubtful(change: Change, doubt: str, effect: str = "") -> Change:
     """The change, with one question more for a person unless it breaks somebody anyway."""
     known = replace(change, effect=joined(effect, change.effect))
     return known if change.is_breaking else replace(known, doubt=", and ".join(filter(None, (change.doubt, doubt))))
+
+
+def is_narrower(old: Range, new: Range) -> bool:
+    """Return whether something that was within limits is not any more; None is no limit."""
+    for sign, before, after in ((1, old[0], new[0]), (-1, old[1], new[1])):
+        if after is not None and (before is None or sign * after > sign * before):
+            return True
+    return False
 
 
 def joined(*texts: str) -> str:

@@ -6,6 +6,7 @@ from itertools import groupby
 
 from codegen.diff.change import Change, Notice, Victim, changed
 from codegen.diff.system import behaviour_rules as rules
+from codegen.diff.system.judged import is_narrower
 from codegen.diff.system.subject import Fact, Subject, citations, cited, subject_changes
 from codegen.diff.system.trace_rules import CITATION, DOC
 from codegen.model.answers.account import Aspect
@@ -187,6 +188,8 @@ def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answe
     before, after = old[1], new[1]
     if change.rule is rules.FLAGS:
         return _flagged(change, old[0], new[0])
+    if change.rule is rules.LIMITS:
+        return _limited(change, old[0], new[0])
     if change.rule not in (rules.SOURCE, rules.CONSTANT):
         return change
     if before is None and after is not None:
@@ -209,6 +212,18 @@ def _from_elsewhere(change: Change, old: Answer, new: Answer) -> Change:
         effect = "the same element holds another value of the list, which receivers take for the one that it was"
         return replace(change, effect=effect, breaks=_STATION)
     return replace(change, doubt="whether it still tells receivers of the same thing")
+
+
+def _limited(change: Change, old: Answer, new: Answer) -> Change:
+    """What cuts off more than before; where numbers are converted otherwise, limits are other numbers anyway."""
+    beside = 1 if new.covers.field.type.is_integer else 0  # which is where a field steps aside for its sentinel
+    if not any(
+        (before.factor, before.rounding) == (after.factor, after.rounding)
+        and is_narrower((before.low, before.high), (after.low - beside, after.high + beside))
+        for before, after in zip(old.scalings, new.scalings, strict=False)
+    ):
+        return change
+    return replace(change, doubt="whether values beyond its limits, which are narrower now, are meant to be cut off")
 
 
 def _flagged(change: Change, old: Answer, new: Answer) -> Change:
