@@ -109,3 +109,17 @@ def test_another_parameter_is_a_question(rover: System) -> None:
     other = next(each for each in rover.parameters.values() if each.name != live.source.name)
     (found,) = [each for each in changes(rover, message, live, replace(live, source=other)) if each.doubt]
     assert (found.rule.id, found.weight) == ("population-source-changed", "person")
+
+
+def test_a_narrower_limit_cuts_off_what_was_told(rover: System) -> None:
+    """Beside its sentinel a field steps aside by one: that is none."""
+    message, live = next(
+        (table, one)
+        for table in rover.messages
+        for one in table.answers
+        if isinstance(one, LiveAnswer) and one.quantities and one.covers.field.type.is_integer
+    )
+    for less, weight in ((10, "person"), (1, "harmless"), (-10, "harmless")):
+        scaling = replace(live.scaling, high=live.scaling.high - less)
+        (found,) = changes(rover, message, live, replace(live, scaling=scaling))
+        assert (found.rule.id, found.weight) == ("population-limits-changed", weight)
