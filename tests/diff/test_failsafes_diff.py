@@ -159,3 +159,31 @@ def test_another_order_of_severity_is_asked_once(boat: tuple[System, ...]) -> No
     other = replace(boat[0], program=replace(program, priority=program.priority[::-1]))
     found = [change for change in compare_systems(boat, (other,)).changes if change.doubt]
     assert [change.doubt for change in found] == ["whether slow is to come before stop"]
+
+
+def test_a_program_that_hears_or_says_less_is_asked_about(boat: tuple[System, ...]) -> None:
+    """Who sends what is not heard any more, or waits for what is not sent, may not notice."""
+    program = boat[0].program
+    assert program is not None
+    less = {
+        "services": f"whether anybody still sends {program.services[-1].name}",
+        "sent": f"whether anybody waits for {program.sent[-1]}",
+    }
+    for part, doubt in less.items():
+        other = replace(boat[0], program=replace(program, **{part: getattr(program, part)[:-1]}))
+        for sides, expected in (((boat, (other,)), [doubt]), (((other,), boat), [])):
+            assert [change.doubt for change in compare_systems(*sides).changes if change.doubt] == expected
+
+
+def test_a_watchdog_that_waits_longer_is_asked_about() -> None:
+    """Or one that is gone; one that is quicker than it was, and a new one, asks nothing."""
+    rover = read_systems(str(SPECS.parents[3] / "specs" / "codegen.yaml"), Report())[0]
+    program = rover.program
+    assert program is not None
+    assert program.watchdog is not None
+    longer = replace(program.watchdog, timeout_ms=program.watchdog.timeout_ms + 1)
+    for watchdog in (longer, None):
+        other = replace(rover, program=replace(program, watchdog=watchdog))
+        there, back = (compare_systems(*sides).changes for sides in (((rover,), (other,)), ((other,), (rover,))))
+        assert [each.doubt for each in there if each.doubt] == ["whether a loop may stand still for so long"]
+        assert not [each.doubt for each in back if each.doubt]

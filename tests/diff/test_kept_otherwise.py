@@ -12,6 +12,7 @@ from codegen.diff.report.review import review
 from codegen.diff.system.carrying import fields_by_source
 from codegen.diff.system.system import compare_systems
 from codegen.model.system import System
+from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.project.systems import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -193,3 +194,26 @@ def test_an_inverted_boolean_is_a_silent_break(rover: System) -> None:
         changes = compare_systems((system,), (inverted(system),)).changes
         (found,) = [each for each in changes if each.rule.id == "quantity-source-changed"]
         assert (found.weight, found.effect) == (weight, "it is true where it was false")
+
+
+def test_fewer_values_and_shorter_texts_are_asked_about(rover: System) -> None:
+    """Of a list that has fewer nothing is told of the others; what is longer than a text is cut."""
+    quantities = [one for each in rover.components.values() for one in each.quantities.values()]
+    row = next(each for each in quantities if each.elements)
+    text = replace(quantities[0], kind=QuantityKind.TEXT, spec=replace(quantities[0].spec, text=8))
+    cases = (
+        (row, replace(row, elements=tuple(count - 1 for count in row.elements or ())), "whether nothing is to be told"),
+        (text, replace(text, spec=replace(text.spec, text=4)), "whether texts of more than 4 bytes are to be cut"),
+    )
+    for old, new, doubt in cases:
+        sides = [with_quantity(rover, each) for each in (old, new)]
+        there, back = (compare_systems((one,), (other,)).changes for one, other in (sides, sides[::-1]))
+        assert [each for each in there if each.doubt.startswith(doubt)]
+        assert not [each for each in back if each.doubt.startswith(doubt)]
+
+
+def with_quantity(system: System, quantity: Quantity) -> System:
+    """The system with another quantity in the place of one."""
+    component = system.components[quantity.component]
+    changed = replace(component, quantities={**component.quantities, quantity.name: quantity})
+    return replace(system, components={**system.components, component.name: changed})

@@ -206,7 +206,7 @@ def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answe
 
 
 def _from_elsewhere(change: Change, old: Answer, new: Answer) -> Change:
-    """A value that is read when a message is built comes from somewhere else: another value of the same list, or any other."""
+    """A value that is not always the same comes from somewhere else: another place of the same list, or any other."""
     lists = [{quantity.path for quantity in side.quantities} for side in (old, new)]
     if lists[0] == lists[1] and None not in (old.shift, new.shift) and old.shift != new.shift:
         effect = "the same element holds another value of the list, which receivers take for the one that it was"
@@ -215,7 +215,7 @@ def _from_elsewhere(change: Change, old: Answer, new: Answer) -> Change:
 
 
 def _limited(change: Change, old: Answer, new: Answer) -> Change:
-    """A field that cuts off more than before; where numbers are converted otherwise, limits are other numbers anyway."""
+    """A field that cuts off more than before; where numbers are converted otherwise, its limits are others anyway."""
     beside = 1 if new.covers.field.type.is_integer else 0  # which is where a field steps aside for its sentinel
     if not any(
         (before.factor, before.rounding) == (after.factor, after.rounding)
