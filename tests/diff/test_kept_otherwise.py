@@ -69,7 +69,7 @@ QUESTIONS = {
     ),
     "range of a sensor": ("sensors", BOARD, "min: 0.2, max: 40", "min: 0.5, max: 40", LESS),
     "other output": ("sensors", STATE, "source: imu.roll", "source: imu.pitch", NUMBERS),
-    "range": ("slow_readings", STATE, "min: -40, max: 85", "min: -40, max: 70", LESS),
+    "range": ("slow_readings", STATE, "min: 0, max: 9000", "min: 0, max: 8000", LESS),
     "initial": (
         "sensors",
         STATE,
@@ -84,7 +84,7 @@ QUESTIONS = {
         "initial: MAV_STATE_BOOT",
         "whether 1 is what is told and acted on while nothing is known",
     ),
-    "multiplier": ("slow_readings", BOARD, "multiplier: 100 degC/V", "multiplier: 10 degC/V", NUMBERS),
+    "multiplier": ("slow_readings", BOARD, "multiplier: 100 degC/V", "multiplier: 90 degC/V", NUMBERS),
     "offset": ("slow_readings", BOARD, "offset: 0.5 V", "offset: 0.4 V", NUMBERS),
     "range of a parameter": (
         "sensors",
