@@ -1,7 +1,7 @@
 """Bits of a bitmask: always set, or while a boolean of the state is true."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from codegen.answers.constant import fits
 from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_enum
@@ -79,6 +79,15 @@ class FlagsAnswer(KindOfAnswer):
     def quantities(self) -> tuple[Quantity, ...]:
         """The conditions."""
         return tuple(quantity for _, _, quantity in self.conditional)
+
+    @property
+    def conditions(self) -> Mapping[int, frozenset[str]]:
+        """Each bit with its conditions; what is always set has none."""
+        found: dict[int, frozenset[str]] = {}
+        for _, value, quantity in self.conditional:
+            for bit in _bits(value & ~self.mask):
+                found[bit] = found.get(bit, frozenset()) | {quantity.path}
+        return {**dict.fromkeys(_bits(self.mask), frozenset[str]()), **found}
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The bits of those conditions that hold, in each element."""
@@ -183,6 +192,11 @@ class FlagsAnswer(KindOfAnswer):
                 suffix = f"-{number}" if len(numbers) > 1 else ""
                 for state, value in derivation.deciding(number, plain[path]).items():
                     yield StateCase(f"{name}-{state}{suffix}", {path: value}, number)
+
+
+def _bits(mask: int) -> list[int]:
+    """The bits of a number, each as a number."""
+    return [1 << place for place in range(mask.bit_length()) if mask >> place & 1]
 
 
 def condition_of(path: str, place: Place, scope: Scope) -> Quantity | None:

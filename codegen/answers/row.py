@@ -187,6 +187,11 @@ class RowAnswer(KindOfAnswer):
         if self._withholds:
             yield WITHHELD
 
+    @property
+    def shift(self) -> int:
+        """The list begins at the first element that it covers."""
+        return -self.covers.first
+
     def traits(self, position: int) -> Iterator[Trait]:
         """Yield the number of the list's value in this element, then the traits of that value."""
         part = next((part for part, first, end in self.parts if first <= position < end), self.parts[-1][0])

@@ -27,7 +27,13 @@ _CONVERTED = frozenset(
     rule.id for rule in (behaviour_rules.CONVERSION, behaviour_rules.LIMITS, behaviour_rules.QUANTITY_SOURCE)
 )
 _KEPT = frozenset(
-    rule.id for rule in (behaviour_rules.QUANTITY_UNIT, behaviour_rules.QUANTITY_RANGE, behaviour_rules.CHANNEL)
+    rule.id
+    for rule in (
+        behaviour_rules.QUANTITY_UNIT,
+        behaviour_rules.QUANTITY_RANGE,
+        behaviour_rules.CHANNEL,
+        behaviour_rules.SENSOR,
+    )
 )
 _STATED = frozenset(
     rule.id
@@ -42,7 +48,20 @@ _STATED = frozenset(
     )
 )
 _HEARD = frozenset({wire_rules.MESSAGE_ID.id, wire_rules.CRC_EXTRA.id})
+_COMMANDS = frozenset(
+    rule.id
+    for rule in (
+        behaviour_rules.COMMAND,
+        behaviour_rules.COMMAND_ADDED,
+        behaviour_rules.COMMAND_REMOVED,
+        behaviour_rules.COMMAND_RANGE,
+        behaviour_rules.COMMAND_UNIT,
+    )
+)
+_TAKEN = frozenset(rule.id for rule in (behaviour_rules.COMMAND_RANGE, behaviour_rules.COMMAND_UNIT))
+_NUMBERED = frozenset({wire_rules.ENTRY_VALUE.id, wire_rules.ENTRY_RENAMED.id})
 _DROPPED = (Notice.NOTICED, Notice.UNKNOWN_ID)
+_PARAMETER = re.compile(r"\bparameter (\d)\b")
 _ELEMENTS = re.compile(r"\[[^\]]*\]$")
 
 
@@ -127,6 +146,31 @@ def _is_its_default(head: Group, group: Group, _: Carried) -> bool:
     return f"default of {group.first.subject}" in (head.first.new or "")
 
 
+def _is_of_the_command(head: Group, group: Group, _: Carried) -> bool:
+    """Return whether the number or the name of a command is another one because the dialect's is."""
+    names = {change.entry for change in head.changes}
+    return {change.subject.rpartition(": ")[2] for change in group.changes} <= names
+
+
+def _is_parameter(change: Change) -> bool:
+    return change.rule.id == wire_rules.COMMAND_PARAMETER.id
+
+
+def _is_of_the_parameter(head: Group, group: Group, _: Carried) -> bool:
+    """Return whether one side tells of the same parameters of a command, the other being the dialect."""
+    return set(_parameters(group)) <= set(_parameters(head))
+
+
+def _parameters(group: Group) -> Iterator[tuple[str | None, str]]:
+    """Return the command and the number of each parameter that a group is about."""
+    for change in group.changes:
+        if change.entry is not None:
+            yield change.entry, change.subject.rpartition(".")[2]
+        else:
+            name = change.subject.rpartition(": ")[2]
+            yield from ((name, each) for each in _PARAMETER.findall(f"{change.old}; {change.new}"))
+
+
 _OF_DIALECT = frozenset(
     rule.id
     for rule in vars(wire_rules).values()
@@ -139,6 +183,11 @@ _RELATIONS = (
         lambda change: change.rule.id == behaviour_rules.SOURCE.id and change.old is None,
         _is_for_new_field,
     ),
+    _Relation(
+        lambda change: change.rule.id in _NUMBERED, lambda change: change.rule.id in _COMMANDS, _is_of_the_command
+    ),
+    _Relation(_is_parameter, lambda change: change.rule.id in _TAKEN, _is_of_the_parameter),
+    _Relation(lambda change: change.rule.id in _TAKEN, _is_parameter, _is_of_the_parameter),
     _Relation(lambda change: change.rule.id in _OF_DIALECT, lambda change: change.rule.id in _TABLE, _is_of_the_field),
     _Relation(lambda change: change.rule.id in _KEPT, lambda change: change.rule.id in _CONVERTED, _is_kept_otherwise),
     _Relation(

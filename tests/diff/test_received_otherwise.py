@@ -1,6 +1,7 @@
 """Changes in a table of a received message are told, with how bad they are; each edit is one of a real project."""
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -168,3 +169,28 @@ def test_a_condition_that_goes_breaks_nobody_and_one_that_comes_breaks_who_does_
 def test_fewer_senders_break_the_others(before, tmp_path):
     there, back = changes(before, tmp_path, (RC, "from: ground_station", "from: any"))
     assert [each.is_breaking for each in (*there, *back) if each.rule.id == "message-taken-otherwise"] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("edit", "doubts"),
+    [
+        ((RC, "min: 1000 us", "min: 1100 us"), ("whether what is ignored now is sent, which nothing tells", "")),
+        ((RC, "call: true\n", ""), ("whether nothing is to be done when it arrives", "")),
+        ((FIX, "yaw: {state: fix.yaw", "yaw: {rounding: down, state: fix.yaw"), ("", "")),
+    ],
+)
+def test_who_is_ignored_in_part_may_not_notice(edit, doubts, before, tmp_path):
+    """A plausible number less, or a call that is made no more, is a question; more is none, nor is a rounding."""
+    for found, doubt in zip(changes(before, tmp_path, edit), doubts, strict=True):
+        assert [change.doubt for change in found if change.doubt] == ([doubt] if doubt else [])
+
+
+def test_a_limit_that_the_dialect_states_ignores_what_was_taken(before):
+    """No line of the table is another one then: the dialect's minValue is the limit of what is plausible."""
+    (system, *others) = before[1]
+    table = next(each for each in system.receptions if each.name == NAME)
+    first = table.fields[0]
+    narrower = replace(table, fields=(replace(first, low=first.low + 100), *table.fields[1:]))
+    after = replace(system, receptions=tuple(narrower if each is table else each for each in system.receptions))
+    (change,) = compare_systems(before[1], (after, *others)).changes
+    assert (change.rule.id, change.weight) == ("field-taken-range-changed", "person")

@@ -189,3 +189,12 @@ def test_two_entries_of_one_value_are_both_missed(told: Told) -> None:
     """A dialect that has them is wrong, and is compared all the same."""
     found = told(message(A), message(A), (enum("E", X=1, Y=1, Z=2), enum("E", Z=2)))
     assert found.keys() == {"enum-entry-removed E.X", "enum-entry-removed E.Y"}
+
+
+def test_a_shorter_array_is_unknown_by_the_same_value(told: Told) -> None:
+    """``[0]`` is ``[0]``, of four elements and of three: the other length is one break, and not two."""
+    arrays = [EXTENSIONS + field(f"uint8_t[{count}]", "b", invalid="[0]") for count in (4, 3)]
+    for old, new in (arrays, arrays[::-1]):
+        assert [*told(message(A, old), message(A, new))] == ["field-type-changed M.b"]
+    other = EXTENSIONS + field("uint8_t[3]", "b", invalid="[1]")
+    assert "field-sentinel-changed M.b" in told(message(A, arrays[0]), message(A, other))

@@ -248,9 +248,14 @@ class EachAnswer(KindOfAnswer):
         if self.withholds:
             yield WITHHELD
 
+    @property
+    def shift(self) -> int:
+        """Return how far the number of a value is above that of its element."""
+        return self.first - self.covers.first
+
     def traits(self, position: int) -> Iterator[Trait]:
         """Yield which value is in which element, scaling, limits and sentinel, and what goes out otherwise."""
-        shift = self.first - self.covers.first  # so that the elements of a field say the same
+        shift = self.shift  # so that the elements of a field say the same
         number = "i" if not shift else f"i {'+' if shift > 0 else '-'} {abs(shift)}"
         paged = " of the page" if self.is_paged else ""
         room = "" if self.room is None else f", while all of at most {self.room} are known"

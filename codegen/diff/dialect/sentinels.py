@@ -26,10 +26,11 @@ class OtherSentinel:
 
 
 def is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
-    """Return whether the same values mean unknown, however they are written."""
+    """Return whether the same values mean unknown, however they are written, in the elements that both have."""
     if old is None or new is None:
         return old is new
-    return old.form is new.form and [_text(value) for value in old.values] == [_text(value) for value in new.values]
+    pairs = zip(old.values, new.values, strict=False)  # an array may be shorter than it was
+    return old.form is new.form and all(_text(before) == _text(after) for before, after in pairs)
 
 
 def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:

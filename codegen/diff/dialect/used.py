@@ -35,6 +35,9 @@ def used_of(systems: Iterable[System]) -> Used:
         messages.update(wire.name for wire in system.wires)
         if system.program is not None:
             entries.update(system.program.constants)
+            entries.update(command.name for command in system.program.commands)
+            enums.update(each.enum.name for command in system.program.commands for each in command.params if each.enum)
+            entries.update(command.name for command in system.program.built_in)
         for component in system.components.values():
             enums.update(quantity.enum.name for quantity in component.quantities.values() if quantity.enum)
         for message in system.messages:

@@ -11,6 +11,8 @@ from codegen.model.system import Generations, System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel, Parameter, Stream
 
+_CONNECTED = "whether what is connected was changed with it"
+
 
 def board_subjects(system: System) -> Iterator[Subject]:
     """Identity, ADC channels, sensors, links, streams, generations."""
@@ -72,7 +74,7 @@ def _channel(channel: AdcChannel) -> Subject:
         Fact("pin", pin, rules.CHANNEL, spec.at("gpio")),
         Fact("resolution", f"{channel.bits} bits, {channel.full_scale} at full scale", rules.CHANNEL, spec.at("bits")),
         Fact("reference", amount(channel.reference, "V"), rules.CHANNEL, spec.at("reference")),
-        Fact("read", _when(channel), rules.CHANNEL, spec.at("when")),
+        Fact("read", _when(channel), rules.CHANNEL, spec.at("when"), doubt="whether it is to be read just then"),
         Fact("samples", str(channel.samples), rules.CHANNEL, spec.at("samples")),
         Fact("time for a mean", amount(channel.read_limit_us, "us"), rules.CHANNEL, spec.at("read_limit")),
         Fact("answers to", ", ".join(cited(channel.citation, channel.aspects)), CITATION, spec.at("requirement")),
@@ -93,8 +95,11 @@ def _sensor(source: Source) -> Subject:
     polling, spec = source.polling, source.polling.spec
     gives = ", ".join(f"{each.name} {each.low}..{each.high} {each.unit.name}".strip() for each in source.outputs)
     facts = (
-        Fact("driver", spec.driver, rules.SENSOR, spec.at("driver")),
-        *(Fact(fact.attribute, fact.text, rules.SENSOR, spec.at(fact.key)) for fact in source.facts()),
+        Fact("driver", spec.driver, rules.SENSOR, spec.at("driver"), doubt=_CONNECTED),
+        *(
+            Fact(fact.attribute, fact.text, rules.SENSOR, spec.at(fact.key), doubt=_CONNECTED if fact.asks else "")
+            for fact in source.facts()
+        ),
         Fact("gives", gives, rules.SENSOR, spec.at("outputs")),
         Fact("asked every", amount(polling.period_us, "us"), rules.SENSOR, spec.at("rate")),
         Fact("time for a turn", amount(polling.limit_us, "us"), rules.SENSOR, spec.at("limit")),
@@ -111,6 +116,7 @@ def _sensor(source: Source) -> Subject:
         facts=facts,
         cited=cited(polling.citation, polling.aspects),
         row=source.name,
+        doubt=f"whether nothing is to be measured by {source.name} any more",
     )
 
 

@@ -110,6 +110,8 @@ def _in_state(system: System) -> Iterator[tuple[str, str]]:
     for component in system.components.values():
         for quantity in component.quantities.values():
             derivation = quantity.derivation
+            for name, _, _ in derivation.gives:
+                yield f"sensor {name.partition('.')[0]}", quantity.path
             for name in derivation.sources:
                 if name in component.quantities:
                     yield component.quantities[name].path, quantity.path

@@ -10,6 +10,8 @@ from codegen.model.command import BuiltInCommand, Command, CommandParam, Mode
 from codegen.model.program import Program
 from codegen.model.units.unit import map_words
 
+_BASE = "whether stations are to be told of other flags in this mode"
+
 
 def command_subjects(program: Program) -> Iterator[Subject]:
     """The commands of the project, those that the program answers by itself, and the modes."""
@@ -22,8 +24,8 @@ def _command(command: Command) -> Subject:
     spec = command.spec
     citations = ", ".join(f"{name} {citation}" for name, citation in sorted(command.aspects.items()))
     facts = (
+        Fact("called", command.name, rules.COMMAND, spec.place),
         Fact("by", f"{spec.method}({', '.join(param.name for param in command.params)})", rules.COMMAND, spec.place),
-        Fact("number", str(command.number), rules.COMMAND, spec.place),
         Fact("allowed", spec.allowed.value, rules.COMMAND, spec.at("allowed")),
         Fact("from", spec.sender.value, rules.COMMAND, spec.at("from")),
         Fact("frames", ", ".join(frame.name for frame in command.frames), rules.COMMAND_UNIT, spec.at("frames")),
@@ -34,21 +36,23 @@ def _command(command: Command) -> Subject:
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     name = command.name
-    says = f"done by {spec.method}()"
+    says = f"number {command.number}, done by {spec.method}()"
     citation = cited(command.citation, command.aspects)
-    return Subject(name, says, rules.COMMAND_ADDED, rules.COMMAND_REMOVED, spec.place, facts, citation, row=name)
+    added, removed = rules.COMMAND_ADDED, rules.COMMAND_REMOVED
+    # Who gives a command sends its number.
+    return Subject(name, says, added, removed, spec.place, facts, citation, row=name, key=f"command {command.number}")
 
 
 def _param(param: CommandParam) -> Iterator[Fact]:
     spec, at = param.spec, f"parameter {param.number}"
     accepted = (
-        amount(param.minimum, param.wire_unit.name),
-        amount(param.maximum, param.wire_unit.name),
+        "" if param.minimum is None else f"from {amount(param.minimum, param.wire_unit.name)}",
+        "" if param.maximum is None else f"to {amount(param.maximum, param.wire_unit.name)}",
         f"whole {param.unit.name}" if param.is_whole else "",
         f"{param.enum.name}: {', '.join(str(each.value) for each in param.enum.entries)}" if param.enum else "",
     )
     # On the wire, where the same limit is the same number in whatever unit the argument is.
-    yield Fact(f"{at} accepts", "; ".join(accepted), rules.COMMAND_RANGE, spec.place, param.limits)
+    yield Fact(f"{at} accepts", ", ".join(filter(None, accepted)), rules.COMMAND_RANGE, spec.place, param.limits)
     ends = " to ".join(_on_the_wire(end, param) for end in param.ends)
     yield Fact(f"{at} is from", ends, rules.COMMAND_RANGE, spec.place, param.limits)
     said = "" if param.default is None else amount(param.default, param.unit.name)
@@ -84,7 +88,9 @@ def _mode(mode: Mode) -> Subject:
     spec = mode.spec
     facts = (
         Fact("name", mode.name, rules.MODE, spec.at("name")),
-        Fact("true in it", ", ".join(quantity.path for quantity in mode.base), rules.MODE, spec.at("base")),
+        Fact(
+            "true in it", ", ".join(quantity.path for quantity in mode.base), rules.MODE, spec.at("base"), doubt=_BASE
+        ),
         Fact("answers to", str(mode.citation or ""), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )

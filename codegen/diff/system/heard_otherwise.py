@@ -1,66 +1,42 @@
 """Judges changes of a vehicle by what ground stations hear: nothing any more, less often, or other numbers."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 
 from codegen.diagnostics import shortened_list
-from codegen.diff.change import Change, ChangeRule, Victim
+from codegen.diff.change import Change, ChangeRule
+from codegen.diff.system import acted_otherwise, commanded_otherwise, kept_otherwise
 from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
-from codegen.frozen import dataclass
+from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower
 from codegen.model.price import default_rate
-from codegen.model.spec.command import Allowed
-from codegen.model.spec.command import Sender as CommandFrom
 from codegen.model.spec.receive import Sender as TakenFrom
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel
 
-_STATION = (Victim.OLD_STATION,)
 _ADDRESSED = ("uart", "baud", "udp", "tcp_server", "tcp_client", "to", "local_port")
 _WIRED = ("tx", "rx")
 
 
-@dataclass(frozen=True, slots=True)
-class _Sides:
-    """Both versions of a program, and where the numbers of each go."""
-
-    old: System
-    new: System
-    fields: Mapping[str, tuple[str, ...]]
-
-
 def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iterator[Change]:
     """The changes of a program, those judged that alter what ground stations hear."""
-    sides = _Sides(old, new, {**fields_by_source(old), **fields_by_source(new)})
+    sides = Sides(old, new, {**fields_by_source(old), **fields_by_source(new)})
     for change in changes:
         judge = _JUDGES.get(change.rule)
         yield judge(change, sides) if judge is not None else change
 
 
-def _breaking(change: Change, effect: str) -> Change:
-    return replace(change, effect=_joined(effect, change.effect), breaks=_STATION, doubt="")
-
-
-def _doubtful(change: Change, doubt: str, effect: str = "") -> Change:
-    return replace(change, effect=_joined(effect, change.effect), doubt=doubt)
-
-
-def _joined(*texts: str) -> str:
-    return "; ".join(text for text in texts if text)
-
-
-def _schedule(change: Change, sides: _Sides) -> Change:
+def _schedule(change: Change, sides: Sides) -> Change:
     """A message on another stream, or on none: nothing is heard, or less."""
     old, new = (_table(side, change.subject) for side in (sides.old, sides.new))
     if old is None or new is None:
         return change
     before, after = default_rate(old), default_rate(new)
     if before and not after and new.stream is None and not (new.on_connection or new.on_change):
-        return _breaking(change, "who does not ask for it hears nothing")
+        return breaking(change, "who does not ask for it hears nothing")
     if len(new.withheld_for) > len(old.withheld_for):
-        return _doubtful(change, "whether receivers take its silence for a lost link while something is unknown")
+        return doubtful(change, "whether receivers take its silence for a lost link while something is unknown")
     return _rates(change, before, after)
 
 
@@ -68,7 +44,7 @@ def _table(system: System, name: str) -> PopulatedMessage | None:
     return next((message for message in system.messages if message.name == name), None)
 
 
-def _stream_rate(change: Change, sides: _Sides) -> Change:
+def _stream_rate(change: Change, sides: Sides) -> Change:
     name = change.subject.removeprefix("stream ")
     if name not in sides.old.streams or name not in sides.new.streams:
         return change
@@ -77,14 +53,14 @@ def _stream_rate(change: Change, sides: _Sides) -> Change:
 
 def _rates(change: Change, before: Fraction, after: Fraction) -> Change:
     if before and not after:
-        return _breaking(change, "who does not ask for it hears nothing")
+        return breaking(change, "who does not ask for it hears nothing")
     if after < before:
         shown = f"{decimal(after)} times a second and no longer {decimal(before)}"
-        return _doubtful(change, f"whether it is heard often enough: {shown}")
+        return doubtful(change, f"whether it is heard often enough: {shown}")
     return change
 
 
-def _default(change: Change, sides: _Sides) -> Change:
+def _default(change: Change, sides: Sides) -> Change:
     """A parameter whose default makes numbers: a multiplier, or what goes out itself."""
     fields = sides.fields.get(change.subject, ())
     if not fields:
@@ -95,24 +71,24 @@ def _default(change: Change, sides: _Sides) -> Change:
     if scaled and old is not None and new is not None and old.default:
         factor = decimal(Fraction(new.default) * new.step / (old.default * old.step))
         effect = f"the same reading is {factor} times what it was in {shown}, where no value is stored"
-        return _doubtful(change, "whether what is measured changed with it", effect)
-    return _doubtful(change, f"whether other numbers in {shown} are meant, where no value is stored")
+        return doubtful(change, "whether what is measured changed with it", effect)
+    return doubtful(change, f"whether other numbers in {shown} are meant, where no value is stored")
 
 
-def _channel(change: Change, sides: _Sides) -> Change:
+def _channel(change: Change, sides: Sides) -> Change:
     """An ADC channel with another pin, reference or resolution: the same counts are other numbers."""
     old, new = (side.channels.get(change.subject.removeprefix("adc.")) for side in (sides.old, sides.new))
     fields = shortened_list(sides.fields.get(change.subject, ()), 3)
     if old is not None and new is None:
-        return _breaking(change, f"nothing is measured for {fields}") if fields else change
+        return breaking(change, f"nothing is measured for {fields}") if fields else change
     if old is None or new is None or not fields:
         return change
     doubt = "whether the board was changed with it"
     factor = _volts(new) / _volts(old)
     if factor != 1:
-        return _doubtful(change, doubt, f"the same count is {decimal(factor)} times what it was in {fields}")
+        return doubtful(change, doubt, f"the same count is {decimal(factor)} times what it was in {fields}")
     if (old.gpio, old.pin and old.pin.name) != (new.gpio, new.pin and new.pin.name):
-        return _doubtful(change, doubt, f"{fields} are measured at another pin")
+        return doubtful(change, doubt, f"{fields} are measured at another pin")
     return change
 
 
@@ -121,46 +97,46 @@ def _volts(channel: AdcChannel) -> Fraction:
     return channel.reference / channel.full_scale
 
 
-def _link(change: Change, sides: _Sides) -> Change:
+def _link(change: Change, sides: Sides) -> Change:
     name = change.subject.removeprefix("link.")
     old, new = (next((link for link in side.links if link.name == name), None) for side in (sides.old, sides.new))
     if old is None:
         return change
     if new is None or old.kind is not new.kind:
-        return _breaking(change, "who listens on it hears nothing")
+        return breaking(change, "who listens on it hears nothing")
     if any(getattr(old.spec, name) != getattr(new.spec, name) for name in _ADDRESSED):
-        return _breaking(change, "who listens as before hears nothing")
+        return breaking(change, "who listens as before hears nothing")
     if any(getattr(old.spec, name) != getattr(new.spec, name) for name in _WIRED):
-        return _doubtful(change, "whether the wiring was changed with it")
+        return doubtful(change, "whether the wiring was changed with it")
     return change
 
 
-def _instances(change: Change, sides: _Sides) -> Change:
+def _instances(change: Change, sides: Sides) -> Change:
     old, new = (side.components.get(change.subject) for side in (sides.old, sides.new))
     if old is None or new is None or len(new.parts) >= len(old.parts):
         return change
-    return _breaking(change, f"nothing is told of {len(old.parts) - len(new.parts)} of them")
+    return breaking(change, f"nothing is told of {len(old.parts) - len(new.parts)} of them")
 
 
-def _fact(change: Change, sides: _Sides) -> Change:
+def _fact(change: Change, sides: Sides) -> Change:
     """A fact of the board that messages tell."""
     _, component, fact = change.subject.split(".", 2)
     fields = told_of_fact(sides.new, component, fact)
     if not fields or change.old is None or change.new is None:
         return change
     shown = shortened_list(fields, 3)
-    return _doubtful(
+    return doubtful(
         change, f"whether {change.new.removeprefix(fact).strip()} is what receivers are to be told in {shown}"
     )
 
 
-def _generations(change: Change, sides: _Sides) -> Change:
+def _generations(change: Change, sides: Sides) -> Change:
     sent = [{name for each in side.generations for name in each.names(each.default)} for side in (sides.old, sides.new)]
     gone = sorted(sent[0] - sent[1])
-    return _doubtful(change, f"whether anybody still needs {', '.join(gone)}, not sent by default") if gone else change
+    return doubtful(change, f"whether anybody still needs {', '.join(gone)}, not sent by default") if gone else change
 
 
-def _taken_from(change: Change, sides: _Sides) -> Change:
+def _taken_from(change: Change, sides: Sides) -> Change:
     """A table that takes a message under other conditions, or from others: who meets the old ones is not heard."""
     name = change.subject.removesuffix(", received")
     old, new = (next((each for each in side.receptions if each.name == name), None) for side in (sides.old, sides.new))
@@ -170,30 +146,30 @@ def _taken_from(change: Change, sides: _Sides) -> Change:
     narrower = sorted(after - before)
     if narrower:
         shown = " and ".join(f"{field} {number}" for field, number in narrower)
-        return _breaking(change, f"who sends it with anything but {shown} is not heard any more, and nothing tells")
+        return breaking(change, f"who sends it with anything but {shown} is not heard any more, and nothing tells")
     if new.spec.sender not in (old.spec.sender, TakenFrom.ANY):
-        return _breaking(change, f"only a sender that is {new.spec.sender.value} is heard, and nothing tells")
+        return breaking(change, f"only a sender that is {new.spec.sender.value} is heard, and nothing tells")
+    if old.spec.call and not new.spec.call:
+        return doubtful(change, "whether nothing is to be done when it arrives")
     return change
 
 
-def _command(change: Change, sides: _Sides) -> Change:
-    """A command that is accepted from fewer, or in fewer states: who gives it as before is refused, and told so."""
-    old, new = (
-        next((each.spec for each in side.program.commands if each.name == change.subject), None)
-        if side.program
-        else None
+def _taken_range(change: Change, sides: Sides) -> Change:
+    """A field of a received message of which fewer numbers count as plausible."""
+    name = change.subject.removesuffix(", received")
+    taken = [
+        {f"{table.name}.{field.label}": field for table in side.receptions for field in table.fields}
         for side in (sides.old, sides.new)
-    )
-    if old is None or new is None:
-        return change
-    if new.sender not in (old.sender, CommandFrom.ANY):
-        return _breaking(change, f"only a sender that is {new.sender.value} is obeyed; others are refused")
-    if new.allowed not in (old.allowed, Allowed.ALWAYS):
-        return _breaking(change, f"it is refused unless the vehicle is {new.allowed.value}")
+    ]
+    old, new = (each.get(name) for each in taken)
+    if old is None or new is None or (old.factor, old.spec.rounding) != (new.factor, new.spec.rounding):
+        return change  # whose limits are other numbers anyway
+    if is_narrower((old.low, old.high), (new.low, new.high)):
+        return doubtful(change, "whether what is ignored now is sent, which nothing tells")
     return change
 
 
-_JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
+_JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.MESSAGE_STREAM: _schedule,
     rules.STREAM_RATE: _stream_rate,
     rules.PARAMETER_DEFAULT: _default,
@@ -203,5 +179,17 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
     rules.FACT: _fact,
     rules.GENERATIONS: _generations,
     rules.TAKEN_FROM: _taken_from,
-    rules.COMMAND: _command,
+    rules.TAKEN_RANGE: _taken_range,
+    rules.COMMAND: commanded_otherwise.command,
+    rules.COMMAND_RANGE: commanded_otherwise.accepted,
+    rules.COMMAND_REMOVED: commanded_otherwise.refused,
+    rules.QUANTITY_SOURCE: kept_otherwise.source,
+    rules.QUANTITY_UNIT: kept_otherwise.width,
+    rules.QUANTITY_RANGE: kept_otherwise.limits,
+    rules.SENSOR: kept_otherwise.sensor,
+    rules.PARAMETER_RANGE: kept_otherwise.parameter_range,
+    rules.PARAMETER: kept_otherwise.parameter,
+    rules.FAILSAFE: acted_otherwise.failsafe,
+    rules.PROGRAM: acted_otherwise.program,
+    rules.MODE: commanded_otherwise.mode,
 }

@@ -6,6 +6,7 @@ from itertools import groupby
 
 from codegen.diff.change import Change, Notice, Victim, changed
 from codegen.diff.system import behaviour_rules as rules
+from codegen.diff.system.judged import is_narrower
 from codegen.diff.system.subject import Fact, Subject, citations, cited, subject_changes
 from codegen.diff.system.trace_rules import CITATION, DOC
 from codegen.model.answers.account import Aspect
@@ -185,6 +186,10 @@ def _answers(message: PopulatedMessage) -> dict[tuple[str, int], tuple[Answer, V
 def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answer, Value | None]) -> Change:
     """A change of an element, judged where receivers get other numbers than before, or always the same one."""
     before, after = old[1], new[1]
+    if change.rule is rules.FLAGS:
+        return _flagged(change, old[0], new[0])
+    if change.rule is rules.LIMITS:
+        return _limited(change, old[0], new[0])
     if change.rule not in (rules.SOURCE, rules.CONSTANT):
         return change
     if before is None and after is not None:
@@ -195,9 +200,47 @@ def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answe
         return replace(change, effect=f"always {after}, which receivers take for what is so now", breaks=_STATION)
     if before is not None and after is not None and not _is_same(before, after):
         return replace(change, doubt=f"whether {after} is what receivers are to be told in place of {before}")
-    read = [{quantity.path for quantity in side[0].quantities} for side in (old, new)]
-    if before is None and after is None and read[0] != read[1]:
-        return replace(change, doubt="whether it still tells receivers of the same thing")
+    if before is None and after is None:
+        return _from_elsewhere(change, old[0], new[0])
+    return change
+
+
+def _from_elsewhere(change: Change, old: Answer, new: Answer) -> Change:
+    """A value that is not always the same comes from somewhere else: another place of the same list, or any other."""
+    lists = [{quantity.path for quantity in side.quantities} for side in (old, new)]
+    if lists[0] == lists[1] and None not in (old.shift, new.shift) and old.shift != new.shift:
+        effect = "the same element holds another value of the list, which receivers take for the one that it was"
+        return replace(change, effect=effect, breaks=_STATION)
+    return replace(change, doubt="whether it still tells receivers of the same thing")
+
+
+def _limited(change: Change, old: Answer, new: Answer) -> Change:
+    """A field that cuts off more than before; where numbers are converted otherwise, its limits are others anyway."""
+    beside = 1 if new.covers.field.type.is_integer else 0  # which is where a field steps aside for its sentinel
+    if not any(
+        (before.factor, before.rounding) == (after.factor, after.rounding)
+        and is_narrower((before.low, before.high), (after.low - beside, after.high + beside))
+        for before, after in zip(old.scalings, new.scalings, strict=False)
+    ):
+        return change
+    return replace(change, doubt="whether values beyond its limits, which are narrower now, are meant to be cut off")
+
+
+def _flagged(change: Change, old: Answer, new: Answer) -> Change:
+    """Bits that never change any more are taken for what is so now; other conditions, or other constants, are a
+    question. A bit that begins to tell something harms nobody.
+    """
+    before, after = old.conditions or {}, new.conditions or {}
+    stuck = [bit for bit, paths in before.items() if paths and not after.get(bit)]
+    if stuck:
+        constant = " and ".join(f"{bit:#x} is {'always' if bit in after else 'never'} set" for bit in stuck)
+        return replace(change, effect=f"{constant}, which receivers take for what is so now", breaks=_STATION)
+    other = [bit for bit, paths in before.items() if paths and paths != after[bit]]
+    if other:
+        return replace(change, doubt="whether the flags still tell receivers of the same thing")
+    fixed = [{bit for bit, paths in side.items() if not paths} for side in (before, after)]
+    if any(bit not in before or bit not in after for bit in fixed[0] ^ fixed[1]):
+        return replace(change, doubt="whether receivers are to be told so at all times")
     return change
 
 

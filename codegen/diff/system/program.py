@@ -1,19 +1,20 @@
 """Subjects of the program on the board, and of the receiver."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.commands import command_subjects
+from codegen.diff.system.failsafes import action_subject, failsafe_subject
 from codegen.diff.system.subject import Fact, Subject, amount, citations, cited
-from codegen.diff.system.trace_rules import CITATION, DOC
+from codegen.diff.system.trace_rules import CITATION
 from codegen.loop.budget import loop_budget
-from codegen.model.failsafe import Condition, Failsafe
 from codegen.model.program import Program
 from codegen.model.receiver import Receiver
-from codegen.model.spec.program import ActionSpec
 from codegen.model.system import System
-from codegen.model.vehicle import Parameter
 from codegen.source import Place
+
+_FORCE = "whether who arms by force sends this number"
+_SILENCE = "whether stations that are silent for so long are gone"
 
 
 def program_subjects(system: System) -> Iterator[Subject]:
@@ -21,32 +22,17 @@ def program_subjects(system: System) -> Iterator[Subject]:
     if system.program is not None:
         yield _program(system.program, system)
         yield _access(system, system.program)
-        yield from (_failsafe(failsafe) for failsafe in system.program.failsafes)
-        for action in system.program.actions:
-            mode = "" if action.mode is None else str(action.mode)
-            facts = (
-                Fact("call", action.call, rules.FAILSAFE, action.at("call")),
-                Fact("mode", mode, rules.FAILSAFE, action.at("mode")),
-                Fact("priority", _place(action, system.program), rules.FAILSAFE, system.program.spec.at("priority")),
-                Fact("disarms", "yes" if action.disarm else "", rules.FAILSAFE, action.at("disarm")),
-                Fact("doc", action.doc, DOC, action.at("doc")),
-            )
-            name = f"failsafe action {action.value}"
-            yield Subject(name, action.call, rules.FAILSAFE, rules.FAILSAFE, action.place, facts)
+        yield from (failsafe_subject(failsafe) for failsafe in system.program.failsafes)
+        yield from (action_subject(action, system.program) for action in system.program.actions)
         yield from command_subjects(system.program)
     if system.receiver is not None:
         yield _receiver(system.receiver)
 
 
-def _place(action: ActionSpec, program: Program) -> str:
-    """Return how many actions are more severe, in words; empty where none is said to be."""
-    return f"behind {program.priority.index(action)} of {len(program.priority)}" if program.priority else ""
-
-
 def _program(program: Program, system: System) -> Subject:
     spec = program.spec
     arming = "" if spec.arming is None else str(spec.arming.force)
-    services = spec.services
+    services, silence = spec.services, amount(program.silence_ms, "ms")
     texts = (
         ("control slot every", amount(program.control_us, "us"), spec.control.at("rate")),
         ("links served every", amount(program.links_us, "us"), spec.control.at("links")),
@@ -54,9 +40,7 @@ def _program(program: Program, system: System) -> Subject:
         ("missed slots reported every", amount(program.report_ms, "ms"), spec.control.at("report_every")),
         ("step of a save takes at most", amount(program.step_limit_us, "us"), spec.storage.at("step_limit")),
         ("parameters stored in", f"{', '.join(spec.storage.files)} by {spec.storage.chunk} bytes", spec.storage.place),
-        ("armed past the checks by", arming, spec.at("arming")),
         ("fastest without a stream:", amount(program.fastest, "Hz"), services.at("fastest")),
-        ("ground station gone after", amount(program.silence_ms, "ms"), services.at("silence")),
         ("longest slot takes, predicted", _longest(system), spec.control.at("rate")),
         *_watchdog(program),
         ("own code:", f"{program.module}.{program.class_name}", spec.at("code")),
@@ -68,6 +52,8 @@ def _program(program: Program, system: System) -> Subject:
     aspects = {f"{section}.{name}": one for section, all_of in program.aspects.items() for name, one in all_of.items()}
     facts = (
         *(Fact(name, text, rules.PROGRAM, place) for name, text, place in texts),
+        Fact("armed past the checks by", arming, rules.PROGRAM, spec.at("arming"), doubt=_FORCE),
+        Fact("ground station gone after", silence, rules.PROGRAM, services.at("silence"), doubt=_SILENCE),
         Fact("answers to", citations(None, {**program.cited, **aspects}), CITATION, spec.place),
     )
     says = f"control at {amount(program.control_us, 'us')}"
@@ -114,60 +100,6 @@ def _access(system: System, program: Program) -> Subject:
         Fact("key in", access.spec.key if access else "", rules.PROGRAM, place),
     ]
     return Subject("access", "", rules.PROGRAM, rules.PROGRAM, place, tuple(facts))
-
-
-def _failsafe(failsafe: Failsafe) -> Subject:
-    spec = failsafe.spec
-    texts = (
-        ("watches", failsafe.watched, "watches"),
-        ("of", failsafe.component.name if failsafe.component else "", "watches"),
-        ("called", failsafe.title, "title"),
-        ("believed above", amount(failsafe.believed_above), "believed_above"),
-        ("looks", spec.when.value, "when"),
-        ("is over", failsafe.over.written if failsafe.over else "never", "over"),
-        ("forbids arming", "yes" if spec.arming else "no", "arming"),
-        ("switched off by", failsafe.enabled_by.name if failsafe.enabled_by else "", "enabled_by"),
-        ("health in", failsafe.health.path if failsafe.health else "", "health"),
-        ("level in", failsafe.level.path if failsafe.level else "", "level"),
-        ("health told every", amount(failsafe.health_every_ms, "ms"), "health_every"),
-    )
-    facts = [Fact(name, text, rules.FAILSAFE, spec.at(key)) for name, text, key in texts]
-    facts.append(Fact("not armed while", _conditions(failsafe.to_arm), rules.FAILSAFE, spec.at("to_arm")))
-    for level in failsafe.levels:
-        written, action = level.spec, level.action
-        does = "" if action is None else action.name if isinstance(action, Parameter) else action.call
-        facts += [
-            Fact(f"{level.name} is level", str(level.number), rules.FAILSAFE, written.place),
-            Fact(f"{level.name} while", _conditions(level.conditions), rules.FAILSAFE, written.place),
-            Fact(f"{level.name} does", does, rules.FAILSAFE, written.at("action")),
-            Fact(f"{level.name} says", level.text.written, rules.FAILSAFE, written.at("text")),
-            Fact(f"{level.name} answers to", str(level.citation or ""), CITATION, written.at("requirement")),
-        ]
-    facts.append(Fact("answers to", citations(failsafe.citation, failsafe.aspects), CITATION, spec.at("requirement")))
-    return Subject(
-        name=f"failsafe {failsafe.name}",
-        says=failsafe.watched,
-        added=rules.FAILSAFE,
-        removed=rules.FAILSAFE,
-        place=spec.place,
-        facts=tuple(facts),
-        cited=cited(failsafe.citation, failsafe.aspects, *(level.citation for level in failsafe.levels)),
-        row=failsafe.name,
-    )
-
-
-def _conditions(conditions: Iterable[Condition]) -> str:
-    """Conditions as text that differs where one of them does."""
-    return "; ".join(
-        ", ".join(
-            (
-                condition.words,
-                *([f"for {condition.after.words}"] if condition.after else []),
-                *([f"until better by {condition.hysteresis}"] if condition.hysteresis else []),
-            )
-        )
-        for condition in conditions
-    )
 
 
 def _receiver(receiver: Receiver) -> Subject:

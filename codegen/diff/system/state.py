@@ -11,6 +11,8 @@ from codegen.model.system import System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Component, Parameter, Quantity
 
+_NUMBERED = "whether receivers know the instances by other numbers"
+
 
 def parameter_subjects(system: System) -> Iterator[Subject]:
     """The parameters, by name."""
@@ -105,7 +107,7 @@ def _component(component: Component) -> Subject:
     first = component.first_number.name if component.first_number else ""
     facts = (
         *parts,
-        Fact("number of the first:", first, rules.INSTANCES, spec.at("first_number")),
+        Fact("number of the first:", first, rules.INSTANCES, spec.at("first_number"), doubt=_NUMBERED),
         Fact("updated every", amount(component.period_ms, "ms"), rules.UPDATE_RATE, spec.at("update_rate")),
         Fact("counts", counted, rules.INSTANCES, spec.place),
         Fact("answers to", citations(component.citation, component.aspects), CITATION, spec.at("requirement")),
@@ -125,9 +127,11 @@ def _component(component: Component) -> Subject:
 
 def _quantity(quantity: Quantity) -> Subject:
     spec, stored, trust = quantity.spec, quantity.stored.name, quantity.trust
+    unit = quantity.unit.name
+    coded = f"whether code that sets or reads {quantity.name} does so in {unit or 'plain numbers'}"
     smallest, largest = (_limit(limit, stored, quantity.storage) for limit in (quantity.minimum, quantity.maximum))
     facts = (
-        Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
+        Fact("unit", unit, rules.QUANTITY_UNIT, spec.at("unit"), doubt=coded),
         Fact("kept", f"as {quantity.attribute} in {stored}{_width(quantity)}", rules.QUANTITY_UNIT, spec.at("stored")),
         Fact(
             "steps",

@@ -13,7 +13,8 @@ from codegen.source import Place
 class Fact(NamedTuple):
     """One attribute, as text that differs exactly where the attribute does; empty where there is none.
 
-    ``shown`` is what people read in its place, where it is written in other words or units.
+    ``shown`` is what people read in its place, where it is written in other words or units. ``doubt`` is what a person
+    has to judge where it is another one than before, or there no longer; what has come is in nobody's place.
     """
 
     attribute: str
@@ -21,12 +22,14 @@ class Fact(NamedTuple):
     rule: ChangeRule
     place: Place
     shown: str = ""
+    doubt: str = ""
 
 
 class Subject(NamedTuple):
     """A part of a system: its name, what it is in a few words, the rules of its coming and going, and its facts.
 
-    ``row`` is its name in the trace, where that is another one.
+    ``row`` is its name in the trace, where that is another one. ``key`` is what it is known by in both versions, where
+    that is not the name. ``doubt`` is what a person has to judge where it has gone.
     """
 
     name: str
@@ -38,6 +41,8 @@ class Subject(NamedTuple):
     cited: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
     row: str = ""
+    key: str = ""
+    doubt: str = ""
 
 
 def subject_changes(
@@ -47,8 +52,8 @@ def subject_changes(
 
     Facts of one rule that differ are one change; a rule of ``absorbing`` takes in those of others that follow from it.
     """
-    before = {subject.name: subject for subject in old}
-    after = {subject.name: subject for subject in new}
+    before = {subject.key or subject.name: subject for subject in old}
+    after = {subject.key or subject.name: subject for subject in new}
     for name, subject in after.items():
         known = before.get(name)
         if known is None:
@@ -69,6 +74,7 @@ def _whole(rule: ChangeRule, old: Subject | None, new: Subject | None) -> Change
         old.says if old else None,
         new.says if new else None,
         (old.place if old else None, new.place if new else None),
+        doubt=subject.doubt if new is None else "",
         cited=subject.cited,
         messages=subject.messages,
         rows=(subject.row or subject.name,),
@@ -94,8 +100,8 @@ def _facts(old: Subject, new: Subject, absorbing: Mapping[ChangeRule, Collection
             for other in absorbed:
                 differing[rule] += differing.pop(other, ())
     for rule, pairs in differing.items():
-        before = _said((pair.attribute, pair.old) for pair in pairs)
-        after = _said((pair.attribute, pair.new) for pair in pairs)
+        before = _said((pair.attribute, pair.old, pair.new) for pair in pairs)
+        after = _said((pair.attribute, pair.new, pair.old) for pair in pairs)
         first = pairs[0]
         yield changed(
             rule,
@@ -103,6 +109,7 @@ def _facts(old: Subject, new: Subject, absorbing: Mapping[ChangeRule, Collection
             before,
             after,
             (first.old.place if first.old else old.place, first.new.place if first.new else new.place),
+            doubt="" if rule.breaks else _doubt(pairs),
             cited=dict.fromkeys((*new.cited, *old.cited)),
             messages=dict.fromkeys((*new.messages, *old.messages)),
             rows=(new.row or new.name,),
@@ -118,9 +125,21 @@ def _pairs(old: Subject, new: Subject) -> Iterator[_Pair]:
             yield _Pair(attribute, known, fact)
 
 
-def _said(facts: Iterable[tuple[str, Fact | None]]) -> str | None:
+def _doubt(pairs: Iterable[_Pair]) -> str:
+    """Return what a person has to judge of facts that were stated before, each question once."""
+    known = (pair.new or pair.old for pair in pairs if pair.old is not None)
+    return ", and ".join(dict.fromkeys(fact.doubt for fact in known if fact is not None and fact.doubt))
+
+
+def _said(facts: Iterable[tuple[str, Fact | None, Fact | None]]) -> str | None:
+    """The facts, each with the one in the other version: what people would read alike is told as it is compared."""
     return (
-        "; ".join(_with(attribute, fact.shown or fact.text) for attribute, fact in facts if fact and fact.text) or None
+        "; ".join(
+            _with(attribute, fact.text if other and other.shown == fact.shown else fact.shown or fact.text)
+            for attribute, fact, other in facts
+            if fact and fact.text
+        )
+        or None
     )
 
 

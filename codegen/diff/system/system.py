@@ -14,6 +14,7 @@ from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_
 from codegen.diff.system.behaviour_rules import PROGRAM
 from codegen.diff.system.board import board_subjects
 from codegen.diff.system.carrying import carried_on, fed_by_facts, written_otherwise
+from codegen.diff.system.commanded_otherwise import renamed
 from codegen.diff.system.drivers import driver_changes
 from codegen.diff.system.heard_otherwise import heard_otherwise
 from codegen.diff.system.population import population_changes
@@ -59,7 +60,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     of_dialect = at_own_places(dialect_changes(*dialects), *dialects, old, new)
     found: list[Change] = []
     elsewhere: list[Change] = []
-    for change in of_dialect:
+    for change in (renamed(change, old[0], new[0]) for change in of_dialect):
         (found if used.is_concerned(change) else elsewhere).append(change)
     before = {system.spec.program: system for system in old}
     after = {system.spec.program: system for system in new}

@@ -2,7 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from codegen.frozen import dataclass
@@ -89,6 +89,18 @@ class Answer(ABC):
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters that decide what goes out; of a family the first one."""
         return ()
+
+    @property
+    def conditions(self) -> Mapping[int, frozenset[str]] | None:
+        """The bits that may be set, each with the paths of the booleans of which one has to be true; none for a bit
+        that always is. None where it is no set of flags.
+        """
+        return None
+
+    @property
+    def shift(self) -> int | None:
+        """Return which value of a list, from 0, the element 0 of its field would have; None where it is no list."""
+        return None
 
     @property
     def is_chip_number(self) -> bool:

@@ -69,11 +69,16 @@ class PinUse(NamedTuple):
 
 
 class SourceFact(NamedTuple):
-    """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it."""
+    """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it.
+
+    ``asks``: where it is another one, the same reading may be another number, unless what is connected is another, too.
+    What says how long or how often something is read does not; nor does what the outputs say.
+    """
 
     attribute: str
     text: str
     key: str
+    asks: bool = True
 
 
 class Source(ABC):

@@ -104,7 +104,7 @@ class Monitor(Source):
         yield SourceFact("bus", self.bus.opened, "i2c")
         yield SourceFact("address", f"{self.address:#x}", "address")
         yield SourceFact("shunt", f"{decimal(self.shunt)} Ohm", "shunt")
-        yield SourceFact("average", f"of {self.average} conversions", "average")
+        yield SourceFact("average", f"of {self.average} conversions", "average", asks=False)
 
     def words(self) -> str:
         shunt = decimal(self.shunt * 1000)

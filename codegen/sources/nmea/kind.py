@@ -118,7 +118,7 @@ class NmeaReceiver(Source):
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("UART", self.line.opened, "uart")
-        yield SourceFact("silent after", f"{self.silent_ms} ms", "silence")
+        yield SourceFact("silent after", f"{self.silent_ms} ms", "silence", asks=False)
 
     def words(self) -> str:
         return f"NMEA 0183 on UART {self.line.number}, {self.line.baud} bits per second"

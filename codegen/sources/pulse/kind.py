@@ -78,7 +78,7 @@ class PulseInput(Source):
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("pin", f"GPIO {self.gpio}, pull {self.pull}", "gpio")
-        yield SourceFact("gate", f"{self.gate_ms} ms", "gate")
+        yield SourceFact("gate", f"{self.gate_ms} ms", "gate", asks=False)
 
     def words(self) -> str:
         return f"pulses at GPIO {self.gpio}"

@@ -65,7 +65,7 @@ class User(Source):
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
-        yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs")
+        yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs", asks=False)
 
     def words(self) -> str:
         return f"read() of {self.class_name}"
