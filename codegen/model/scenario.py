@@ -131,8 +131,8 @@ class Expectation:
     """A condition that must hold ``at_ms``, or at the end for None.
 
     ``told``: a quantity as it went out last; else as the state has it, with ``precision``. ``low`` and ``high`` bound a
-    number in its unit, ``value`` is what it has to be otherwise, a number exactly. With ``text`` a text that contains it
-    has to be said by then, or, if ``is_absent``, must not be said.
+    number in its unit, ``value`` is what it has to be otherwise, a number exactly. With ``text`` a text that contains
+    it has to be said by then, or, if ``is_absent``, must not be said.
     """
 
     written: str
