@@ -12,9 +12,9 @@ def check_statements(program: Program, *, recovers: bool, sets_status: bool) -> 
             "now_ms = ticks_ms()",
             "for failsafe in failsafes:",
             "    if failsafe.update(now_ms):",
-            "        self._settled_at = None",
-            "if self._settled_at != self.parameters.changes:",
-            "    self._settled_at = self.parameters.changes",
+            "        self._asked = None",
+            "if self._asked != self.parameters.changes:",
+            "    self._asked = self.parameters.changes",
             *(f"    {line}" for line in status),
             "    self._settle(self._most_severe())",
         )

@@ -21,7 +21,7 @@ from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
 _STARTS = {
-    True: ("self._in_force = 0  # the action", "self._settled_at = None  # parameters.changes when it was chosen"),
+    True: ("self._in_force = 0  # the action", "self._asked = None  # parameters.changes when it was chosen"),
     False: ("self._reached = None  # the failsafe that has reached the highest level just now",),
 }
 """The first statements of the choice of actions, with and without a priority."""
