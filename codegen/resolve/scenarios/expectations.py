@@ -82,7 +82,7 @@ class Expectations:
         return Expectation(words, at_ms, label, key == "told", *bounds, precision=_precision(quantity))
 
     def _value(self, spec: ExpectSpec, quantity: Quantity) -> tuple[Truth | Fraction] | None:
-        """What it has to be, alone in a tuple; None after an error."""
+        """The value that it has to be, alone in a tuple; None after an error."""
         assert spec.is_ is not None
         if quantity.kind is not QuantityKind.NUMBER or spec.is_ == UNKNOWN:
             return self._values.truth(spec.is_, quantity, spec.at("is"))
@@ -149,7 +149,7 @@ class Expectations:
 
 
 def _precision(quantity: Quantity) -> Precision:
-    """That of the state; entries of an enum, texts and booleans have none."""
+    """The precision of the state; entries of an enum, texts and booleans have none."""
     if quantity.kind is not QuantityKind.NUMBER:
         return Precision()
     return kept_with(quantity.storage, quantity.steps)
