@@ -92,6 +92,16 @@ def nearest_float(value: Fraction) -> float:
         return math.inf if value > 0 else -math.inf
 
 
+def read_exactly(text: str, unit: Unit, place: Place, report: Report) -> Fraction | None:
+    """The same as a fraction: that number itself, where it is one."""
+    found = _converted(text, unit, place, report)
+    if found is None:
+        return None
+    measure, way = found
+    exact = way.exact(measure.value)
+    return Fraction(way.settled(measure.value, float)) if exact is None else exact
+
+
 def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Measure, AffineMap] | None:
     """An amount, and what turns it into ``unit``; None after a finding."""
     measure = read_measure(text)

@@ -20,7 +20,7 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import take
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, ToldNumber, Trait, Words, told_number
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Known, Value, stored_value
 from codegen.model.answers.scaling import Scaling
@@ -176,11 +176,12 @@ class SplitAnswer(KindOfAnswer):
         """The one that is spread."""
         return (self.source,)
 
-    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
+    def told(self, wire: Sequence[int | float]) -> Iterator[ToldNumber]:
         """The sum of the elements that are reached."""
         reached = [value for value in wire if value != self.unused]
         factor = to_unit(self.source, self.scaling)
-        yield self.source, float(sum(map(Fraction, reached)) * factor) if reached else None
+        value = sum(map(Fraction, reached), Fraction(0)) * factor if reached else None
+        yield told_number(self.source, value, factor, self.covers.field.type)
 
     def read_back(self) -> Iterator[ReadBack]:
         """The quantity."""

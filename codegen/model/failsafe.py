@@ -79,6 +79,21 @@ class Condition:
         limit = f" {self.limit.words}" if self.limit else ""
         return f"{subject} {self.sense.value}{limit}"
 
+    @property
+    def edge(self) -> int | None:
+        """The first stored step, with the defaults, at which it does not hold and is over; None where any is one."""
+        limit = self.limit
+        if limit is None or (limit.is_off_at_zero and limit.parameter is not None and not limit.parameter.default):
+            return None
+        at = limit.count * (limit.parameter.default if limit.parameter else 1)
+        return at + self.hysteresis + 1 if self.sense is Sense.BELOW else at - self.hysteresis - 1
+
+    def rests_at(self, value: int) -> bool:
+        """Return whether it does not hold at stored steps, nor just behind its hysteresis, with the defaults."""
+        if self.edge is None:
+            return True
+        return value >= self.edge if self.sense is Sense.BELOW else value <= self.edge
+
 
 @dataclass(frozen=True, slots=True)
 class Shown:

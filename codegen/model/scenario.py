@@ -2,9 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import field
+from fractions import Fraction
 from typing import Any, TypeGuard
 
 from codegen.frozen import dataclass
+from codegen.model.quantities.precision import Precision
 from codegen.model.quantities.simulated import SimulatedInput
 
 GROUND_STATION = 255
@@ -128,18 +130,19 @@ class Stretch:
 class Expectation:
     """A condition that must hold ``at_ms``, or at the end for None.
 
-    ``told``: a quantity as it went out last; else as the state has it. ``low`` and ``high`` bound a number in its
-    unit, ``value`` is what it has to be otherwise. With ``text`` a text that contains it has to be said by then, or,
-    if ``is_absent``, must not be said.
+    ``told``: a quantity as it went out last; else as the state has it, with ``precision``. ``low`` and ``high`` bound a
+    number in its unit, ``value`` is what it has to be otherwise, a number exactly. With ``text`` a text that contains
+    it has to be said by then, or, if ``is_absent``, must not be said.
     """
 
     written: str
     at_ms: int | None
     label: str = ""
     told: bool = False
-    low: float | None = None
-    high: float | None = None
-    value: Truth = None
+    low: Fraction | None = None
+    high: Fraction | None = None
+    value: Truth | Fraction = None
+    precision: Precision = Precision()
     text: str = ""
     is_absent: bool = False
 

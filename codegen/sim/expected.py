@@ -1,14 +1,15 @@
 """Compares the expectations of a scenario with the recording of a run."""
 
-from typing import Any
+import math
+from fractions import Fraction
+from typing import Any, TypeGuard
 
+from codegen.model.quantities.precision import Precision
 from codegen.model.scenario import Expectation
+from codegen.model.units.unit import shortly
 from codegen.sim.amount import amount
 from codegen.sim.record import Recording
 from codegen.sim.sample import Kind
-
-_TOLERANCE = 1e-6
-"""Relative difference below which two numbers are the same: floats of the state have 32 bits."""
 
 
 def unmet(recording: Recording) -> list[str]:
@@ -27,13 +28,19 @@ def _problem(expectation: Expectation, recording: Recording) -> str | None:
         return f"the simulation ended at {recording.at_ms / 1000:g} s."
     if expectation.text:
         return _said(expectation, recording, at_ms)
-    found = (recording.told if expectation.told else recording.state)(expectation.label, at_ms)
-    if _holds(expectation, found):
+    found, precision = _found(expectation, recording, at_ms)
+    if _holds(expectation, found, precision):
         return None
     unit = next((line.unit for line in recording.program.lines if line.label == expectation.label), "")
-    if isinstance(found, float) or (unit and isinstance(found, int)):
-        return f"it is {amount(float(found), unit)}."
-    return f"it is {_shown(found)}."
+    return f"it is {_shown(found, precision)} {unit if _is_number(found) else ''}".rstrip() + "."
+
+
+def _found(expectation: Expectation, recording: Recording, at_ms: int) -> tuple[Any, Precision]:
+    """Return what there is, a number as exactly as that is known, and how precise it is."""
+    if not expectation.told:
+        return recording.state(expectation.label, at_ms), expectation.precision
+    reading = recording.reading(expectation.label, at_ms)
+    return (None, expectation.precision) if reading is None else (reading.exact, reading.precision)
 
 
 def _said(expectation: Expectation, recording: Recording, at_ms: int) -> str | None:
@@ -48,14 +55,22 @@ def _said(expectation: Expectation, recording: Recording, at_ms: int) -> str | N
     return f"it said {fitting[0]!r}." if fitting else "it was not said."
 
 
-def _holds(expectation: Expectation, found: Any) -> bool:
+def _holds(expectation: Expectation, found: Any, precision: Precision) -> bool:
     if expectation.low is not None and expectation.high is not None:
-        return isinstance(found, int | float) and expectation.low <= found <= expectation.high
+        return _is_number(found) and precision.is_between(found, expectation.low, expectation.high)
     wanted = expectation.value
-    if isinstance(found, float) and isinstance(wanted, int | float):
-        return abs(found - wanted) <= _TOLERANCE * max(abs(found), abs(wanted))
+    if _is_number(found) and _is_number(wanted):
+        return precision.is_same(found, Fraction(wanted))
     return bool(found == wanted)
 
 
-def _shown(found: Any) -> str:
-    return "unknown" if found is None else str(found).lower() if isinstance(found, bool) else str(found)
+def _is_number(value: Any) -> TypeGuard[int | float | Fraction]:
+    is_number = isinstance(value, int | float | Fraction) and not isinstance(value, bool)
+    return is_number and math.isfinite(value)
+
+
+def _shown(found: Any, precision: Precision) -> str:
+    if not _is_number(found):
+        return "unknown" if found is None else str(found).lower() if isinstance(found, bool) else str(found)
+    exact = precision.exact(found)
+    return shortly(exact) if precision.step or exact.denominator == 1 else amount(float(found), "")

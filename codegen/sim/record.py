@@ -123,8 +123,13 @@ class Recording:
 
     def told(self, label: str, at_ms: float) -> float | None:
         """Return what was told last of a number by a time, in its unit; None for unknown, or nothing."""
+        reading = self.reading(label, at_ms)
+        return None if reading is None else reading.value
+
+    def reading(self, label: str, at_ms: float) -> Reading | None:
+        """Return the same with its precision; None for nothing."""
         before = [reading for reading in self.readings_of.get(label, ()) if reading.at_ms <= at_ms]
-        return before[-1].value if before else None
+        return before[-1] if before else None
 
     def state(self, label: str, at_ms: float) -> Any:
         """Return what the state had for a quantity that is watched, at a time."""
@@ -300,7 +305,7 @@ class Recording:
         """Note what was told now of a quantity."""
         owner, _, name = told.path.partition(".")
         label = f"{owner}[{told.instance}].{name}" if told.instance else told.path
-        self._take_reading(label, Reading(self.at_ms, told.value))
+        self._take_reading(label, Reading(self.at_ms, told.value, told.exact, told.precision))
 
     def _take_reading(self, label: str, reading: Reading) -> None:
         readings = self.readings_of.setdefault(label, [])

@@ -4,8 +4,10 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import field
 from enum import StrEnum
+from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.quantities.precision import Precision
 
 SEVERITIES = ("emergency", "alert", "critical", "error", "warning", "notice", "info", "debug")
 """Names of MAV_SEVERITY, by number."""
@@ -51,10 +53,15 @@ class Happening:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """The reported value of a quantity at a time in ms, in its unit: None for unknown, and where the line breaks."""
+    """The reported value of a quantity at a time in ms, in its unit: None for unknown, and where the line breaks.
+
+    ``exact`` is the same before it became a float, and ``precision`` that of the field and of what is kept.
+    """
 
     at_ms: int
     value: float | None
+    exact: Fraction | None = None
+    precision: Precision = Precision()
 
 
 @dataclass(frozen=True, slots=True)

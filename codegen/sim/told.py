@@ -2,10 +2,12 @@
 
 import struct
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.answers.answer import Answer
 from codegen.model.dialect.dialect import Kind
+from codegen.model.quantities.precision import Precision
 from codegen.model.system import PopulatedMessage, System
 
 _NEW = 0xFD
@@ -14,11 +16,16 @@ _NEW = 0xFD
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """A number that a message told: of an instance from 0, in the unit of the quantity; None for unknown."""
+    """A number that a message told: of an instance from 0, in the unit of the quantity; None for unknown.
+
+    ``exact`` is the same before it became a float, and ``precision`` that of the field and of what is kept.
+    """
 
     path: str
     instance: int
     value: float | None
+    exact: Fraction | None = None
+    precision: Precision = Precision()
 
 
 class Telling:
@@ -68,9 +75,10 @@ def _read(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, floa
     instance = _instance(table, payload, parameters)
     for answer in table.answers:
         if answer.told_quantities:
-            for quantity, value in answer.told(_numbers(answer, payload)):
-                if quantity.path in paths and instance is not None:
-                    yield Told(quantity.path, instance, value)
+            for told in answer.told(_numbers(answer, payload)):
+                path, exact = told.quantity.path, told.value
+                if path in paths and instance is not None:
+                    yield Told(path, instance, None if exact is None else float(exact), exact, told.precision)
 
 
 def _instance(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, float]) -> int | None:

@@ -10,7 +10,7 @@ import re
 import time
 
 import pytest
-from interpreters import CASES, HERE, files, path_of, run_under
+from interpreters import CASES, HERE, LARGE_HEAP, files, path_of, run_under
 from selection import selected
 
 
@@ -35,7 +35,7 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
     """Return what the firmware made of all cases, in one run of each interpreter."""
-    return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
+    return json.loads(run_under(request.param, "runner.py", str(CASES), heap=LARGE_HEAP))
 
 
 @pytest.fixture(scope="session")

@@ -325,23 +325,22 @@ def limits_of_state():
                 setattr(getattr(state, name)[instance], attribute, values[base])
         words = array("i", state.words)
         for kind in QUANTITIES:
-            yield limits_of(kind, links, state, board, words)
+            yield from limits_of(kind, links, state, board, words)
 
 
 def limits_of(kind, links, state, board, words):
-    """Return what each of the numbers leaves, as the value of a quantity of the first instance."""
+    """Yield what each of the numbers leaves, as the value of a quantity of the first instance."""
     name, _, attribute, elements, values = kind
     low, high = [each[0] if elements else each for each in values[-2:]]
-    told = []
     for number in NUMBERS:
         if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
             state.words[:] = words
             setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
-            told.append([sent(links, state, table, abouts[0]) for table, abouts in TABLES])
+            told = [sent(links, state, table, abouts[0]) for table, abouts in TABLES]
             for component in COMPONENTS:
                 getattr(state, "update_" + component)(board)
             told.append(summed(state))
-    return told
+            yield told
 
 
 def short_links():
@@ -528,8 +527,14 @@ PARTS = {
 if __name__ == "__main__":
     of = sys.argv.index("of")
     NUMBERS = [int(number) for number in sys.argv[1:of]]
-    told = {}
+    begin = "{"
     for name in sys.argv[of + 1 :]:
-        told[name] = [crc32(json.dumps(step).encode()) for step in PARTS[name]()]
+        print(f"{begin}{json.dumps(name)}: [")
+        begin = ", "
+        comma = ""
+        for step in PARTS[name]():  # one by one: there are as many as there are messages, times numbers
+            print(f"{comma}{crc32(json.dumps(step).encode())}")
+            comma = ","
+        print("]")
         buffers.look()
-    print(json.dumps(told))
+    print("}")

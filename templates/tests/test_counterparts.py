@@ -4,9 +4,9 @@ import json
 import re
 
 import pytest
-from interpreters import files, path_of, run_under
+from interpreters import LARGE_HEAP, files, path_of, run_under
 
-
+INTERPRETERS = ("cpython", "micropython")
 PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames", "times")
 LONG = ("more steps", "limits")
 COMPARED = re.compile(r"[<>=]=? (-?\d+)\b")  # with what a number is compared
@@ -19,7 +19,8 @@ def told(once):
     def by(parts):
         def run():
             given = (*map(str, numbers()), "of", *parts)
-            return [json.loads(run_under(each, "counterparts_run.py", *given)) for each in ("cpython", "micropython")]
+            told = [run_under(each, "counterparts_run.py", *given, heap=LARGE_HEAP) for each in INTERPRETERS]
+            return [json.loads(each) for each in told]
 
         return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
 

@@ -71,6 +71,7 @@ def test_what_is_accepted(facts: Any, method: str, good: Any, arguments: Any, as
         ("lower", {1: [beside(0.01, 0), 2.5], 2: [0, 21]}, {2: 0}),
         ("take", {7: [beside(INFINITE, -1)]}, {}),
         ("sound_horn", {}, {}),
+        ("look_after", {1: [0, 0xFFFFFF00], 2: [0, 63]}, {}),  # the highest 24 of 32 flags, as a float has them
     ],
 )
 def test_the_ends_and_what_is_left_to_the_method(facts: Any, method: str, ends: Any, unknown: Any) -> None:

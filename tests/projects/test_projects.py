@@ -14,7 +14,8 @@ and has the last system id that there is. sensors has a sensor of every kind, an
 power_monitor has two channels of an ADC in one component, and a level. slow_readings has a thermometer that is read
 less often than failsafes look, actions by severity with a failsafe that arming does not ask, constants for multipliers,
 a range that is narrow and symmetric, and components with the names of functions. moored_buoy has failsafes and nothing
-to arm.
+to arm. watched_boat has several of them on one quantity, too much and too little of it, and thresholds that no 0
+switches off, beside each other. commanded has flags that no float of 32 bits carries.
 """
 
 import subprocess
@@ -27,7 +28,7 @@ from in_process import build
 
 PROJECTS = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
-WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect", "slow_readings"}
+WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect", "slow_readings", "watched_boat"}
 """Whose checks of the whole program run; the checks of others, whose modules are the same, are about what they have."""
 DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
 COMMON = (

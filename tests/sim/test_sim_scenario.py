@@ -1,6 +1,7 @@
 """Scenario files: what is right becomes plain numbers, what is wrong is reported at its place."""
 
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from packs import SYSTEM
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
+from codegen.model.quantities.precision import Precision
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import (
     Arming,
@@ -26,6 +28,7 @@ from codegen.resolve.scenarios.scenario import resolve_scenarios
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAD = "scenarios:\n  a:\n    doc: d\n    duration: 10 s\n"
+WHOLE = Precision(Fraction(1))
 PACK = "    courses: {battery.voltage: {value: 12 V}}\n"
 
 
@@ -101,9 +104,15 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
             Reboot(5_000),
         ),
         expected=(
-            Expectation("state battery.failsafe is 1 at 9 s", 9_000, "battery.failsafe", value=1.0),
+            Expectation("state battery.failsafe is 1 at 9 s", 9_000, "battery.failsafe", value=1.0, precision=WHOLE),
             Expectation(
-                "told battery.voltage between 9.5 V and 9700 mV at the end", None, "battery.voltage", True, 9.5, 9.7
+                "told battery.voltage between 9.5 V and 9700 mV at the end",
+                None,
+                "battery.voltage",
+                told=True,
+                low=Fraction("9.5"),
+                high=Fraction("9.7"),
+                precision=Precision(Fraction(1, 1000)),
             ),
             Expectation("no text with 'Crash' by 1 s", 1_000, text="Crash", is_absent=True),
         ),

@@ -13,7 +13,7 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.answers.split import SplitAnswer
 from codegen.frozen import dataclass
-from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
+from codegen.model.answers.account import Aspect, Origins, ReadBack, StateCase, Together, ToldNumber, Trait, Words
 from codegen.model.answers.answer import Answer, Elements
 from codegen.model.answers.known import Known, Stored, Value
 from codegen.model.answers.scaling import Scaling
@@ -279,7 +279,7 @@ class EachAnswer(KindOfAnswer):
         """
         return self.fallback.told_quantities if self.fallback else ()
 
-    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
+    def told(self, wire: Sequence[int | float]) -> Iterator[ToldNumber]:
         """The same."""
         if self.fallback:
             yield from self.fallback.told(wire)

@@ -3,12 +3,16 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from enum import Enum, auto
+from fractions import Fraction
 from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.model.answers.known import Stored
 from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
+from codegen.model.code.storage import Storage
+from codegen.model.dialect.dialect import WireType
+from codegen.model.quantities.precision import Precision, kept_with, share_of
 from codegen.model.vehicle import Parameter, Quantity
 
 FLAGS = " + "
@@ -85,6 +89,24 @@ class Arriving:
     quantity: Quantity
     scaling: Scaling
     unknown: int | float | None
+
+
+@dataclass(frozen=True, slots=True)
+class ToldNumber:
+    """A number that a message tells of a quantity, exactly, in its unit; None for unknown."""
+
+    quantity: Quantity
+    value: Fraction | None
+    precision: Precision
+
+
+def told_number(quantity: Quantity, value: Fraction | None, step: Fraction, wire_type: WireType) -> ToldNumber:
+    """Return it with its precision: that of the field, of which 1 is ``step`` in the unit, or of what is kept."""
+    kept = kept_with(quantity.storage, quantity.steps)
+    if wire_type.is_integer:
+        return ToldNumber(quantity, value, Precision(max(step, kept.step), kept.share))
+    share = share_of(Storage.BINARY32 if wire_type.size == 4 else Storage.BINARY64)
+    return ToldNumber(quantity, value, Precision(kept.step, max(share, kept.share)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.answers.account import Arriving, Origins, ReadBack, StateCase, Together, Trait, Words
+from codegen.model.answers.account import (
+    Arriving,
+    Origins,
+    ReadBack,
+    StateCase,
+    Together,
+    ToldNumber,
+    Trait,
+    Words,
+    told_number,
+)
 from codegen.model.answers.known import Known, Value
 from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
@@ -204,13 +214,14 @@ class Answer(ABC):
         """The quantities whose numbers `told` finds in a message."""
         return (self.arriving.quantity,) if self.arriving else ()
 
-    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
-        """Yield what its elements, as numbers on the wire, tell of quantities, in their units; None for unknown."""
+    def told(self, wire: Sequence[int | float]) -> Iterator[ToldNumber]:
+        """Yield what its elements, as numbers on the wire, tell of quantities."""
         arriving = self.arriving
         if arriving is not None:
             is_unknown = wire[0] == arriving.unknown or not math.isfinite(wire[0])
-            factor = arriving.scaling.factor * arriving.quantity.steps
-            yield arriving.quantity, None if is_unknown else float(Fraction(wire[0]) / factor)
+            step = 1 / (arriving.scaling.factor * arriving.quantity.steps)
+            value = None if is_unknown else Fraction(wire[0]) * step
+            yield told_number(arriving.quantity, value, step, self.covers.field.type)
 
     # Its cases for tests.
 

@@ -1,14 +1,16 @@
 """Resolves the expectations of a scenario: the quantity, the time and the bounds of each."""
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from codegen.diagnostics import Rule
-from codegen.model.scenario import Expectation
+from codegen.model.quantities.precision import Precision, kept_with
+from codegen.model.scenario import Expectation, Truth
 from codegen.model.spec.scenario import ExpectSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.resolve.scenarios.courses import Courses
-from codegen.resolve.scenarios.values import SCENARIO_TIME, ScenarioValues
+from codegen.resolve.scenarios.values import SCENARIO_TIME, UNKNOWN, ScenarioValues
 from codegen.source import Place
 
 SCENARIO_EXPECT = Rule(
@@ -68,14 +70,24 @@ class Expectations:
             return None
         what = f"{key} {label} {{}}{when}"
         if spec.is_ is not None:
-            value = self._values.truth(spec.is_, quantity, spec.at("is"))
+            value = self._value(spec, quantity)
             words = what.format(f"is {spec.is_}")
-            return None if value is None else Expectation(words, at_ms, label, key == "told", value=value[0])
+            if value is None:
+                return None
+            return Expectation(words, at_ms, label, key == "told", value=value[0], precision=_precision(quantity))
         bounds = self._bounds(spec, quantity)
         if bounds is None:
             return None
         words = what.format(f"between {spec.between[0]} and {spec.between[1]}")
-        return Expectation(words, at_ms, label, key == "told", *bounds)
+        return Expectation(words, at_ms, label, key == "told", *bounds, precision=_precision(quantity))
+
+    def _value(self, spec: ExpectSpec, quantity: Quantity) -> tuple[Truth | Fraction] | None:
+        """The value that it has to be, alone in a tuple; None after an error."""
+        assert spec.is_ is not None
+        if quantity.kind is not QuantityKind.NUMBER or spec.is_ == UNKNOWN:
+            return self._values.truth(spec.is_, quantity, spec.at("is"))
+        exact = self._values.exact(spec.is_, quantity, spec.at("is"))
+        return None if exact is None else (exact,)
 
     def _at_ms(self, spec: ExpectSpec) -> int | None:
         if spec.at_ is None:
@@ -114,7 +126,7 @@ class Expectations:
             for told in answer.told_quantities
         )
 
-    def _bounds(self, spec: ExpectSpec, quantity: Quantity) -> tuple[float, float] | None:
+    def _bounds(self, spec: ExpectSpec, quantity: Quantity) -> tuple[Fraction, Fraction] | None:
         if quantity.kind is not QuantityKind.NUMBER or len(spec.between) != 2:
             self._values.say(
                 SCENARIO_EXPECT,
@@ -124,7 +136,7 @@ class Expectations:
             )
             return None
         low, high = (
-            self._values.number(text, quantity, spec.places.get(f"between[{index}]", spec.at("between")))
+            self._values.exact(text, quantity, spec.places.get(f"between[{index}]", spec.at("between")))
             for index, text in enumerate(spec.between)
         )
         if low is None or high is None:
@@ -134,3 +146,10 @@ class Expectations:
                 SCENARIO_EXPECT, spec.at("between"), f"{spec.between[0]} is above {spec.between[1]}", hint="swap them"
             )
         return low, high
+
+
+def _precision(quantity: Quantity) -> Precision:
+    """The precision of the state; entries of an enum, texts and booleans have none."""
+    if quantity.kind is not QuantityKind.NUMBER:
+        return Precision()
+    return kept_with(quantity.storage, quantity.steps)

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.measure import DAY_S, read_amount, read_real
+from codegen.measure import DAY_S, read_amount, read_exactly
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.model.scenario import Truth
 from codegen.model.units.unit import unit_named
@@ -81,12 +81,19 @@ class ScenarioValues:
 
     def number(self, text: str, quantity: Quantity, place: Place) -> float | None:
         """A number in the unit of a quantity; None after an error."""
+        exact = self.exact(text, quantity, place)
+        return None if exact is None else float(exact)
+
+    def exact(self, text: str, quantity: Quantity, place: Place) -> Fraction | None:
+        """The same before it becomes a float, which holds whole numbers of 53 bits; None after an error."""
         if quantity.unit.name:
-            value = read_real(text, quantity.unit, place, self.report)
+            value = read_exactly(text, quantity.unit, place, self.report)
             self.is_good = self.is_good and value is not None
             return value
         try:
-            return float(Fraction(text))
+            value = Fraction(text)
+            float(value)  # none that no float holds
+            return value
         except (ValueError, ZeroDivisionError, OverflowError):
             self.say(
                 SCENARIO_POINTS,

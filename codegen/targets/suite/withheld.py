@@ -1,9 +1,9 @@
 """Facts for tests about messages that are withheld while something is unknown."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from codegen.model.failsafe import Sense
+from codegen.model.failsafe import Failsafe, Sense
 from codegen.model.price import on_by_default
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Quantity
@@ -66,40 +66,56 @@ def _withheld(message: PopulatedMessage, system: System) -> WithheldMessage:
 
 
 def known_words(system: System) -> tuple[KnownWord, ...]:
-    """A value for everything that a message is withheld for, with which each goes out, or that keeps from arming."""
-    return tuple(dict.fromkeys((*_known(system), *_calm(system))))
+    """A value for everything that a message is withheld for, with which each goes out, or that keeps from arming.
+
+    Of what failsafes watch it is one that is beyond no threshold of any of them.
+    """
+    return tuple(word for quantity in _to_know(system) for word in _words(quantity, system))
 
 
-def _calm(system: System) -> Iterator[KnownWord]:
-    """Yield what failsafes watch and no reading gives, with values that are beyond no threshold."""
-    read = {component for component, _, _ in system.measured()}
+def _to_know(system: System) -> Iterable[Quantity]:
+    """The quantities without which a message is withheld, and those without which a failsafe keeps from arming."""
+    withholding = [quantity for message in system.messages for _, quantity in message.withheld_for]
+    arming = [each for each in _failsafes(system) if each.spec.arming]
+    unknown = [one.quantity for each in arming for one in each.conditions if one.sense is Sense.UNKNOWN]
+    watched = [
+        quantity
+        for quantity in (*(each.quantity for each in arming), *unknown)
+        if quantity is not None and not _is_read(quantity, system)
+    ]
+    return {quantity.path: quantity for quantity in (*withholding, *watched)}.values()
+
+
+def _words(quantity: Quantity, system: System) -> Iterator[KnownWord]:
     layout = word_layout(system)
-    for failsafe in system.program.failsafes if system.program else ():
-        quantity = failsafe.quantity
-        if quantity is None or not failsafe.spec.arming:
-            continue
-        if quantity.component in read and not quantity.derivation.ages_alone:
-            continue
-        is_below = any(condition.sense is Sense.BELOW for condition in failsafe.conditions)
-        value = str(quantity.maximum if is_below else quantity.minimum)
-        places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
-        for instance in range(system.components[quantity.component].instances):
-            expires = places[instance] if places else None
-            yield KnownWord(quantity.component, instance, quantity.attribute, value, expires)
+    calm = _calm(quantity, system)
+    places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
+    for instance in range(system.components[quantity.component].instances):
+        value = literal_of(nominal_values(quantity, instance)) if calm is None else str(calm)
+        yield KnownWord(quantity.component, instance, quantity.attribute, value, places[instance] if places else None)
 
 
-def _known(system: System) -> Iterator[KnownWord]:
-    quantities: dict[str, Quantity] = {
-        quantity.path: quantity for message in system.messages for _, quantity in message.withheld_for
-    }
-    layout = word_layout(system)
-    for quantity in quantities.values():
-        places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
-        for instance in range(system.components[quantity.component].instances):
-            yield KnownWord(
-                quantity.component,
-                instance,
-                quantity.attribute,
-                literal_of(nominal_values(quantity, instance)),
-                places[instance] if places else None,
-            )
+def _is_read(quantity: Quantity, system: System) -> bool:
+    """Return whether it comes with the readings of an ADC."""
+    return bool(system.components[quantity.component].readings) and not quantity.derivation.ages_alone
+
+
+def _failsafes(system: System) -> tuple[Failsafe, ...]:
+    return system.program.failsafes if system.program else ()
+
+
+def _calm(quantity: Quantity, system: System) -> int | None:
+    """Return stored steps at which no condition of any failsafe holds, with the defaults; None where none compares.
+
+    What is read is left alone. Those at an end are taken first, and then those that are just beyond no threshold.
+    """
+    looked_at = [each for one in _failsafes(system) for each in (*one.conditions, *one.to_arm)]
+    own = [each for each in looked_at if each.quantity is not None and each.quantity.path == quantity.path]
+    if not own or _is_read(quantity, system):
+        return None
+    low, high = int(quantity.minimum), int(quantity.maximum)
+    ends = [high, low] if any(each.sense is Sense.BELOW for each in own) else [low, high]
+    edges = [each.edge for each in own if each.edge is not None]
+    middle = [(one + other) // 2 for one in edges for other in edges if one < other]
+    tried = [value for value in (*ends, *middle, *edges) if low <= value <= high]
+    return next((value for value in tried if all(each.rests_at(value) for each in own)), ends[0])

@@ -1,9 +1,10 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: 6ac800eabecee498
+# Inputs: 14e9e0fc789ce6e3
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
     OTHER_SYSTEM,
+    GOES_OUT,
     SECOND_US,
     TURN_MS_US,
     Flash,
@@ -220,7 +221,7 @@ def services_can_be_taken_twice():
 
 def at_rest(craft):
     """Let no message go out of its own accord."""
-    for number in SENT:
+    for number in GOES_OUT:
         craft.connections[0].streams.set_interval(number, -1)
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 740a6347261911bc
+# Inputs: ee288a11fa69c403
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -70,6 +70,8 @@ def needs(condition, what):
         raise NotHereError(what)
 
 
+GOES_OUT = SENT + tuple(SHARED)
+"""The ids of all messages that go out, those of several tables with them."""
 SETTABLE = [facts for facts in PARAMETERS if len(facts["choices"]) > 1 or facts["minimum"] < facts["maximum"]]
 """Those of the parameters that have more than one value."""
 

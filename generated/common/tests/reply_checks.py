@@ -1,8 +1,9 @@
 # Generated from templates/tests/program/reply_checks.py: do not edit.
-# Inputs: af5fd026fe7b3a00
+# Inputs: fa71f1b869142f57
 """Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
+    GOES_OUT,
     SECOND_US,
     GroundStation,
     main,
@@ -13,7 +14,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import ABSENT, COMPONENT_ID, LINKS_US, PARAMETERS, SENT, SYSTEM_ID, VERSION
+from program_facts import ABSENT, COMPONENT_ID, LINKS_US, PARAMETERS, SYSTEM_ID, VERSION
 
 import dialect
 import vehicle as vehicle_module
@@ -70,7 +71,7 @@ def what_the_first_version_cannot_carry_is_left_out():
     """Over MAVLink 1 long texts are cut, refusals without a message there are left out, and the rest is answered."""
     craft, station = _old_craft()
     connection = craft.connections[0]
-    for number in SENT:
+    for number in GOES_OUT:
         if number > 255:  # a program with such messages has no link of this kind
             connection.streams.set_interval(number, -1)
     run(craft, 2 * SECOND_US, LINKS_US)
@@ -102,7 +103,7 @@ def a_link_without_work_rests():
     craft = new_craft()
     own, station = craft.connections[0], craft.ground_station()
     run(craft, SECOND_US, LINKS_US)
-    for number in SENT:
+    for number in GOES_OUT:
         own.streams.set_interval(number, -1)
     run(craft, SECOND_US, LINKS_US)
     for _ in range(5):

@@ -1,10 +1,11 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 8ac44ba75b890a11
+# Inputs: b3ae49dda0f63ba9
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
 
 from program_bench import (
+    GOES_OUT,
     SECOND_US,
     SETTABLE,
     GroundStation,
@@ -15,7 +16,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SENT, SILENCE_MS, SYSTEM_ID, VERSION
+from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
 
 import dialect
@@ -345,11 +346,11 @@ def too_much_is_left_out_from_the_end():
     scene = Scene()
     scene.seconds(1, 1, 2, 3, 4)
     for number in (1, 2, 3, 4):
-        for message in SENT:
+        for message in GOES_OUT:
             scene.station(number).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, message, 1)
             run_passes(scene.craft, 2)
     streams = [station.streams for station in scene.craft.connections[0].stations]
-    intervals_us = [each.interval_us(message) for each in streams for message in SENT]
+    intervals_us = [each.interval_us(message) for each in streams for message in GOES_OUT]
     per_pass = sum([LINKS_US / interval_us for interval_us in intervals_us if interval_us > 0])
     needs(per_pass > 9, "enough messages")
     scene.seconds(1, 1, 2, 3, 4)

@@ -1,9 +1,22 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 1c3588c357a8790d
+# Inputs: 38c9f83f05270220
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
-from program_bench import SECOND_US, GroundStation, Port, Sink, know, main, messages, mock_time, needs, new_craft, run
+from program_bench import (
+    GOES_OUT,
+    SECOND_US,
+    GroundStation,
+    Port,
+    Sink,
+    know,
+    main,
+    messages,
+    mock_time,
+    needs,
+    new_craft,
+    run,
+)
 from program_facts import (
     GENERATIONS,
     LINKS_US,
@@ -438,9 +451,9 @@ def what_waits_for_room_is_noted():
     craft = new_craft()
     own = craft.connections[0].streams
     run(craft, 2 * SECOND_US)
-    needs([number for number in SENT if own.interval_us(number) > 0], "a message that is sent by itself")
+    needs([number for number in GOES_OUT if own.interval_us(number) > 0], "a message that is sent by itself")
     budget = own._budget
-    longest_us = max([own.interval_us(number) for number in SENT])
+    longest_us = max([own.interval_us(number) for number in GOES_OUT])
     for room, late_us, waits, is_counted in (
         (1000, 0, False, False),
         (0, longest_us, True, False),

@@ -1,123 +1,31 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 32f5f83a0df36c5e
+# Inputs: 73af14a01a6e2f21
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
-from program_bench import (
-    GroundStation,
-    NotHereError,
-    main,
-    mock_time,
-    needs,
-    needs_arming,
-    new_craft,
+from program_bench import GroundStation, main, needs, needs_arming, new_craft
+from program_facts import ACTIONS, PARAMETERS, PRIORITY, TELLS_STATUS, WATCHED
+from watched_bench import (
+    AFTER,
+    ATTRIBUTE,
+    HIGH,
+    IS_OFF_AT_ZERO,
+    LEVEL,
+    LIMIT,
+    LOW,
+    SENSE,
+    SLACK,
+    THRESHOLDS,
+    Bench,
+    bench_of,
+    each_of,
+    sides,
 )
-from program_facts import ACTIONS, CHECKS_US, FORCE_ARM, PARAMETERS, PRIORITY, TELLS_STATUS, WATCHED
 
 import dialect
 import messages
 
-LEVEL, ATTRIBUTE, SENSE, LIMIT, FACTOR, IS_OFF_AT_ZERO, AFTER, AFTER_MS, SLACK, LOW, HIGH = range(11)
 GCS = 6  # MAV_TYPE
-
-
-class Bench:
-    """A vehicle of which one failsafe is looked at; what it watches has the values that a check gives it."""
-
-    def __init__(self, facts, is_armed=True):
-        self.facts = facts
-        self.craft = new_craft()
-        self.failsafe = getattr(self.craft, facts["list"])[0]
-        check, own = self.craft._check, getattr(self.craft, facts["list"])
-        self.craft._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest
-        self.period_us = facts["period_us"] or CHECKS_US
-        self.component = None
-        self.values = {}
-        self.craft.disarm = lambda **_forced: None  # else an action hides what else there is
-        if facts["component"]:
-            self.component = getattr(self.craft.state, facts["component"])[0]
-        name = "update_" + (facts["component"] or "")
-        if hasattr(self.craft.state, name):
-            self._read = getattr(self.craft.state, name)
-            setattr(self.craft.state, name, self._update)
-        if is_armed and FORCE_ARM is not None:
-            assert self.craft.arm(force=True) is None
-
-    def _update(self, board):
-        self._read(board)
-        self._set()
-
-    def _set(self):
-        for attribute, value in self.values.items():
-            setattr(self.component, attribute, value)
-
-    def rests(self, condition):
-        """Give each quantity a value with which nothing holds, and switch off what else may hold with `condition`."""
-        for other in self.facts["conditions"]:
-            if other[ATTRIBUTE] and other is not condition:
-                if other[LIMIT] and other[IS_OFF_AT_ZERO]:
-                    setattr(self.craft.parameters, other[LIMIT], 0)
-                good = other[HIGH] if other[SENSE] == "below" else other[LOW]
-                self.values.setdefault(other[ATTRIBUTE], good)
-
-    def run(self, seconds=None, passes=None):
-        """Run passes, one in each period; return the numbers of those in which the level changed, with the level."""
-        found = []
-        count = passes if passes is not None else int(seconds * 1000000) // self.period_us
-        for number in range(count):
-            before = self.failsafe.level
-            if not self.facts["period_us"]:
-                self._set()
-            self.craft.run_pass()
-            if self.failsafe.level != before:
-                found.append((number, self.failsafe.level))
-            mock_time.advance_us(self.period_us)
-        return found
-
-    def delay(self, condition):
-        """Return after how many passes a condition has held for long enough: the first of them begins it."""
-        after_ms = condition[AFTER_MS]
-        if condition[AFTER]:
-            parameter = next(each for each in PARAMETERS if each["attribute"] == condition[AFTER])
-            steps = max(1, parameter["minimum"])
-            setattr(self.craft.parameters, condition[AFTER], steps)
-            after_ms *= steps
-        return -(-after_ms * 1000 // self.period_us)
-
-    def limit(self, condition):
-        """Return what a condition compares with, in stored steps; a parameter is set to half of its range."""
-        if not condition[LIMIT]:
-            return condition[FACTOR]
-        parameter = next(each for each in PARAMETERS if each["attribute"] == condition[LIMIT])
-        high = min(parameter["maximum"], condition[HIGH] // condition[FACTOR])
-        steps = (max(parameter["minimum"], -(-condition[LOW] // condition[FACTOR])) + high) // 2
-        setattr(self.craft.parameters, condition[LIMIT], steps)
-        return steps * condition[FACTOR]
-
-
-def _each(kinds=("below", "above")):
-    """Return failsafes with their timed conditions of some kinds; leave the check out where there are none."""
-    found = []
-    for facts in WATCHED:
-        found += [(facts, each) for each in facts["conditions"] if each[LEVEL] and each[SENSE] in kinds]
-    needs(found, "a failsafe of this kind")
-    return found
-
-
-def _sides(condition, limit):
-    """Return the value at the threshold, which is good, and the next one beyond it."""
-    beyond = limit - 1 if condition[SENSE] == "below" else limit + 1
-    if not condition[LOW] <= beyond <= condition[HIGH]:
-        raise NotHereError("a threshold within the limits")
-    return limit, beyond
-
-
-def _on(facts, condition, is_armed=True):
-    """Return a bench in which only this condition can hold, with its values at and beyond the threshold."""
-    bench = Bench(facts, is_armed)
-    at, beyond = _sides(condition, bench.limit(condition))
-    bench.rests(condition)
-    bench.values[condition[ATTRIBUTE]] = at
-    return bench, at, beyond
+ALONE = "a condition that leads to its level alone"
 
 
 def _first(level, found):
@@ -127,9 +35,13 @@ def _first(level, found):
 
 def a_condition_holds_beyond_its_threshold_for_its_time():
     """At the threshold nothing is reached; one step beyond it the level comes with the reading that ends the time."""
-    for facts, condition in _each():
-        bench, at, beyond = _on(facts, condition)
+    seen = 0
+    for facts, condition in each_of():
+        bench, at, beyond = bench_of(facts, condition)
         due = bench.delay(condition)
+        if bench.is_forestalled(condition, at, beyond, 2 * due + 4):
+            continue
+        seen += 1
         bench.values[condition[ATTRIBUTE]] = at
         assert _first(condition[LEVEL], bench.run(passes=due + 3)) is None, condition
         bench.values[condition[ATTRIBUTE]] = beyond
@@ -138,17 +50,20 @@ def a_condition_holds_beyond_its_threshold_for_its_time():
         assert _first(condition[LEVEL], bench.run(passes=1)) == 0, (condition, bench.failsafe.level)
         if facts["level"]:
             assert getattr(bench.component, facts["level"]) == bench.failsafe.level
+    needs(seen, ALONE)
 
 
 def one_good_reading_begins_the_time_anew():
     """A value at the threshold restarts the time; one that is unknown neither restarts it nor lets it go on."""
-    for facts, condition in _each():
-        bench, at, beyond = _on(facts, condition)
+    for facts, condition in each_of():
+        bench, at, beyond = bench_of(facts, condition)
         due = bench.delay(condition)
-        if due < 3:
+        if due < 3 or bench.is_forestalled(condition, at, beyond, 3 * due + 5):
             continue
         for between, expected in ((at, due), (None, 1)):
-            bench, at, beyond = _on(facts, condition)
+            if between is None and _leads_unknown(bench, condition, 2):
+                continue
+            bench, at, beyond = bench_of(facts, condition)
             bench.delay(condition)
             bench.values[condition[ATTRIBUTE]] = beyond
             bench.run(passes=due)
@@ -159,30 +74,33 @@ def one_good_reading_begins_the_time_anew():
             assert found == (expected if between is not None else 0), (condition, between, found)
 
 
+def _leads_unknown(bench, condition, passes):
+    """Return whether a condition on unknown leads as far in so many passes."""
+    return any(bench.holds(other, None) and after < passes for other, after in bench.as_bad(condition))
+
+
 def unknown_counts_from_when_it_is_unknown():
     """A condition on unknown holds while nothing is known, and not a moment else."""
-    for facts, condition in _each(("unknown",)):
+    for facts, condition in each_of(("unknown",)):
         bench = Bench(facts)
         due = bench.delay(condition)
         bench.rests(condition)
-        others = [
-            other[SENSE]
-            for other in facts["conditions"]
-            if other[ATTRIBUTE] == condition[ATTRIBUTE] and not (other[LIMIT] and other[IS_OFF_AT_ZERO])
-        ]
-        for end, sense in ((LOW, "below"), (HIGH, "above")):
-            if sense not in others:  # such a condition of the same value holds there
-                bench.values[condition[ATTRIBUTE]] = condition[end]
+        if bench.is_forestalled(condition, condition[LOW], None, 0):
+            continue
+        for value in (condition[LOW], condition[HIGH], bench.calm(condition[ATTRIBUTE])):
+            bench.values[condition[ATTRIBUTE]] = value
+            if not bench.holding():  # another one of the same value may hold there
                 assert bench.run(passes=due + 3) == [], condition
         bench.values[condition[ATTRIBUTE]] = None
-        assert bench.run(passes=due) == [], condition
+        earlier = [each[LEVEL] for each in bench.holding() if each[LEVEL] < condition[LEVEL]]
+        assert [level for _, level in bench.run(passes=due) if level not in earlier] == [], condition
         assert _first(condition[LEVEL], bench.run(passes=1)) == 0, condition
 
 
 def disarmed_only_what_always_watches_acts():
     """While disarmed nothing is reached, but by what looks always."""
-    for facts, condition in _each():
-        bench, _, beyond = _on(facts, condition, is_armed=False)
+    for facts, condition in each_of():
+        bench, _, beyond = bench_of(facts, condition, is_armed=False)
         due = bench.delay(condition)
         bench.values[condition[ATTRIBUTE]] = beyond
         bench.run(passes=due + 5)
@@ -191,35 +109,56 @@ def disarmed_only_what_always_watches_acts():
 
 def a_level_stays_or_is_over():
     """A latched level stays; another one is over once the value is better by the hysteresis, and that is told once."""
-    for facts, condition in _each():
-        bench, at, beyond = _on(facts, condition)
+    seen = 0
+    for facts, condition in each_of():
+        bench, at, beyond = bench_of(facts, condition)
         due = bench.delay(condition)
+        step = 1 if condition[SENSE] == "below" else -1
+        better = at + step * condition[SLACK]
+        passes = due + 16
+        if bench.is_forestalled(condition, at, beyond, passes) or _leads_further(bench, condition, beyond, passes):
+            continue
+        if _stays_up(bench, condition, better, passes):
+            continue
+        seen += 1
         bench.values[condition[ATTRIBUTE]] = beyond
         bench.run(passes=due + 1)
         level = bench.failsafe.level
         assert level >= condition[LEVEL]
-        step = 1 if condition[SENSE] == "below" else -1
-        better = at + step * condition[SLACK]
         if condition[SLACK]:
             bench.values[condition[ATTRIBUTE]] = better - step
             assert bench.run(passes=5) == [], condition
-        bench.values[condition[ATTRIBUTE]] = None
-        assert bench.run(passes=5) == [], condition
+        if not _leads_unknown(bench, condition, 5):
+            bench.values[condition[ATTRIBUTE]] = None
+            assert bench.run(passes=5) == [], condition
         bench.values[condition[ATTRIBUTE]] = min(max(better, condition[LOW]), condition[HIGH])
         said = bench.craft.texts.last
         found = bench.run(passes=5)
-        if facts["is_latched"]:
+        if facts["is_latched"] or not condition[LOW] <= better <= condition[HIGH]:  # no value is so much better
             assert found == [], condition
             _tells(bench, dialect.MAV_STATE_CRITICAL)
             continue
         assert found, condition
         assert found[0][0] == 0, (condition, found)
         assert bench.failsafe.level < condition[LEVEL], (condition, found)
-        assert bench.craft.texts.last == said + 1
+        assert bench.craft.texts.last == said + (len(found) if bench.holding() else 1)
         if not bench.failsafe.level:
             severity, _ = bench.craft.texts.get(said + 1)
             assert severity == dialect.MAV_SEVERITY_NOTICE
             _tells(bench, dialect.MAV_STATE_ACTIVE)
+    needs(seen, ALONE)
+
+
+def _leads_further(bench, condition, beyond, passes):
+    """Return whether another condition leads to a worse level in so many passes."""
+    own = [(other, after) for other, after in bench.as_bad(condition) if other[LEVEL] > condition[LEVEL]]
+    return any(after < passes and bench.holds(other, beyond) for other, after in own)
+
+
+def _stays_up(bench, condition, better, passes):
+    """Return whether another condition keeps the level up at a better value."""
+    own = bench.as_bad(condition)
+    return any(after < passes and bench.holds(other, better, other[SLACK]) for other, after in own)
 
 
 def _tells(bench, status):
@@ -230,27 +169,52 @@ def _tells(bench, status):
 
 def each_level_does_what_it_says():
     """Its action is called once, with the action's mode, and what disarms disarms; HEARTBEAT says critical."""
-    for facts, condition in _each(("below", "above", "unknown")):
+    for facts, condition in each_of(("below", "above", "unknown")):
         for chosen, (number, call, mode, disarms) in _choices(facts["actions"][condition[LEVEL] - 1]):
             bench = Bench(facts)
-            if condition[SENSE] == "unknown":
-                beyond = None
-            else:
-                _, beyond = _sides(condition, bench.limit(condition))
+            at, beyond = None, None
+            if condition[SENSE] != "unknown":
+                bench.limit(condition)
+                at, beyond = sides(facts, condition)
             due = bench.delay(condition)
             bench.rests(condition)
+            passes = due + 5
+            if bench.is_forestalled(condition, at, beyond, passes) or _leads_further(bench, condition, beyond, passes):
+                continue
             if chosen:
                 setattr(bench.craft.parameters, chosen, number)
             calls = []
             for name in [name for _, name, _, _ in ACTIONS] + ["disarm"]:
                 setattr(bench.craft, name, _note(calls, name))
             vehicle = getattr(bench.craft.state, "vehicle", None)
-            before = getattr(vehicle, "mode_number", None)
             bench.values[condition[ATTRIBUTE]] = beyond
-            bench.run(passes=due + 5)
+            milder = _milder(bench, condition)
+            if milder:  # such a level comes first and acts, too
+                bench.run(passes=due)
+                if PRIORITY and (number in milder or not _is_worse(number, milder)):
+                    continue
+                del calls[:]
+            before = getattr(vehicle, "mode_number", None)
+            bench.run(passes=5 if milder else due + 5)
             assert calls == ([call] if call else []) + (["disarm"] if disarms else []), (condition, number, calls)
             assert getattr(vehicle, "mode_number", None) == (before if mode is None else mode), (condition, number)
             _tells(bench, dialect.MAV_STATE_CRITICAL)
+
+
+def _milder(bench, condition):
+    """Return the numbers of the actions of milder levels that are reached before."""
+    found = []
+    for each in bench.holding():
+        passes = bench.due(each)
+        if 0 < each[LEVEL] < condition[LEVEL] and passes is not None and passes < bench.due(condition):
+            action = bench.facts["actions"][each[LEVEL] - 1] or 0
+            found.append(getattr(bench.craft.parameters, action) if isinstance(action, str) else action)
+    return found
+
+
+def _is_worse(number, others):
+    """Return whether an action is done where others are in force."""
+    return number in PRIORITY and all(PRIORITY.index(number) < PRIORITY.index(each) for each in others if each)
 
 
 def _choices(action):
@@ -269,15 +233,17 @@ def _note(calls, name):
 
 def a_parameter_of_0_switches_off():
     """A threshold of 0, a time of 0 and the failsafe's own switch."""
-    for facts, condition in _each():
+    for facts, condition in each_of():
         switches = [each for each in (condition[AFTER], facts["enabled_by"]) if each]
         if condition[LIMIT] and condition[IS_OFF_AT_ZERO]:
             switches.append(condition[LIMIT])
         for switch in switches:
-            bench, _, beyond = _on(facts, condition)
+            bench, _, beyond = bench_of(facts, condition)
             due = bench.delay(condition)
             bench.values[condition[ATTRIBUTE]] = beyond
             setattr(bench.craft.parameters, switch, 0)
+            if switch != facts["enabled_by"] and bench.is_forestalled(condition, beyond, beyond, due + 5):
+                continue
             bench.run(passes=due + 5)
             assert bench.failsafe.level < condition[LEVEL], (condition, switch)
 
@@ -288,12 +254,14 @@ def arming_asks_for_every_condition():
     needs(WATCHED, "a failsafe")
     for facts in WATCHED:
         for condition in facts["conditions"]:
-            if condition[SENSE] not in ("below", "above"):
+            if condition[SENSE] not in THRESHOLDS or not sides(facts, condition):
                 continue
-            bench, at, beyond = _on(facts, condition, is_armed=False)
-            for value, is_free in ((at, True), (beyond, False), (None, condition[ATTRIBUTE] != facts["watched"])):
+            bench, at, beyond = bench_of(facts, condition, is_armed=False)
+            for value in (at, beyond, None):
                 bench.values[condition[ATTRIBUTE]] = value
                 bench._set()
+                is_free = bench.is_free()  # another one may hold at the threshold, too
+                assert not is_free or value != beyond
                 problem = bench.failsafe.problem()
                 assert (problem is None) == is_free, (condition, value, problem)
                 refused = bench.craft.arming_problem()
@@ -336,8 +304,8 @@ def the_most_severe_action_holds():
 
 def each_text_fits_one_frame():
     """A text of the failsafe has at most 50 characters where the values are those that bring it."""
-    for facts, condition in _each():
-        bench, _, beyond = _on(facts, condition)
+    for facts, condition in each_of():
+        bench, _, beyond = bench_of(facts, condition)
         due = bench.delay(condition)
         bench.values[condition[ATTRIBUTE]] = beyond
         before = bench.craft.texts.last
@@ -350,7 +318,7 @@ def each_text_fits_one_frame():
 
 def silence_is_counted_from_the_last_heartbeat():
     """Nobody is missed before the first HEARTBEAT; then each level comes in its time, and a HEARTBEAT ends it."""
-    found = _each(("silent",))
+    found = each_of(("silent",))
     for facts in {each["list"]: each for each, _ in found}.values():
         levels = [each for each in facts["conditions"] if each[SENSE] == "silent"]
         bench = Bench(facts)
@@ -374,7 +342,7 @@ def silence_is_counted_from_the_last_heartbeat():
 
 def silence_begins_anew_with_each_heartbeat():
     """A ground station that is heard just before the time is over is never missed, one that others talk over is."""
-    found = _each(("silent",))
+    found = each_of(("silent",))
     for facts, condition in found:
         bench = Bench(facts)
         if facts["enabled_by"]:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 352f249112408147
+# Inputs: b5dfc1fd527a1c40
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -12,7 +12,7 @@ import re
 import time
 
 import pytest
-from interpreters import CASES, HERE, files, path_of, run_under
+from interpreters import CASES, HERE, LARGE_HEAP, files, path_of, run_under
 from selection import selected
 
 
@@ -37,7 +37,7 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
     """Return what the firmware made of all cases, in one run of each interpreter."""
-    return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
+    return json.loads(run_under(request.param, "runner.py", str(CASES), heap=LARGE_HEAP))
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,5 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: f2d4125b7127a42d
+# Inputs: d4d04eecbe69b861
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
@@ -15,6 +15,14 @@ FOLDERS = [HERE.parent, HERE.parents[1] / "common"]  # of this program, and of w
 PATHS = [str(folder / part) for part in ("firmware", "mocks", "tests") for folder in FOLDERS]
 CASES = HERE / "cases.json"
 sys.path.append(str(FOLDERS[-1] / "tests"))  # pytest knows the folder of the tests only
+
+HEAP = "16m"
+"""The heap of MicroPython for a script: it compiles what the specification has, and a large one has much.
+
+No board has so much. What the firmware needs is counted, and a heap that grows is seen in one of any size.
+"""
+LARGE_HEAP = "64m"
+"""The same for what holds all cases at once."""
 
 
 def path_of(*names):
@@ -48,10 +56,10 @@ def checks_of(script, listed="CHECKS"):
     return _lists_of(script).get(listed, ())
 
 
-def started(interpreter, script, *arguments, heap="2m"):
+def started(interpreter, script, *arguments, heap=HEAP):
     """Return command and environment of a script, with the firmware and the mocks on its path.
 
-    `heap` is what MicroPython gets: a script that holds all cases at once needs more than others.
+    `heap` is what MicroPython gets.
     """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
     program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
@@ -59,7 +67,7 @@ def started(interpreter, script, *arguments, heap="2m"):
     return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
 
 
-def run_under(interpreter, script, *arguments, heap="2m"):
+def run_under(interpreter, script, *arguments, heap=HEAP):
     """Run a script as started() says; return what it printed."""
     command, environment = started(interpreter, script, *arguments, heap=heap)
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)

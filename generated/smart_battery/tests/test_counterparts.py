@@ -1,14 +1,14 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: 6676b83402b14c2b
+# Inputs: f32c0d172b018a88
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
 import json
 import re
 
 import pytest
-from interpreters import files, path_of, run_under
+from interpreters import LARGE_HEAP, files, path_of, run_under
 
-
+INTERPRETERS = ("cpython", "micropython")
 PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames", "times")
 LONG = ("more steps", "limits")
 COMPARED = re.compile(r"[<>=]=? (-?\d+)\b")  # with what a number is compared
@@ -21,7 +21,8 @@ def told(once):
     def by(parts):
         def run():
             given = (*map(str, numbers()), "of", *parts)
-            return [json.loads(run_under(each, "counterparts_run.py", *given)) for each in ("cpython", "micropython")]
+            told = [run_under(each, "counterparts_run.py", *given, heap=LARGE_HEAP) for each in INTERPRETERS]
+            return [json.loads(each) for each in told]
 
         return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
 

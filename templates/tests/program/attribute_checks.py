@@ -4,6 +4,7 @@ import sys
 
 from program_bench import (
     IS_MICROPYTHON,
+    GOES_OUT,
     SECOND_US,
     Flash,
     GroundStation,
@@ -18,7 +19,7 @@ from program_bench import (
     run_passes,
     save,
 )
-from program_facts import FORCE_ARM, PARAMETERS, SENT
+from program_facts import FORCE_ARM, PARAMETERS
 from serial_port import StreamPort
 from storage import Storage
 from udp_port import UdpPort
@@ -86,7 +87,7 @@ def _live_through_all(beginnings):
     for station in stations:
         station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
         station.send(messages.Ping, target_system=0, target_component=0)
-        for number in SENT:
+        for number in GOES_OUT:
             station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 500000)
             station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
             run_passes(craft, 4)

@@ -2,6 +2,7 @@
 
 from program_bench import (
     OTHER_SYSTEM,
+    GOES_OUT,
     SECOND_US,
     TURN_MS_US,
     Flash,
@@ -218,7 +219,7 @@ def services_can_be_taken_twice():
 
 def at_rest(craft):
     """Let no message go out of its own accord."""
-    for number in SENT:
+    for number in GOES_OUT:
         craft.connections[0].streams.set_interval(number, -1)
 
 

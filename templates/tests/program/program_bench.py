@@ -68,6 +68,8 @@ def needs(condition, what):
         raise NotHereError(what)
 
 
+GOES_OUT = SENT + tuple(SHARED)
+"""The ids of all messages that go out, those of several tables with them."""
 SETTABLE = [facts for facts in PARAMETERS if len(facts["choices"]) > 1 or facts["minimum"] < facts["maximum"]]
 """Those of the parameters that have more than one value."""
 

@@ -1,6 +1,7 @@
 """Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
+    GOES_OUT,
     SECOND_US,
     GroundStation,
     main,
@@ -11,7 +12,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import ABSENT, COMPONENT_ID, LINKS_US, PARAMETERS, SENT, SYSTEM_ID, VERSION
+from program_facts import ABSENT, COMPONENT_ID, LINKS_US, PARAMETERS, SYSTEM_ID, VERSION
 
 import dialect
 import vehicle as vehicle_module
@@ -68,7 +69,7 @@ def what_the_first_version_cannot_carry_is_left_out():
     """Over MAVLink 1 long texts are cut, refusals without a message there are left out, and the rest is answered."""
     craft, station = _old_craft()
     connection = craft.connections[0]
-    for number in SENT:
+    for number in GOES_OUT:
         if number > 255:  # a program with such messages has no link of this kind
             connection.streams.set_interval(number, -1)
     run(craft, 2 * SECOND_US, LINKS_US)
@@ -100,7 +101,7 @@ def a_link_without_work_rests():
     craft = new_craft()
     own, station = craft.connections[0], craft.ground_station()
     run(craft, SECOND_US, LINKS_US)
-    for number in SENT:
+    for number in GOES_OUT:
         own.streams.set_interval(number, -1)
     run(craft, SECOND_US, LINKS_US)
     for _ in range(5):

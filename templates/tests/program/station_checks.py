@@ -3,6 +3,7 @@
 from time import ticks_add, ticks_ms
 
 from program_bench import (
+    GOES_OUT,
     SECOND_US,
     SETTABLE,
     GroundStation,
@@ -13,7 +14,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SENT, SILENCE_MS, SYSTEM_ID, VERSION
+from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
 
 import dialect
@@ -343,11 +344,11 @@ def too_much_is_left_out_from_the_end():
     scene = Scene()
     scene.seconds(1, 1, 2, 3, 4)
     for number in (1, 2, 3, 4):
-        for message in SENT:
+        for message in GOES_OUT:
             scene.station(number).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, message, 1)
             run_passes(scene.craft, 2)
     streams = [station.streams for station in scene.craft.connections[0].stations]
-    intervals_us = [each.interval_us(message) for each in streams for message in SENT]
+    intervals_us = [each.interval_us(message) for each in streams for message in GOES_OUT]
     per_pass = sum([LINKS_US / interval_us for interval_us in intervals_us if interval_us > 0])
     needs(per_pass > 9, "enough messages")
     scene.seconds(1, 1, 2, 3, 4)

@@ -64,7 +64,7 @@ def outcomes(request, played, tmp_path_factory):
     path = tmp_path_factory.mktemp("receives") / "cases.json"
     calls = {table["name"]: table["call"] for table in FACTS["tables"]}
     path.write_text(json.dumps({"paths": PATHS, "calls": calls, "cases": [frames for frames, _ in played]}))
-    told = run_under(request.param, "receives_run.py", str(path), heap="16m")
+    told = run_under(request.param, "receives_run.py", str(path))
     return [json.loads(line) for line in told.splitlines()]
 
 

@@ -1,12 +1,13 @@
 """Fields that are single numbers of the state: the suite compares the received value with the set one, in units.
 
 It reads the units anew, so only texts are told here: that in which the quantity is kept. That of the field, pymavlink
-knows itself.
+knows itself, unless a correction sets it.
 """
 
 from collections.abc import Iterator
 
 from codegen.model.answers.answer import Answer
+from codegen.model.dialect.dialect import WireField
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Quantity
 
@@ -24,10 +25,17 @@ def value_sources(system: System) -> Iterator[dict[str, object]]:
                     "component": number.quantity.component,
                     "attribute": number.quantity.attribute,
                     "unit": number.quantity.stored.name,
+                    **_corrected(message.wire.name, field, system),
                     "ends": [float(number.scaling.low), float(number.scaling.high)],
                     "unknown": number.unknown,
                     "is_whole": field.type.is_integer,
                 }
+
+
+def _corrected(message: str, field: WireField, system: System) -> dict[str, object]:
+    """Return the unit that a correction sets, which the XML of pymavlink does not state."""
+    corrections = system.dialect.corrections_of(message, field.name)
+    return {"corrected": field.unit_text} if any(each.attribute == "units" for each in corrections) else {}
 
 
 def _is_told(source: Quantity, answer: Answer, message: PopulatedMessage, system: System) -> bool:

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from codegen.model.failsafe import Condition, Sense
 from codegen.model.quantities.conversion import Factor, factors_by_instance
 from codegen.model.system import System
 from codegen.model.vehicle import Reading
@@ -55,17 +54,6 @@ def _calm_count(reading: Reading, factors: Sequence[Factor], system: System) -> 
         value = conversion.stored(count, *steps)
         is_within = quantity.minimum <= value <= quantity.maximum
         is_warned = threshold is not None and value > min(threshold.above)
-        if is_within and not is_warned and all(_rests(each, value) for each in conditions):
+        if is_within and not is_warned and all(each.rests_at(value) for each in conditions):
             return count
     return 0
-
-
-def _rests(condition: Condition, value: int) -> bool:
-    """Return whether a condition does not hold at a value, nor just behind its hysteresis, with the defaults."""
-    if condition.limit is None:
-        return True
-    parameter = condition.limit.parameter
-    limit = condition.limit.count * (parameter.default if parameter else 1)
-    if condition.sense is Sense.BELOW:
-        return value > limit + condition.hysteresis
-    return value < limit - condition.hysteresis

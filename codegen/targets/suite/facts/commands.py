@@ -4,6 +4,7 @@ import math
 import struct
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import islice
 
 from codegen.frozen import dataclass
 from codegen.model.command import Command, CommandParam
@@ -101,7 +102,7 @@ def _each_beyond(command: Command) -> Iterator[dict[int, _Sample]]:
 def _ends(param: CommandParam) -> list[_Sample]:
     """The smallest and the largest value, as far as there are any that a float of 32 bits is exactly; at least one."""
     if param.enum is not None:
-        values = [Fraction(each) for each in _values(param.enum) if _is_within(param, Fraction(each))]
+        values = [Fraction(each) for each in _carried(param.enum) if _is_within(param, Fraction(each))]
         values = [each for each in values if each not in param.left] or values
         return [_sample(param, values[0]), _sample(param, values[-1])]
     ends = [end for end in (param.minimum, param.maximum) if end is not None]
@@ -160,6 +161,16 @@ def _values(enum: EnumDefinition) -> list[int]:
     return [0, mask]
 
 
+def _carried(enum: EnumDefinition) -> list[int]:
+    """The same as far as floats of 32 bits are these; of more flags than those have room for the highest."""
+    if not enum.is_bitmask:
+        return [value for value in _values(enum) if _single(Fraction(value)) == value]
+    mask = _values(enum)[-1]
+    while _single(Fraction(mask)) != mask:
+        mask &= mask - 1  # without its lowest flag
+    return [0, mask]
+
+
 def _beyond(param: CommandParam) -> Iterator[str]:
     for end, up in ((param.minimum, False), (param.maximum, True)):
         if end is not None and math.isfinite(_beside(end, up=up)):
@@ -171,7 +182,8 @@ def _beyond(param: CommandParam) -> Iterator[str]:
     yield _INFINITE
     yield f"-{_INFINITE}"
     if param.enum is not None:
-        yield repr(float(next(each for each in range(1 << 20) if not _has(param.enum, each))))
+        tried = (1 << bit for bit in range(64)) if param.enum.is_bitmask else range(1 << 20)
+        yield from (repr(float(each)) for each in islice((one for one in tried if not _has(param.enum, one)), 1))
     if param.is_whole and not param.is_rounded and param.scale.ratio == 1:
         fraction = _fraction(param)
         if fraction is not None:
