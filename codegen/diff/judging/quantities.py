@@ -38,6 +38,11 @@ def unit_in_words(text: str) -> str | None:
     return next(iter(found)) if len(found) == 1 else None
 
 
+def says_unit(text: str) -> bool:
+    """Return whether a text has a unit, written out or in brackets."""
+    return _WORDS.search(text) is not None or any(Unit.parse(one[1]) is not None for one in _NAMED.finditer(text))
+
+
 def _factor_after(text: str, end: int) -> str:
     """``*100`` where a text goes on so after a unit: the number was multiplied with it."""
     found = _FACTOR.match(text, end)

@@ -1,7 +1,9 @@
 """Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
+from codegen.diff.judging.exchanges import other_piece
 from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
 from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs
+from codegen.diff.judging.phrases import in_one_wording
 from codegen.diff.judging.wording import (
     Likeness,
     common_share,
@@ -23,12 +25,12 @@ _LEAST_SHARE = 0.4
 
 def other_text(old: str, new: str) -> Judgement:
     """Return what comes of another text for what keeps its name and its place."""
-    return _of_words(without_addresses(old), without_addresses(new))
+    return _of_words(*(in_one_wording(without_addresses(text)) for text in (old, new)))
 
 
 def same_entry(old: str, new: str) -> Judgement:
     """Return what comes of another text for an entry that keeps its name and its number."""
-    old, new = without_addresses(old), without_addresses(new)
+    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
     found = _of_words(old, new)
     lengths = [len(words_of(text)) for text in (old, new)]
     if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
@@ -50,7 +52,7 @@ def _of_words(old: str, new: str) -> Judgement:
         return Judgement(doubt="whether the text says the opposite of what it said")
     if likeness is Likeness.UNSAID:
         return HARMLESS
-    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
+    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
 
 
 def other_reference(old: str, new: str) -> Judgement:
@@ -101,6 +103,6 @@ def _other_sense(old: str, new: str) -> Judgement | None:
     return None
 
 
-def _other_word(old: str, new: str) -> Judgement:
+def _other_word(old: str, new: str) -> Judgement | None:
     word = other_word(old, new)
-    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
+    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else None

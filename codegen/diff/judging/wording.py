@@ -9,8 +9,8 @@ from codegen.diff.judging.words import (
     excluding,
     exclusive_groups,
     is_negated,
+    is_respelt,
     is_short_for,
-    is_shortened,
     is_slip,
     stem,
 )
@@ -28,7 +28,7 @@ def _words(text: str) -> list[str]:
     return text.split()
 
 
-_IDLE = frozenset(
+IDLE = frozenset(
     _words(
         "a an and are as at be by for from if in into is it its of on or that the this to was were where which with "
         "will can may must should set use used using value values parameter param future"
@@ -141,7 +141,7 @@ def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
 def other_word(old: str, new: str) -> tuple[str, str] | None:
     """The one word in which two texts differ, where the second has another word in its place and not a respelling."""
     before, after = (
-        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in _IDLE] for text in (old, new)
+        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in IDLE] for text in (old, new)
     )
     if len(before) != len(after):
         return None
@@ -149,8 +149,7 @@ def other_word(old: str, new: str) -> tuple[str, str] | None:
     if len(differing) != 1 or any(word.isdigit() for word in differing[0]):
         return None
     one, other = (stem(word) for word in differing[0])
-    is_respelt = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
-    return None if is_respelt else differing[0]
+    return None if is_respelt(one, other) else differing[0]
 
 
 def _are_exchanged(old: str, new: str) -> bool:
@@ -189,7 +188,7 @@ def _telling(clause: str) -> tuple[str, ...]:
 def is_unsaid(text: str) -> bool:
     """Return whether a text says nothing: there is none, or it says that the thing is empty or reserved."""
     words = _WORD.findall(text.lower())
-    return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | _IDLE | _FILLING for word in words))
+    return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | IDLE | _FILLING for word in words))
 
 
 def says_reserved(name: str) -> bool:
@@ -211,7 +210,7 @@ def names_of(text: str, names: Iterable[str]) -> bool:
 @cache
 def words_of(text: str) -> frozenset[str]:
     """The words of a text that carry something, in one spelling."""
-    return frozenset(stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE)
+    return frozenset(stem(word) for word in _WORD.findall(text.lower()) if word not in IDLE)
 
 
 def without_addresses(text: str) -> str:

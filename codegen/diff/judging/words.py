@@ -23,7 +23,7 @@ _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
     ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
     ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
-    ("voltage", "current", "power"),
+    ("voltage", "current", "power"), ("clockwise", "counterclockwise"),
 )  # fmt: skip
 """Words that exclude each other: where one takes the place of another, the meaning does."""
 
@@ -35,7 +35,7 @@ _SPELLINGS = {
     "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
-    "cable": "line", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
+    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
@@ -87,6 +87,11 @@ def is_shortened(one: str, other: str) -> bool:
     rest = iter(long)
     is_near = len(short) > 5 and len(long) - len(short) <= 2 and short[0] == long[0]
     return is_near and all(letter in rest for letter in short)
+
+
+def is_respelt(one: str, other: str) -> bool:
+    """Return whether two words are one in another spelling: shortened, or with a slip of the pen."""
+    return is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
 
 
 def is_negated(word: str, other: str) -> bool:

@@ -1,0 +1,122 @@
+"""Judges the pieces in which two texts differ: a phrase for another one, two that changed places, an alternative.
+
+Who says a thing anew says all of it anew, adds a sentence, or leaves a word out. Where one phrase is another and all
+around it stays, it is what the number is that was changed.
+"""
+
+import re
+from collections.abc import Sequence
+
+from codegen.diff.judging.alignment import Alignment, Piece, aligned
+from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.quantities import says_unit
+from codegen.diff.judging.wording import IDLE
+from codegen.diff.judging.words import is_respelt, is_slip
+
+_LEAST_FRAME = 3
+"""Words around a phrase that both texts have."""
+_LEAST_SHARE = 0.4
+"""Of the words of the longer text, for one phrase to be exchanged in it."""
+_NEARLY_ALL = 0.7
+"""Of the words of the longer text, for it to be exchanged while something else is added or gone."""
+_LEAST_LETTERS = 4
+"""Of a word with a slip of the pen, to be known as another one."""
+_LONGEST_SWAPPED = 4
+"""Words of a phrase that changes places with another one; sentences may stand in any order."""
+_LONGEST_MIDDLE = 40
+
+_POINTERS = re.compile(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
+_ALTERNATIVE = re.compile(
+    r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
+)
+_RESTRICTION = re.compile(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
+_WORD = re.compile(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
+_JOINING = frozenset({"and", "or", "the", "a", "an"})
+_DECIDING = frozenset({"positive", "negative", "true", "false", "nan", "set", "cleared"})
+
+
+def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
+    """Return what comes of the pieces in which two texts differ.
+
+    ``is_whole`` is whether the text is about one thing: of a message, whose text is about all of its fields, only what
+    is exchanged and nothing else tells.
+    """
+    swapped = _swapped(old, new)
+    if swapped.gravity:
+        return swapped
+    found = aligned(old, new)
+    pieces = [piece for piece in found.pieces if not _is_respelt(piece)]
+    exchanged = _exchanged(found, pieces, is_whole=is_whole)
+    if exchanged is not None:
+        was, now = exchanged
+        return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
+    return _other_condition(pieces) if is_whole else HARMLESS
+
+
+def _is_respelt(piece: Piece) -> bool:
+    """Return whether the words of a piece are the same in another spelling, or ones that carry nothing, misspelt."""
+    gone, come = ([word for word in side if not _is_idle_slip(word)] for side in (piece.gone, piece.come))
+    return len(gone) == len(come) and all(is_respelt(one, other) for one, other in zip(gone, come, strict=True))
+
+
+def _is_idle_slip(word: str) -> bool:
+    return len(word) >= _LEAST_LETTERS and any(is_slip(word, each) for each in IDLE if len(each) >= _LEAST_LETTERS)
+
+
+def _exchanged(found: Alignment, pieces: Sequence[Piece], *, is_whole: bool) -> tuple[str, str] | None:
+    """The one phrase, wherever it stands, in place of which another one stands, each as written."""
+    exchanges = [piece for piece in pieces if piece.is_exchange]
+    if len({(piece.gone, piece.come) for piece in exchanges}) != 1:
+        return None
+    others = len(pieces) - len(exchanges)
+    one = exchanges[0]
+    least = _LEAST_SHARE if not others else _NEARLY_ALL
+    if others > (1 if is_whole else 0) or found.kept < _LEAST_FRAME or found.share < least:
+        return None
+    if says_unit(one.was) and says_unit(one.now):
+        return None  # which has a rule of its own
+    if _is_only_numbers(one.gone) or _is_only_numbers(one.come):
+        return None
+    if _POINTERS.search(one.was) or _POINTERS.search(one.now) or any("_" in word for word in one.gone + one.come):
+        return None
+    return one.was.strip(" ,;.:()"), one.now.strip(" ,;.:()")
+
+
+def _is_only_numbers(words: Sequence[str]) -> bool:
+    return all(word.lstrip("-").replace(".", "").isdigit() or word == "nan" for word in words)
+
+
+def _other_condition(pieces: Sequence[Piece]) -> Judgement:
+    """Return what comes of an alternative that is new within a sentence, or of a restriction that is gone."""
+    for piece in pieces:
+        if not piece.gone and _ALTERNATIVE.search(piece.now):
+            return Judgement(doubt=f"whether it was so before: {piece.now.strip(' ,;.()')!r}")
+        if not piece.come and _RESTRICTION.search(piece.was):
+            return Judgement(doubt=f"whether it still is so: {piece.was.strip(' ,;.()')!r}")
+    return HARMLESS
+
+
+def _swapped(old: str, new: str) -> Judgement:
+    """Return what comes of two phrases that changed places, all else being the same."""
+    before, after = (_WORD.findall(text.lower()) for text in (old, new))
+    if len(before) != len(after) or before == after:
+        return HARMLESS
+    start = next(index for index, pair in enumerate(zip(before, after, strict=True)) if pair[0] != pair[1])
+    end = len(before) - next(
+        index for index, pair in enumerate(zip(before[::-1], after[::-1], strict=True)) if pair[0] != pair[1]
+    )
+    middle, now = before[start:end], after[start:end]
+    if len(middle) > _LONGEST_MIDDLE:
+        return HARMLESS
+    for first in range(1, _LONGEST_SWAPPED + 1):
+        for last in range(1, min(_LONGEST_SWAPPED, len(middle) - first) + 1):
+            one, between, other = middle[:first], middle[first : len(middle) - last], middle[len(middle) - last :]
+            if other + between + one == now and not _JOINING.issuperset(between):
+                return _of_swapped(" ".join(one), " ".join(other), between)
+    return HARMLESS
+
+
+def _of_swapped(one: str, other: str, between: Sequence[str]) -> Judgement:
+    if any(word in _DECIDING or word.lstrip("-").isdigit() for word in between):
+        return Judgement(breaks=True, effect=f"{one!r} and {other!r} have changed places in the text")
+    return Judgement(doubt=f"whether {one!r} and {other!r} have changed places with another meaning")
