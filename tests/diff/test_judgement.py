@@ -8,7 +8,8 @@ import pytest
 
 from codegen.diff.change import Weight
 from codegen.diff.judging.quantities import unit_in_words
-from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, stated_values, text_likeness
+from codegen.diff.judging.readings import stated_values
+from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, text_likeness
 from codegen.diff.judging.words import is_negated, is_short_for, is_shortened, is_slip, stem
 
 CORPUS = Path(__file__).parent / "corpus"
@@ -120,7 +121,7 @@ def test_what_the_fields_of_a_message_are_measured_from() -> None:
         ("True if the filter has a glitch", "True unless the filter has a glitch", Weight.PERSON),
         ("Height", "Height above sea level", Weight.PERSON),
         ("Number of the stream (1 for first)", "Number of the stream (0 for first)", Weight.SILENT),
-        ("Yaw, NaN to keep the angle", "Yaw, NaN for the neutral position", Weight.PERSON),
+        ("Yaw, NaN to keep the angle", "Yaw, NaN for the neutral position", Weight.SILENT),
         ("Angle relative to north", "Angle of the nose, not relative to north", Weight.SILENT),
         ("Current. Positive for out", "Current. Positive while charging", Weight.PERSON),
         ("Hour in UTC", "Hour in local time", Weight.SILENT),

@@ -1,7 +1,8 @@
 """Two texts side by side, word by word: which words both have in one order, and the pieces in which they differ."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
 from functools import cache
 from itertools import takewhile
@@ -66,6 +67,7 @@ def aligned(old: str, new: str) -> Alignment:
     """Return two texts side by side."""
     sides = [with_unknown(in_one_wording(text)) for text in (old, new)]
     before, after = (_words(text) for text in sides)
+    before, after = _joined(before, after), _joined(after, before)
     stems = [word.stem for word in before], _respelt([word.stem for word in after], [word.stem for word in before])
     pieces = tuple(_pieces(sides, (before, after), stems))
     longest = max(len(before), len(after))
@@ -76,6 +78,18 @@ def aligned(old: str, new: str) -> Alignment:
 def _words(text: str) -> list[Word]:
     found = ((_spelt(one[0]), one) for one in _TOKEN.finditer(text.lower()) if one[0] not in IDLE)
     return [Word(word, one.start(), one.end()) for word, one in found if word not in _FILLING]
+
+
+def _joined(words: list[Word], others: Sequence[Word]) -> list[Word]:
+    """The words of a text, two of them as one where the other text has them in one: ``main loop``, ``mainloop``."""
+    known = {word.stem for word in others}
+    found: list[Word] = []
+    for word in words:
+        if found and found[-1].stem + word.stem in known:
+            found[-1] = Word(found[-1].stem + word.stem, found[-1].start, word.end)
+        else:
+            found.append(word)
+    return found
 
 
 def _spelt(word: str) -> str:
@@ -101,22 +115,50 @@ def _pieces(
     texts: Sequence[str], words: tuple[list[Word], list[Word]], stems: tuple[list[str], list[str]]
 ) -> Iterator[Piece]:
     before, after = stems
-    first = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(before, after, strict=False)))
-    matcher = SequenceMatcher(None, before[first:], after[first:], autojunk=False)
-    for kind, i, j, k, m in matcher.get_opcodes():
-        if kind == "equal":
-            continue
-        i, j, k, m = (index + first for index in (i, j, k, m))
-        if "".join(before[i:j]) != "".join(after[k:m]):
+    for old, new in _together(_differences(before, after)):
+        gone, come = before[old.start : old.stop], after[new.start : new.stop]
+        if "".join(gone) != "".join(come):
             yield Piece(
-                tuple(before[i:j]),
-                tuple(after[k:m]),
-                _written(texts[0], words[0], i, j),
-                _written(texts[1], words[1], k, m),
+                *_without_common(gone, come), _written(texts[0], words[0], old), _written(texts[1], words[1], new)
             )
 
 
-def _written(text: str, words: Sequence[Word], start: int, end: int) -> str:
-    if start == end:
+def _differences(before: Sequence[str], after: Sequence[str]) -> Iterator[tuple[range, range]]:
+    """Yield where two rows of words differ; what both begin with is left out first, which most of it is."""
+    first = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(before, after, strict=False)))
+    matcher = SequenceMatcher(None, before[first:], after[first:], autojunk=False)
+    for kind, *bounds in matcher.get_opcodes():
+        if kind != "equal":
+            start, end, other_start, other_end = (index + first for index in bounds)
+            yield range(start, end), range(other_start, other_end)
+
+
+def _together(found: Iterable[tuple[range, range]]) -> Iterator[tuple[range, range]]:
+    """Yield differences, those as one that are a word apart where one of them is gone and the other one new.
+
+    ``full throttle`` and ``throttle as it is set`` are one phrase for another.
+    """
+    last: tuple[range, range] | None = None
+    for old, new in found:
+        is_near = last is not None and old.start - last[0].stop == 1
+        if last is not None and is_near and not last[1] and not old:
+            last = range(last[0].start, old.stop), range(last[1].start, new.stop)
+            continue
+        if last is not None:
+            yield last
+        last = old, new
+    if last is not None:
+        yield last
+
+
+def _without_common(gone: Sequence[str], come: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The words of a difference that are not on both sides of it."""
+    common = Counter(gone) & Counter(come)
+    return tuple((Counter(gone) - common).elements()), tuple((Counter(come) - common).elements())
+
+
+def _written(text: str, words: Sequence[Word], where: range) -> str:
+    """What stands at some words in a text, from the end of the word before them."""
+    if not where:
         return ""
-    return text[words[start - 1].end if start else 0 : words[end - 1].end]
+    return text[words[where.start - 1].end if where.start else 0 : words[where.stop - 1].end]

@@ -8,12 +8,14 @@ import re
 from collections.abc import Mapping
 from functools import cache
 
-from codegen.diff.judging.words import stem
-
 _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "axes": (
         ("earth", r"\bnorth|\beast(?:wards?)?\b|\bned\b|\benu\b"),
-        ("body", r"\bforwards?\b|\bfrd\b|\bflu\b|\bbody\b|\bnose\b|\bstarboard\b"),
+        (
+            "body",
+            r"\bforwards?\b|\bfrd\b|\bflu\b|\bbody\b|\bnose\b|\bstarboard\b"
+            r"|\bfrom the (?:present |current |vehicle'?s? )*heading",
+        ),
         ("ned", r"\bned\b"),
         ("enu", r"\benu\b"),
         ("frd", r"\bfrd\b"),
@@ -29,10 +31,14 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "pressure": (("qnh", r"\bqnh\b"), ("qne", r"\bqne\b"), ("qfe", r"\bqfe\b")),
     "clock": (
         ("utc", r"\butc\b|\bgmt\b|unix|epoch"),
-        ("boot", r"since (?:the )?(?:system |vehicle )?(?:was )?(?:boot|start|power)|boot time"),
-        ("arming", r"since (?:the )?(?:vehicle )?(?:was )?(?:last )?arm"),
-        ("take-off", r"since (?:the )?take-?off"),
-        ("the last message", r"since (?:the )?(?:previous|last) (?:message|report)"),
+        (
+            "boot",
+            r"since (?:the )?(?:system |vehicle )?(?:was )?(?:boot|start|power)|boot time"
+            r"|from (?:the )?(?:system |vehicle )?boot",
+        ),
+        ("arming", r"(?:since|from) (?:the )?(?:vehicle )?(?:was )?(?:last )?arm"),
+        ("take-off", r"(?:since|from) (?:the )?take-?off"),
+        ("the last message", r"(?:since|from) (?:the )?(?:previous|last) (?:message|report)"),
         ("local time", r"local time"),
         ("gps time", r"\bgps (?:time|week)"),
     ),
@@ -44,7 +50,7 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
     ),
     "statistic": (
         ("a mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
-        ("a peak", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
+        ("a peak", r"\bpeak|\bhighest|\bhottest|\bcoldest|\bmaximum (?:value|seen)"),
         ("a moment", r"\binstantaneous|\bmomentary"),
     ),
     "origin": (
@@ -67,7 +73,7 @@ _REFERENCES: Mapping[str, tuple[tuple[str, str], ...]] = {
 }  # fmt: skip
 """References that numbers are measured from, by kind: the name of each, and the words for it."""
 
-STATED_LATE = frozenset({"height", "pressure", "airspeed"})
+STATED_LATE = frozenset({"height", "pressure", "airspeed", "first number", "statistic"})
 """Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""
 
 _DENIED = re.compile(r"\((?:and )?not [^)]*\)|\bnot relative to (?:the )?\w+")
@@ -77,8 +83,6 @@ _LIMITS = frozenset(str(2**bits - 1) for bits in (7, 8, 15, 16, 31, 32, 63, 64))
 _UNKNOWN = re.compile(
     r"\bnot (?:available|known|used|provided|set|supported|measured|applicable|equal)\b|\b(?:do not|don't) use\b"
 )
-_SIGN = re.compile(r"(?<!if this is )(?<!if )(?<!when )\b(positive|negative)\b[:,]?\s*((?:[a-z]+[\s/-]*){1,6})")
-_IDLE = frozenset({"for", "is", "means", "while", "when", "if", "to", "the", "value", "and", "axis", "a", "in"})
 
 
 def references(text: str) -> dict[str, frozenset[str]]:
@@ -126,12 +130,3 @@ def _spelt(number: str) -> str:
 def negations(text: str) -> int:
     """Return how often a text denies something, without what it says of values that are unknown or not allowed."""
     return len(_NEGATION.findall(_UNKNOWN.sub(" ", text.lower())))
-
-
-def signs(text: str) -> dict[str, frozenset[str]]:
-    """Return the words that say what a positive and what a negative number is."""
-    found: dict[str, frozenset[str]] = {}
-    for one in _SIGN.finditer(text.lower()):
-        words = [stem(word) for word in re.findall(r"[a-z]+", one[2]) if word not in _IDLE]
-        found[one[1]] = found.get(one[1], frozenset()) | frozenset(words[:2])
-    return found

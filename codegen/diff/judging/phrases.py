@@ -3,10 +3,12 @@
 import re
 from functools import cache
 
+_TURNS = r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)?"
+
 _SAME: tuple[tuple[str, str], ...] = (
     (r"\b(?:counter|anti)[- ]?clockwise\b|\bccw\b", "counterclockwise"),
-    (r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)? left\b|\bleft turns?\b", "counterclockwise"),
-    (r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)? right\b|\bright turns?\b", "clockwise"),
+    (rf"{_TURNS} left\b|\bleft turns?\b", "counterclockwise"),
+    (rf"{_TURNS} right\b|\bright turns?\b", "clockwise"),
     (r"\bMAV_BOOL_FALSE\b", "0"),
     (r"\bMAV_BOOL_TRUE\b", "1"),
     (r"\bvalues not equal to 0 or 1 are invalid\.?", ""),
@@ -20,7 +22,8 @@ _BITS = (7, 8, 15, 16, 31, 32, 63, 64)
 _LIMIT = re.compile(r"\b(U?)INT(8|16|32|64)_MAX\b")
 _UNKNOWN = re.compile(
     r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"
-    r"|\b(?:not|cannot be|isn't|never) (?:yet )?(?:available|known|provided?|measured|supplied|estimated|valid|supported|present|sent)\b"
+    r"|\b(?:not|cannot be|isn't|never) (?:yet )?"
+    r"(?:available|known|provided?|measured|supplied|estimated|valid|supported|present|sent)\b"
     r"|\b(?:does|do|can) ?not (?:provide|measure|know|supply|estimate|support|send|have)\b"
     r"|\b(?:is|are|has|have) no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information|value)\b"
     r"|^no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information)\b",

@@ -21,6 +21,9 @@ _WORDS = re.compile(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGN
 _NAMED = re.compile(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
 _FACTOR = re.compile(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
 _COUNTED = re.compile(r"[\d.)\]]\s*$")
+_RAW = re.compile(r"\braw\b", re.IGNORECASE)
+_USUAL = frozenset({"%", "ms", "us", "min", "h", "deg", "deg/s", "rad", "rpm", "d", "dB", "dBm", "degC", "mAh", "km"})
+"""Parts and multiples of units in which commands do count."""
 _HUNDRED = 100
 _TEN = 10
 
@@ -105,6 +108,21 @@ def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
         if was is not None and now is not None and sign * now > sign * was:
             doubt = f"whether values beyond the {names[index]}, now {decimal(now)} and not {decimal(was)}, were sent"
             return Judgement(doubt=doubt)
+    return HARMLESS
+
+
+def first_unit(unit: str, is_attribute: bool, text: str) -> Judgement:
+    """Return what comes of a unit that is stated for the first time, where ``text`` told of the number before.
+
+    What is called raw is no amount of anything, and parameters of commands, which are floats, rarely have a part of a
+    unit: whether it is written down or changed is not to be seen.
+    """
+    if _RAW.search(text):
+        return Judgement(doubt=f"whether what was called raw is a number of {unit}")
+    known = Unit.parse(unit)
+    is_part = known is not None and known.scale != 1 and known.name not in _USUAL and known.pi == 0
+    if is_attribute and is_part:
+        return Judgement(doubt=f"whether it was sent in {unit} before it was written down")
     return HARMLESS
 
 

@@ -1,14 +1,16 @@
 """Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
+from codegen.diff.judging.alignment import aligned
+from codegen.diff.judging.conflicts import other_signs, other_statements, without_alike
 from codegen.diff.judging.exchanges import other_piece
-from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
-from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs
+from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references
 from codegen.diff.judging.phrases import in_one_wording
 from codegen.diff.judging.wording import (
     Likeness,
     common_share,
+    is_unsaid,
     other_word,
-    stated_values,
     text_likeness,
     without_addresses,
     words_of,
@@ -38,8 +40,17 @@ def same_entry(old: str, new: str) -> Judgement:
     return found
 
 
+def other_message(old: str, new: str) -> Judgement:
+    """Return what comes of another text for a message, which is about all of its fields and much else."""
+    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
+    found = other_reference(old, new)
+    if found.breaks:
+        return found
+    return HARMLESS if is_unsaid(old) or is_unsaid(new) else other_piece(old, new, is_whole=False)
+
+
 def _of_words(old: str, new: str) -> Judgement:
-    values = stated_conflict(stated_values(old), stated_values(new))
+    values = other_statements(old, new)
     if values.gravity:
         return values
     likeness = text_likeness(old, new)
@@ -52,7 +63,8 @@ def _of_words(old: str, new: str) -> Judgement:
         return Judgement(doubt="whether the text says the opposite of what it said")
     if likeness is Likeness.UNSAID:
         return HARMLESS
-    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
+    known = _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
+    return known or other_piece(*without_alike(old, new))
 
 
 def other_reference(old: str, new: str) -> Judgement:
@@ -94,13 +106,10 @@ def _other_sense(old: str, new: str) -> Judgement | None:
     """Return what comes of a text that denies what it said, or says another thing of a sign."""
     added = words_of(new) - words_of(old)
     is_longer = words_of(old) <= words_of(new) and len(added) >= _SENTENCE
-    if negations(old) % 2 != negations(new) % 2 and common_share(old, new) >= _LEAST_SHARE and not is_longer:
+    if negations(old) % 2 != negations(new) % 2 and aligned(old, new).share >= _LEAST_SHARE and not is_longer:
         return Judgement(doubt="whether the text denies what it said")
-    before, after = signs(old), signs(new)
-    for sign in before.keys() & after.keys():
-        if before[sign] and after[sign] and before[sign].isdisjoint(after[sign]):
-            return Judgement(doubt=f"whether {sign} numbers still are what they were")
-    return None
+    signs = other_signs(old, new)
+    return signs if signs.gravity else None
 
 
 def _other_word(old: str, new: str) -> Judgement | None:

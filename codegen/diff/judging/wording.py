@@ -31,7 +31,7 @@ def _words(text: str) -> list[str]:
 IDLE = frozenset(
     _words(
         "a an and are as at be by for from if in into is it its of on or that the this to was were where which with "
-        "will can may must should set use used using value values parameter param future"
+        "will can may must should set use used using value values parameter param future whichever"
     )
 )
 _FILLING = frozenset({"0", "nan", "zero", "send", "all", "remaining", "params", "parameters", "ignored", "yet"})
@@ -259,18 +259,3 @@ def _is_opposed(gone: Collection[str], come: Collection[str], *, is_text: bool =
 
 _LONG = 8
 """Letters of a word in which two that changed places make no other word."""
-_LONGEST = 20
-_STATED = re.compile(
-    r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?\s*(?:[:=]|means\b|is\b|to\b|for\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)",
-    re.IGNORECASE,
-)
-
-
-def stated_values(text: str) -> dict[int | str, str]:
-    """Return what a text says of single numbers: ``0: forward, 1: reverse``, ``NaN to keep the present angle``."""
-    found: dict[int | str, str] = {}
-    for one in _STATED.finditer(text):
-        if len(one[1]) < _LONGEST:
-            number, words = one[1] if one[1].isalpha() else int(one[1]), one[2].strip()
-            found[number] = f"{found[number]}, {words}" if number in found else words
-    return found

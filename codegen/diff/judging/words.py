@@ -35,7 +35,8 @@ _SPELLINGS = {
     "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
-    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
+    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest",
+    "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
@@ -51,8 +52,7 @@ def stem(word: str) -> str:
         if word.endswith(ending) and len(word) - len(ending) > 3 and not word.endswith(("eed", "ss", "us")):
             word = word.removesuffix(ending)
             break
-    if word in _SPELLINGS:
-        return _SPELLINGS[word]
+    word = _SPELLINGS.get(word, word)
     for written in _SPELT_OTHERWISE:
         if word.startswith(written):
             return _SPELLINGS[written] + word[len(written) :]
