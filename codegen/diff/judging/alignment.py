@@ -1,18 +1,18 @@
 """Two texts side by side, word by word: which words both have in one order, and the pieces in which they differ."""
 
-import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
 from functools import cache
-from itertools import takewhile
 from typing import NamedTuple
 
 from codegen.diff.judging.phrases import in_one_wording, with_unknown
 from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_respelt, stem
+from codegen.pattern import pattern
 
-_TOKEN = re.compile(r"(?<![\w.)\]])-?\d+(?:\.\d+)?(?!\w)|[a-z0-9][a-z0-9_]*")
+_TOKEN = pattern(r"(?<![\w.)\]])-?\d+(?:\.\d+)?(?!\w)|[a-z0-9][a-z0-9_]*")
+_HEXADECIMAL = pattern(r"0x[0-9a-f]+")
 _FILLING = frozenset(
     map(stem, (
         "also", "always", "just", "simply", "usually", "typically", "generally", "normally", "currently", "e", "g",
@@ -23,12 +23,14 @@ _FILLING = frozenset(
 ) | {"number", "flag"}  # fmt: skip
 """Words that a better text has more or fewer of without saying more or less."""
 
+_LEAST_COMMON = 0.2
+"""Of the words of the longer text: with fewer in both, texts are not laid beside each other."""
+
 
 class Word(NamedTuple):
-    """A word in one spelling, and where it stands in its text."""
+    """A word in one spelling, and where it ends in its text."""
 
     stem: str
-    start: int
     end: int
 
 
@@ -64,46 +66,65 @@ class Alignment(NamedTuple):
 
 @cache
 def aligned(old: str, new: str) -> Alignment:
-    """Return two texts side by side."""
-    sides = [with_unknown(in_one_wording(text)) for text in (old, new)]
-    before, after = (_words(text) for text in sides)
-    before, after = _joined(before, after), _joined(after, before)
-    stems = [word.stem for word in before], _respelt([word.stem for word in after], [word.stem for word in before])
-    pieces = tuple(_pieces(sides, (before, after), stems))
+    """Return two texts side by side; without pieces where they have next to nothing in common."""
+    texts = [with_unknown(in_one_wording(text)) for text in (old, new)]
+    before, after = (_words(text) for text in texts)
     longest = max(len(before), len(after))
-    gone = sum(len(piece.gone) for piece in pieces)
-    return Alignment(pieces, len(before) - gone, longest)
+    first, last = _shared_ends(before, after)
+    middles = before[first : len(before) - last], after[first : len(after) - last]
+    if all(middles):
+        stems = [{word.stem for word in side} for side in (before, after)]
+        if len(stems[0] & stems[1]) < _LEAST_COMMON * longest:
+            return Alignment((), 0, longest)
+        middles = _joined(middles[0], stems[1]), _joined(middles[1], stems[0])
+    starts = [words[first - 1].end if first else 0 for words in (before, after)]
+    pieces = tuple(_pieces(texts, middles, starts))
+    kept = first + len(middles[0]) + last - sum(len(piece.gone) for piece in pieces)
+    return Alignment(pieces, kept, first + max(map(len, middles)) + last)
 
 
 def _words(text: str) -> list[Word]:
-    found = ((_spelt(one[0]), one) for one in _TOKEN.finditer(text.lower()) if one[0] not in IDLE)
-    return [Word(word, one.start(), one.end()) for word, one in found if word not in _FILLING]
+    return [Word(word, one.end()) for one in _TOKEN.finditer(text.lower()) if (word := _carried(one[0]))]
 
 
-def _joined(words: list[Word], others: Sequence[Word]) -> list[Word]:
+@cache
+def _carried(word: str) -> str:
+    """A word in one spelling; empty where it carries nothing."""
+    if word in IDLE:
+        return ""
+    if word.startswith("0x") and _HEXADECIMAL.fullmatch(word):
+        return str(int(word, 16))
+    spelt = "0" if word == "zero" else word.rstrip("0").rstrip(".") if "." in word else stem(word)
+    return "" if spelt in _FILLING else spelt
+
+
+def _shared_ends(before: Sequence[Word], after: Sequence[Word]) -> tuple[int, int]:
+    """Return how many words two texts have alike at their beginning, and behind that at their end."""
+    least = min(len(before), len(after))
+    first = 0
+    while first < least and before[first].stem == after[first].stem:
+        first += 1
+    last = 0
+    while last < least - first and before[-1 - last].stem == after[-1 - last].stem:
+        last += 1
+    return first, last
+
+
+def _joined(words: Sequence[Word], known: Collection[str]) -> list[Word]:
     """The words of a text, two of them as one where the other text has them in one: ``main loop``, ``mainloop``."""
-    known = {word.stem for word in others}
     found: list[Word] = []
     for word in words:
         if found and found[-1].stem + word.stem in known:
-            found[-1] = Word(found[-1].stem + word.stem, found[-1].start, word.end)
+            found[-1] = Word(found[-1].stem + word.stem, word.end)
         else:
             found.append(word)
     return found
 
 
-def _spelt(word: str) -> str:
-    if word == "zero":
-        return "0"
-    if word.startswith("0x") and word != "0x":
-        return str(int(word, 16)) if re.fullmatch(r"0x[0-9a-f]+", word) else word
-    return word.rstrip("0").rstrip(".") if "." in word else stem(word)
-
-
 def _respelt(words: Sequence[str], others: Sequence[str]) -> list[str]:
     """The words of a text, each in the spelling of the other text that only one of them has."""
-    missing = [word for word in dict.fromkeys(others) if word.isalpha() and word not in words]
-    known = frozenset(others)
+    known, own = frozenset(others), frozenset(words)
+    missing = [word for word in dict.fromkeys(others) if word not in own and word.isalpha()]
     return [word if word in known or not word.isalpha() else _spelling(word, missing) for word in words]
 
 
@@ -111,25 +132,24 @@ def _spelling(word: str, others: Sequence[str]) -> str:
     return next((each for each in others if is_respelt(word, each)), word)
 
 
-def _pieces(
-    texts: Sequence[str], words: tuple[list[Word], list[Word]], stems: tuple[list[str], list[str]]
-) -> Iterator[Piece]:
-    before, after = stems
-    for old, new in _together(_differences(before, after)):
+def _pieces(texts: Sequence[str], words: Sequence[Sequence[Word]], starts: Sequence[int]) -> Iterator[Piece]:
+    """Yield where the ``words`` of two texts differ, which begin at ``starts`` there."""
+    before, after = ([word.stem for word in side] for side in words)
+    for old, new in _together(_differences(before, _respelt(after, before) if before else after)):
         gone, come = before[old.start : old.stop], after[new.start : new.stop]
         if "".join(gone) != "".join(come):
-            yield Piece(
-                *_without_common(gone, come), _written(texts[0], words[0], old), _written(texts[1], words[1], new)
-            )
+            told = (_written(*each) for each in zip(texts, words, starts, (old, new), strict=True))
+            yield Piece(*_without_common(gone, come), *told)
 
 
 def _differences(before: Sequence[str], after: Sequence[str]) -> Iterator[tuple[range, range]]:
-    """Yield where two rows of words differ; what both begin with is left out first, which most of it is."""
-    first = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(before, after, strict=False)))
-    matcher = SequenceMatcher(None, before[first:], after[first:], autojunk=False)
-    for kind, *bounds in matcher.get_opcodes():
+    """Yield where two rows of words differ."""
+    if not before or not after:
+        if before or after:
+            yield range(len(before)), range(len(after))
+        return
+    for kind, start, end, other_start, other_end in SequenceMatcher(None, before, after, autojunk=False).get_opcodes():
         if kind != "equal":
-            start, end, other_start, other_end = (index + first for index in bounds)
             yield range(start, end), range(other_start, other_end)
 
 
@@ -157,8 +177,8 @@ def _without_common(gone: Sequence[str], come: Sequence[str]) -> tuple[tuple[str
     return tuple((Counter(gone) - common).elements()), tuple((Counter(come) - common).elements())
 
 
-def _written(text: str, words: Sequence[Word], where: range) -> str:
+def _written(text: str, words: Sequence[Word], start: int, where: range) -> str:
     """What stands at some words in a text, from the end of the word before them."""
     if not where:
         return ""
-    return text[words[where.start - 1].end if where.start else 0 : words[where.stop - 1].end]
+    return text[words[where.start - 1].end if where.start else start : words[where.stop - 1].end]

@@ -1,6 +1,5 @@
 """Judges what two texts say of the same number, the same sign, or the same bit."""
 
-import re
 from collections.abc import Mapping
 
 from codegen.diff.judging.judging import HARMLESS, Judgement, gravest
@@ -8,6 +7,7 @@ from codegen.diff.judging.mentions import negations
 from codegen.diff.judging.phrases import in_one_wording, says_unknown
 from codegen.diff.judging.readings import directions, senses_of, stated_signs, stated_states, stated_values
 from codegen.diff.judging.wording import Likeness, common_share, text_likeness
+from codegen.pattern import pattern
 
 _ALIKE = (Likeness.SAME, Likeness.NEAR)
 _SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
@@ -15,7 +15,8 @@ _SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
 _DECIDED = frozenset({"kept", "by default"})
 """Senses that a text about a number does not lose by being said anew."""
 
-_HEAD = re.compile(r"[(.,;:]")
+_NAME = pattern(r"\w+")
+_HEAD = pattern(r"[(.,;:]")
 _BARE = frozenset({"true", "false", "yes", "no"})
 
 
@@ -110,7 +111,7 @@ def _is_one_sense(words: str, other: str) -> bool:
 
 def _identifiers(words: str) -> set[str]:
     """Return the names of fields, entries and messages in a text."""
-    return {word for word in re.findall(r"\w+", words) if "_" in word.strip("_")}
+    return {word for word in _NAME.findall(words) if "_" in word.strip("_")}
 
 
 def _is_same(words: str, other: str) -> bool:

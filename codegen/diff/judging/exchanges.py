@@ -12,11 +12,14 @@ from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.diff.judging.quantities import says_unit
 from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_respelt, is_slip
+from codegen.pattern import pattern
 
 _LEAST_FRAME = 3
 """Words around a phrase that both texts have."""
 _LEAST_SHARE = 0.4
 """Of the words of the longer text, for one phrase to be exchanged in it."""
+_MOST_PIECES = 6
+"""In which two texts differ, some of them by a slip of the pen."""
 _NEARLY_ALL = 0.7
 """Of the words of the longer text, for it to be exchanged while something else is added or gone."""
 _LEAST_LETTERS = 4
@@ -25,12 +28,13 @@ _LONGEST_SWAPPED = 4
 """Words of a phrase that changes places with another one; sentences may stand in any order."""
 _LONGEST_MIDDLE = 40
 
-_POINTERS = re.compile(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
-_ALTERNATIVE = re.compile(
+_POINTERS = pattern(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
+_ALTERNATIVE = pattern(
     r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
 )
-_RESTRICTION = re.compile(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
-_WORD = re.compile(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
+_RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
+_ALTERNATING = frozenset({"or", "unless", "except", "but"})
+_WORD = pattern(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
 _JOINING = frozenset({"and", "or", "the", "a", "an"})
 _DECIDING = frozenset({"positive", "negative", "true", "false", "nan", "set", "cleared"})
 
@@ -41,16 +45,19 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     ``is_whole`` is whether the text is about one thing: of a message, whose text is about all of its fields, only what
     is exchanged and nothing else tells.
     """
-    swapped = _swapped(old, new)
+    before, after = _middles(old, new)
+    if not before and not any(word in _ALTERNATING for word in after):
+        return HARMLESS  # something is added, and that is all
+    swapped = _swapped(before, after)
     if swapped.gravity:
         return swapped
     found = aligned(old, new)
-    pieces = [piece for piece in found.pieces if not _is_respelt(piece)]
-    exchanged = _exchanged(found, pieces, is_whole=is_whole)
-    if exchanged is not None:
-        was, now = exchanged
-        return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
-    return _other_condition(pieces) if is_whole else HARMLESS
+    if found.kept >= _LEAST_FRAME and found.share >= _LEAST_SHARE:
+        exchanged = _exchanged(found, is_whole=is_whole)
+        if exchanged is not None:
+            was, now = exchanged
+            return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
+    return _other_condition(found.pieces) if is_whole else HARMLESS
 
 
 def _is_respelt(piece: Piece) -> bool:
@@ -63,15 +70,18 @@ def _is_idle_slip(word: str) -> bool:
     return len(word) >= _LEAST_LETTERS and any(is_slip(word, each) for each in IDLE if len(each) >= _LEAST_LETTERS)
 
 
-def _exchanged(found: Alignment, pieces: Sequence[Piece], *, is_whole: bool) -> tuple[str, str] | None:
+def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
     """The one phrase, wherever it stands, in place of which another one stands, each as written."""
+    if len(found.pieces) > _MOST_PIECES or not any(piece.is_exchange for piece in found.pieces):
+        return None
+    pieces = [piece for piece in found.pieces if not _is_respelt(piece)]
     exchanges = [piece for piece in pieces if piece.is_exchange]
     if len({(piece.gone, piece.come) for piece in exchanges}) != 1:
         return None
     others = len(pieces) - len(exchanges)
     one = exchanges[0]
     least = _LEAST_SHARE if not others else _NEARLY_ALL
-    if others > (1 if is_whole else 0) or found.kept < _LEAST_FRAME or found.share < least:
+    if others > (1 if is_whole else 0) or found.share < least:
         return None
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own
@@ -96,22 +106,25 @@ def _other_condition(pieces: Sequence[Piece]) -> Judgement:
     return HARMLESS
 
 
-def _swapped(old: str, new: str) -> Judgement:
-    """Return what comes of two phrases that changed places, all else being the same."""
+def _middles(old: str, new: str) -> tuple[list[str], list[str]]:
+    """Return the words of two texts without those with which both begin and end."""
     before, after = (_WORD.findall(text.lower()) for text in (old, new))
-    if len(before) != len(after) or before == after:
-        return HARMLESS
-    start = next(index for index, pair in enumerate(zip(before, after, strict=True)) if pair[0] != pair[1])
-    end = len(before) - next(
-        index for index, pair in enumerate(zip(before[::-1], after[::-1], strict=True)) if pair[0] != pair[1]
-    )
-    middle, now = before[start:end], after[start:end]
-    if len(middle) > _LONGEST_MIDDLE:
+    least, first, last = min(len(before), len(after)), 0, 0
+    while first < least and before[first] == after[first]:
+        first += 1
+    while last < least - first and before[-1 - last] == after[-1 - last]:
+        last += 1
+    return before[first : len(before) - last], after[first : len(after) - last]
+
+
+def _swapped(middle: Sequence[str], now: Sequence[str]) -> Judgement:
+    """Return what comes of two phrases that changed places, all else being the same."""
+    if len(middle) != len(now) or len(middle) > _LONGEST_MIDDLE:
         return HARMLESS
     for first in range(1, _LONGEST_SWAPPED + 1):
         for last in range(1, min(_LONGEST_SWAPPED, len(middle) - first) + 1):
             one, between, other = middle[:first], middle[first : len(middle) - last], middle[len(middle) - last :]
-            if other + between + one == now and not _JOINING.issuperset(between):
+            if [*other, *between, *one] == now and not _JOINING.issuperset(between):
                 return _of_swapped(" ".join(one), " ".join(other), between)
     return HARMLESS
 

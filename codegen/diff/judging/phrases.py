@@ -3,24 +3,30 @@
 import re
 from functools import cache
 
+from codegen.pattern import pattern
+
 _TURNS = r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)?"
 
-_SAME: tuple[tuple[str, str], ...] = (
-    (r"\b(?:counter|anti)[- ]?clockwise\b|\bccw\b", "counterclockwise"),
-    (rf"{_TURNS} left\b|\bleft turns?\b", "counterclockwise"),
-    (rf"{_TURNS} right\b|\bright turns?\b", "clockwise"),
-    (r"\bMAV_BOOL_FALSE\b", "0"),
-    (r"\bMAV_BOOL_TRUE\b", "1"),
-    (r"\bvalues not equal to 0 or 1 are invalid\.?", ""),
-    (r"\b(?:ignored|not used|unused) unless\b", "only used if"),
-    (r"\b(?:let(?:ting)?|paid|pay(?:ing)?) out\b", "released"),
-    (r"\b(re|co)-(?=[a-z]{3})", r"\1"),
-)  # fmt: skip
-"""Expressions for phrases, and what stands for each."""
+_SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
+    (part, pattern(phrase, re.IGNORECASE), word)
+    for part, phrase, word in (
+        ("clockwise", r"\b(?:counter|anti)[- ]?clockwise\b", "counterclockwise"),
+        ("ccw", r"\bccw\b", "counterclockwise"),
+        ("left", rf"{_TURNS} left\b|\bleft turns?\b", "counterclockwise"),
+        ("right", rf"{_TURNS} right\b|\bright turns?\b", "clockwise"),
+        ("mav_bool_false", r"\bMAV_BOOL_FALSE\b", "0"),
+        ("mav_bool_true", r"\bMAV_BOOL_TRUE\b", "1"),
+        ("values not equal", r"\bvalues not equal to 0 or 1 are invalid\.?", ""),
+        (" unless", r"\b(?:ignored|not used|unused) unless\b", "only used if"),
+        (" out", r"\b(?:let(?:ting)?|paid|pay(?:ing)?) out\b", "released"),
+        ("re-", r"\bre-(?=[a-z]{3})", "re"),
+        ("co-", r"\bco-(?=[a-z]{3})", "co"),
+    )
+)
+"""What a phrase has in small letters, an expression for it, and what stands for it."""
 
-_BITS = (7, 8, 15, 16, 31, 32, 63, 64)
-_LIMIT = re.compile(r"\b(U?)INT(8|16|32|64)_MAX\b")
-_UNKNOWN = re.compile(
+_LIMIT = pattern(r"\b(U?)INT(8|16|32|64)_MAX\b")
+_UNKNOWN = pattern(
     r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"
     r"|\b(?:not|cannot be|isn't|never) (?:yet )?"
     r"(?:available|known|provided?|measured|supplied|estimated|valid|supported|present|sent)\b"
@@ -34,16 +40,13 @@ _UNKNOWN = re.compile(
 @cache
 def in_one_wording(text: str) -> str:
     """Return a text with phrases of one meaning in one wording, and limits of types as their numbers."""
-    text = _LIMIT.sub(lambda found: str(2 ** (int(found[2]) - (not found[1])) - 1), text)
-    for phrase, word in _SAME:
-        if _expression(phrase).search(text):
-            text = _expression(phrase).sub(word, text)
+    if "INT" in text:
+        text = _LIMIT.sub(lambda found: str(2 ** (int(found[2]) - (not found[1])) - 1), text)
+    small = text.lower()
+    for part, phrase, word in _SAME:
+        if part in small:
+            text = phrase.sub(word, text)
     return text
-
-
-@cache
-def _expression(phrase: str) -> re.Pattern[str]:
-    return re.compile(phrase, re.IGNORECASE)
 
 
 def with_unknown(text: str) -> str:

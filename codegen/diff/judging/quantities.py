@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio
+from codegen.pattern import pattern
 
 SAME_NUMBER = "the same value is the same number as before"
 
@@ -17,11 +18,11 @@ _SYMBOLS = {
 }  # fmt: skip
 _PREFIXES = {"milli": "m", "micro": "u", "nano": "n", "centi": "c", "deci": "d", "kilo": "k", "hecto": "h", "mega": "M"}
 _WORD = rf"(?:{'|'.join(_PREFIXES)})?(?:{'|'.join(_SYMBOLS)})s?"
-_WORDS = re.compile(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
-_NAMED = re.compile(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
-_FACTOR = re.compile(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
-_COUNTED = re.compile(r"[\d.)\]]\s*$")
-_RAW = re.compile(r"\braw\b", re.IGNORECASE)
+_WORDS = pattern(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
+_NAMED = pattern(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
+_FACTOR = pattern(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
+_COUNTED = pattern(r"[\d.)\]]\s*$")
+_RAW = pattern(r"\braw\b", re.IGNORECASE)
 _USUAL = frozenset({"%", "ms", "us", "min", "h", "deg", "deg/s", "rad", "rpm", "d", "dB", "dBm", "degC", "mAh", "km"})
 """Parts and multiples of units in which commands do count."""
 _HUNDRED = 100

@@ -2,32 +2,34 @@
 
 import re
 from collections.abc import Mapping
+from functools import cache
 
 from codegen.diff.judging.words import stem
+from codegen.pattern import pattern
 
 _LONGEST = 20
-_STATED = re.compile(
+_STATED = pattern(
     r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?\s*(?:[:=]|(?:means|is|to|for|if|when|while|where)\b)"
     r"\s*([A-Za-z][^,;.:=()\[\]\n\d]*)",
     re.IGNORECASE,
 )
-_STATE = re.compile(
+_STATE = pattern(
     r"\b(true|false|not set|unset|cleared|set)\b\s*(?:[:=]|(?:means|if|when|while|where)\b)"
     r"\s*([a-z][^,;.:=()\[\]\n\d]*)",
     re.IGNORECASE,
 )
 _STATES = {"true": 1, "set": 1, "false": 0, "not set": 0, "unset": 0, "cleared": 0}
-_SIGN = re.compile(r"(?<!if this is )(?<!if )(?<!when )\b(positive|negative)\b[:,]?\s*((?:[a-z]+[\s/()-]*){1,10})")
+_SIGN = pattern(r"(?<!if this is )(?<!if )(?<!when )\b(positive|negative)\b[:,]?\s*((?:[a-z]+[\s/()-]*){1,10})")
 _IDLE = frozenset(map(stem, (
     "for", "is", "are", "means", "while", "when", "if", "to", "the", "value", "values", "number", "numbers", "and",
     "or", "axis", "a", "an", "one", "being", "makes", "make", "that", "use", "it", "with", "by", "of",
 )))  # fmt: skip
-_NUMERALS = {"zero": "0", "one": "1", "minus one": "-1"}
-_NUMERAL = re.compile(r"\b(zero|minus one|one)\b(?=\s*(?:[:=]|means\b))", re.IGNORECASE)
+_LETTERS = pattern(r"[a-z]+")
+_ZERO = pattern(r"\bzero\b(?=\s*(?:[:=]|means\b))", re.IGNORECASE)
 
 Senses = frozenset[str]
 _SENSES: Mapping[str, re.Pattern[str]] = {
-    sense: re.compile(words, re.IGNORECASE)
+    sense: pattern(words, re.IGNORECASE)
     for sense, words in {
         "kept": r"\b(?:no change|unchanged|keep|kept|keeps|leave|leaves|maintain|retain)\b",
         "by default": r"\bdefaults?\b",
@@ -39,10 +41,13 @@ _SENSES: Mapping[str, re.Pattern[str]] = {
 }
 
 
-def stated_values(text: str) -> dict[int | str, str]:
+@cache
+def stated_values(text: str) -> Mapping[int | str, str]:
     """Return what a text says of single numbers: ``0: forward, 1: reverse``, ``NaN to keep the present angle``."""
     found: dict[int | str, str] = {}
-    for one in _STATED.finditer(_NUMERAL.sub(lambda word: _NUMERALS[word[1].lower()], text)):
+    if "ero" in text:
+        text = _ZERO.sub("0", text)
+    for one in _STATED.finditer(text):
         if len(one[1]) < _LONGEST:
             number, words = one[1] if one[1].isalpha() else int(one[1]), one[2].strip()
             found[number] = f"{found[number]}, {words}" if number in found else words
@@ -51,14 +56,20 @@ def stated_values(text: str) -> dict[int | str, str]:
 
 def stated_states(text: str) -> dict[int | str, str]:
     """Return what a text says of a bit, by 1 and 0: ``set while the probe is wet``, ``false: closed``."""
+    small = text.lower()
+    if not any(word in small for word in ("true", "false", "set", "cleared")):
+        return {}
     return {_STATES[one[1].lower()]: one[2].strip() for one in _STATE.finditer(text)}
 
 
 def stated_signs(text: str) -> dict[str, frozenset[str]]:
     """Return the words that say what a positive and what a negative number is; of directions, nothing but these."""
     found: dict[str, frozenset[str]] = {}
-    for one in _SIGN.finditer(text.lower()):
-        words = ("in" if word == "into" else stem(word) for word in re.findall(r"[a-z]+", one[2]))
+    small = text.lower()
+    if "tive" not in small:
+        return found
+    for one in _SIGN.finditer(small):
+        words = ("in" if word == "into" else stem(word) for word in _LETTERS.findall(one[2]))
         told = frozenset(word for word in words if word not in _IDLE)
         found[one[1]] = found.get(one[1], frozenset()) | told
     return {sign: directions(words) or words for sign, words in found.items()}

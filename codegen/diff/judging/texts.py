@@ -4,8 +4,9 @@ from codegen.diff.judging.alignment import aligned
 from codegen.diff.judging.conflicts import other_signs, other_statements, without_alike
 from codegen.diff.judging.exchanges import other_piece
 from codegen.diff.judging.judging import HARMLESS, Judgement
-from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references
+from codegen.diff.judging.mentions import negations, numbers
 from codegen.diff.judging.phrases import in_one_wording
+from codegen.diff.judging.references import STATED_LATE, denied_references, references
 from codegen.diff.judging.wording import (
     Likeness,
     common_share,
@@ -70,6 +71,8 @@ def _of_words(old: str, new: str) -> Judgement:
 def other_reference(old: str, new: str) -> Judgement:
     """Return what comes of another axis, height or clock from which a text says that something is measured."""
     before, after = references(old), references(new)
+    if before == after == {}:
+        return HARMLESS
     denied = denied_references(old), denied_references(new)
     nothing: frozenset[str] = frozenset()
     for kind in sorted(before.keys() | after.keys()):

@@ -6,14 +6,15 @@ from codegen.diff.judging.judging import Judgement
 from codegen.diff.judging.phrases import in_one_wording, says_unknown
 from codegen.diff.judging.readings import senses_of, stated_values
 from codegen.model.dialect.dialect import CommandParameter, EnumDefinition
+from codegen.pattern import pattern
 
-_NOTHING = re.compile(
+_NOTHING = pattern(
     r"\b(?:no|not|none|never|nothing|all|every|each|any|both|off|disabled?|false|current|present|unused|normal(?:ly)?|"
     r"standard|as before|without|reserved|undefined|unspecified|auto\w*|ignore)\b",
     re.IGNORECASE,
 )
-_NAMED = re.compile(r"(?<![\w.-])0(?![\w.]*\w)|\bzero\b", re.IGNORECASE)
-_SELECTING = re.compile(r"\b(?:id|instance|index)\b", re.IGNORECASE)
+_NAMED = pattern(r"(?<![\w.-])0(?![\w.]*\w)|\bzero\b", re.IGNORECASE)
+_SELECTING = pattern(r"\b(?:id|instance|index)\b", re.IGNORECASE)
 _UNUSED = Judgement(effect="it was not used before")
 
 

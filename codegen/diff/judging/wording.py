@@ -14,12 +14,13 @@ from codegen.diff.judging.words import (
     is_slip,
     stem,
 )
+from codegen.pattern import pattern
 
-_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
-_WORD = re.compile(r"[a-z]+|\d+(?:\.\d+)?")
-_ADDRESS = re.compile(r"https?://\S+|www\.\S+", re.IGNORECASE)
-_SIGNED = re.compile(r"[a-z]+|-?\d+")
-_CLAUSE = re.compile(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
+_PARTS = pattern(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_WORD = pattern(r"[a-z]+|\d+(?:\.\d+)?")
+_ADDRESS = pattern(r"https?://\S+|www\.\S+", re.IGNORECASE)
+_SIGNED = pattern(r"[a-z]+|-?\d+")
+_CLAUSE = pattern(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
 
 _PLACEHOLDERS = frozenset({"empty", "reserved", "unused", "none", "undefined", "unset", "spare", "n/a", "tbd"})
 
@@ -35,6 +36,8 @@ IDLE = frozenset(
     )
 )
 _FILLING = frozenset({"0", "nan", "zero", "send", "all", "remaining", "params", "parameters", "ignored", "yet"})
+_MOST_HYPHENATED = 2
+"""Words that one word is in a text with hyphens."""
 _GENERAL = frozenset(_words("mav type mode status state flag id comp kind option enum instance index number"))
 _NEGATING = frozenset({"not", "no", "non", "un", "dis", "in", "never"})
 _TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
@@ -93,7 +96,7 @@ def text_likeness(old: str, new: str) -> Likeness:
     if is_unsaid(old) or is_unsaid(new):
         return Likeness.UNSAID
     before, after = words_of(old), words_of(new)
-    if _are_exchanged(old, new):
+    if not any(map(_is_telling, before ^ after)) and _are_exchanged(old, new):
         return Likeness.OPPOSITE
     if before == after:
         return Likeness.DISPUTED if _is_reordered(old, new) else Likeness.SAME
@@ -140,6 +143,9 @@ def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
 
 def other_word(old: str, new: str) -> tuple[str, str] | None:
     """The one word in which two texts differ, where the second has another word in its place and not a respelling."""
+    sets = words_of(old), words_of(new)
+    if len(sets[0] - sets[1]) > _MOST_HYPHENATED or len(sets[1] - sets[0]) > _MOST_HYPHENATED:
+        return None
     before, after = (
         [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in IDLE] for text in (old, new)
     )
@@ -171,18 +177,23 @@ def _is_reordered(old: str, new: str) -> bool:
     """Return whether texts of the same words list things of one kind in another
     order: ``w, x, y, z`` and ``x, y, z, w``.
     """
-    sides = [[stem(word) for word in _WORD.findall(text.lower())] for text in (old, new)]
-    for group in exclusive_groups():
+    sides = [[word for word in map(stem, _WORD.findall(text.lower())) if excluding(word)] for text in (old, new)]
+    for group in exclusive_groups() if sides[0] != sides[1] else ():
         before, after = ([word for word in side if word in group] for side in sides)
         if len(set(before)) > 2 and before != after and sorted(before) == sorted(after):
             return True
     return False
 
 
+@cache
 def _telling(clause: str) -> tuple[str, ...]:
     """The numbers of a clause, and its words that exclude others."""
     words = (stem(word) for word in _SIGNED.findall(clause))
-    return tuple(word for word in words if word.lstrip("-").isdigit() or word in _TURNING or excluding(word))
+    return tuple(filter(_is_telling, words))
+
+
+def _is_telling(word: str) -> bool:
+    return word.lstrip("-").isdigit() or word in _TURNING or bool(excluding(word))
 
 
 def is_unsaid(text: str) -> bool:
@@ -215,7 +226,7 @@ def words_of(text: str) -> frozenset[str]:
 
 def without_addresses(text: str) -> str:
     """Return a text without the addresses of pages, whose words and numbers say nothing of it."""
-    return _ADDRESS.sub(" ", text)
+    return _ADDRESS.sub(" ", text) if "://" in text or "www." in text.lower() else text
 
 
 @cache

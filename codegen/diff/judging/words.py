@@ -1,9 +1,10 @@
 """Words in one spelling, and which of them exclude each other: what names and texts are compared by."""
 
-import re
 from functools import cache
 
-_VOWELS = re.compile(r"(?<=.)[aeiou]")
+from codegen.pattern import pattern
+
+_VOWELS = pattern(r"(?<=.)[aeiou]")
 
 _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("up", "down"), ("left", "right"), ("on", "off"), ("open", "close"), ("lock", "unlock"), ("arm", "disarm"),
