@@ -173,6 +173,8 @@ def _together(found: Iterable[tuple[range, range]]) -> Iterator[tuple[range, ran
 
 def _without_common(gone: Sequence[str], come: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """The words of a difference that are not on both sides of it."""
+    if set(gone).isdisjoint(come):
+        return tuple(gone), tuple(come)
     common = Counter(gone) & Counter(come)
     return tuple((Counter(gone) - common).elements()), tuple((Counter(come) - common).elements())
 

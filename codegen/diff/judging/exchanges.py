@@ -34,6 +34,7 @@ _ALTERNATIVE = pattern(
 )
 _RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
 _ALTERNATING = frozenset({"or", "unless", "except", "but"})
+_RESTRICTING = frozenset({"ignored", "used", "unused", "supported"})
 _WORD = pattern(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
 _JOINING = frozenset({"and", "or", "the", "a", "an"})
 _DECIDING = frozenset({"positive", "negative", "true", "false", "nan", "set", "cleared"})
@@ -45,12 +46,15 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     ``is_whole`` is whether the text is about one thing: of a message, whose text is about all of its fields, only what
     is exchanged and nothing else tells.
     """
-    before, after = _middles(old, new)
-    if not before and not any(word in _ALTERNATING for word in after):
-        return HARMLESS  # something is added, and that is all
+    before, after, around = _middles(old, new)
     swapped = _swapped(before, after)
     if swapped.gravity:
         return swapped
+    shared = around + len(set(before) & set(after))
+    may_exchange = before and after and shared >= _LEAST_SHARE * (around + max(len(before), len(after)))
+    may_condition = is_whole and not (_ALTERNATING.isdisjoint(after) and _RESTRICTING.isdisjoint(before))
+    if not may_exchange and not may_condition:
+        return HARMLESS
     found = aligned(old, new)
     if found.kept >= _LEAST_FRAME and found.share >= _LEAST_SHARE:
         exchanged = _exchanged(found, is_whole=is_whole)
@@ -106,15 +110,15 @@ def _other_condition(pieces: Sequence[Piece]) -> Judgement:
     return HARMLESS
 
 
-def _middles(old: str, new: str) -> tuple[list[str], list[str]]:
-    """Return the words of two texts without those with which both begin and end."""
+def _middles(old: str, new: str) -> tuple[list[str], list[str], int]:
+    """Return the words of two texts without those with which both begin and end, and how many these are."""
     before, after = (_WORD.findall(text.lower()) for text in (old, new))
     least, first, last = min(len(before), len(after)), 0, 0
     while first < least and before[first] == after[first]:
         first += 1
     while last < least - first and before[-1 - last] == after[-1 - last]:
         last += 1
-    return before[first : len(before) - last], after[first : len(after) - last]
+    return before[first : len(before) - last], after[first : len(after) - last], first + last
 
 
 def _swapped(middle: Sequence[str], now: Sequence[str]) -> Judgement:

@@ -25,6 +25,8 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
 )
 """What a phrase has in small letters, an expression for it, and what stands for it."""
 
+_DENYING = ("not ", "no ", "invalid", "cannot", "unavailable", "undefined", "unmeasured", "n/a", "never", "isn't")
+"""What a text has in small letters that says in other words that something is unknown."""
 _LIMIT = pattern(r"\b(U?)INT(8|16|32|64)_MAX\b")
 _UNKNOWN = pattern(
     r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"
@@ -51,7 +53,11 @@ def in_one_wording(text: str) -> str:
 
 def with_unknown(text: str) -> str:
     """Return a text with one word for all that says that nothing is known: ``not available``, ``is not measured``."""
-    return _UNKNOWN.sub("unknown", text)
+    small = text.lower()
+    for part in _DENYING:
+        if part in small:
+            return _UNKNOWN.sub("unknown", text)
+    return text
 
 
 def says_unknown(words: str) -> bool:
