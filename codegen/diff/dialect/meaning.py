@@ -11,7 +11,14 @@ from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.pairing import Pair
 from codegen.diff.dialect.sentinels import is_same_sentinel, other_sentinel
 from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
-from codegen.diff.judging.quantities import SAME_NUMBER, first_unit, other_range, other_unit, unit_in_words
+from codegen.diff.judging.quantities import (
+    SAME_NUMBER,
+    first_minimum,
+    first_unit,
+    other_range,
+    other_unit,
+    unit_in_words,
+)
 from codegen.diff.judging.texts import other_text
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.dialect.literals import exact_number
@@ -118,7 +125,8 @@ def _readings(told: _Teller, enums: Vocabulary) -> Iterator[Change]:
         words = ["the instance" if side.is_instance else "a value" for side in (old, new)]
         yield told.change(rules.FIELD_INSTANCE, (words[0], words[1]), _other_instance(new))
     if (_number(old.minimum), _number(old.maximum)) != (_number(new.minimum), _number(new.maximum)):
-        judgement = other_range((old.minimum, old.maximum), (new.minimum, new.maximum))
+        limits = (old.minimum, old.maximum), (new.minimum, new.maximum)
+        judgement = gravest(other_range(*limits), first_minimum(*limits, old.description))
         yield told.change(rules.FIELD_RANGE, (_range(old), _range(new)), judgement)
     if words_of_enum := told.attribute("enum"):
         yield told.change(rules.FIELD_ENUM, words_of_enum, _enum_judgement(old, new, enums))

@@ -6,7 +6,14 @@ from codegen.diff.dialect.meaning import Vocabulary, other_default
 from codegen.diff.judging.conflicts import other_statements, other_truth
 from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
 from codegen.diff.judging.phrases import in_one_wording
-from codegen.diff.judging.quantities import first_unit, other_range, other_unit, share_for_unit, unit_in_words
+from codegen.diff.judging.quantities import (
+    first_minimum,
+    first_unit,
+    other_range,
+    other_unit,
+    share_for_unit,
+    unit_in_words,
+)
 from codegen.diff.judging.texts import other_text
 from codegen.diff.judging.unset import first_meaning
 from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, text_likeness
@@ -34,6 +41,7 @@ def other_parameter(
         _other_words(old, new, entries),
         _other_unit(before, after, old.description, new.description),
         _other_range(before, after),
+        first_minimum(_range(before), _range(after), old.description),
         _other_enum(before, after, old.description, new.description, enums),
         _other_default(before, after),
     )

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.mentions import numbers
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio
 from codegen.pattern import pattern
@@ -110,6 +111,17 @@ def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
             doubt = f"whether values beyond the {names[index]}, now {decimal(now)} and not {decimal(was)}, were sent"
             return Judgement(doubt=doubt)
     return HARMLESS
+
+
+def first_minimum(old: Range, new: Range, text: str) -> Judgement:
+    """Return what comes of a smallest value above 0 that is stated for the first time, of which ``text`` did not tell.
+
+    What counts from 1 has such a one, and was never sent as 0.
+    """
+    smallest = _limits(new)[0]
+    if old[0] is not None or smallest is None or smallest <= 1 or decimal(smallest) in numbers(text):
+        return HARMLESS
+    return Judgement(doubt=f"whether values below the smallest, now {decimal(smallest)}, were sent")
 
 
 def first_unit(unit: str, is_attribute: bool, text: str) -> Judgement:
