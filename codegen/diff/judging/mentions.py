@@ -12,7 +12,7 @@ _UNKNOWN = pattern(
 
 def numbers(text: str) -> frozenset[str]:
     """Return the numbers of a text in one spelling, without the limits of types: those are its value for unknown."""
-    return frozenset(_spelt(number[0]) for number in _NUMBER.finditer(text.lower())) - _LIMITS
+    return frozenset(_spelt(number[0]) for number in _NUMBER.finditer(text.lower().replace("..", " "))) - _LIMITS
 
 
 def _spelt(number: str) -> str:

@@ -24,6 +24,8 @@ _IDLE = frozenset(map(stem, (
     "for", "is", "are", "means", "while", "when", "if", "to", "the", "value", "values", "number", "numbers", "and",
     "or", "axis", "a", "an", "one", "being", "makes", "make", "that", "use", "it", "with", "by", "of",
 )))  # fmt: skip
+_ALSO = {"into": "in", "right": stem("clockwise"), "left": stem("counterclockwise")}
+"""Words for a direction by another one, which is the same to who looks down on a turn."""
 _LETTERS = pattern(r"[a-z]+")
 _ZERO = pattern(r"\bzero\b(?=\s*(?:[:=]|means\b))", re.IGNORECASE)
 
@@ -69,7 +71,7 @@ def stated_signs(text: str) -> dict[str, frozenset[str]]:
     if "tive" not in small:
         return found
     for one in _SIGN.finditer(small):
-        words = ("in" if word == "into" else stem(word) for word in _LETTERS.findall(one[2]))
+        words = (_ALSO.get(word) or stem(word) for word in _LETTERS.findall(one[2]))
         told = frozenset(word for word in words if word not in _IDLE)
         found[one[1]] = found.get(one[1], frozenset()) | told
     return {sign: directions(words) or words for sign, words in found.items()}

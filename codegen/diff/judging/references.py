@@ -54,8 +54,12 @@ _REFERENCES = tuple(
         ("airspeed", "calibrated", "calibrated|cas", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
         ("airspeed", "equivalent", "equivalent|eas", r"\bequivalent (?:air ?)?speed|\beas\b"),
         ("statistic", "a mean", "averag|mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
-        ("statistic", "a peak", "peak|est|maximum", r"\bpeak|\bhighest|\bhottest|\bcoldest|\bmaximum (?:value|seen)"),
+        ("statistic", "a peak", "peak|highest|maximum", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
         ("statistic", "a moment", "instantaneous|momentary", r"\binstantaneous|\bmomentary"),
+        ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth|old|new)est\b"),
+        ("medium", "the ground", "ground", r"\bground ?speed|\bover (?:the )?ground"),
+        ("medium", "the air", "air", r"\bair ?speed|\bthrough (?:the )?air|\brelative to (?:the )?(?:air|wind)"),
+        ("medium", "the water", "water", r"\bthrough (?:the )?water|\brelative to (?:the )?water"),
         ("origin", "what was asked for", "command|request|desire|as set by",
          r"\bcommanded|\brequested|\bdesired|\bas set by"),
         ("origin", "what was measured", "measured|read back|actual|feedback|encoder",
@@ -77,7 +81,7 @@ _REFERENCES = tuple(
 )  # fmt: skip
 """References that numbers are measured from."""
 
-STATED_LATE = frozenset({"height", "pressure", "airspeed", "first number", "statistic"})
+STATED_LATE = frozenset({"height", "pressure", "airspeed", "first number", "one of several", "medium"})
 """Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""
 
 _DENIED = pattern(r"\((?:and )?not [^)]*\)|\bnot relative to (?:the )?\w+")

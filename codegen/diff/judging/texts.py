@@ -47,7 +47,9 @@ def other_message(old: str, new: str) -> Judgement:
     found = other_reference(old, new)
     if found.breaks:
         return found
-    return HARMLESS if is_unsaid(old) or is_unsaid(new) else other_piece(old, new, is_whole=False)
+    if is_unsaid(old) or is_unsaid(new):
+        return HARMLESS
+    return _other_word(old, new) or other_piece(old, new, is_whole=False)
 
 
 def _of_words(old: str, new: str) -> Judgement:
@@ -84,7 +86,7 @@ def other_reference(old: str, new: str) -> Judgement:
         turned = (was & denied[1].get(kind, nothing)) | (now & denied[0].get(kind, nothing))
         if turned:
             return Judgement(breaks=True, effect=f"one of the texts says that {_listed(turned)} is not meant")
-        if (gone or come) and kind in STATED_LATE:
+        if (gone or come) and kind in STATED_LATE and not is_unsaid(old):
             return Judgement(doubt=f"whether {_listed(gone | come)} was meant all the time")
     return HARMLESS
 

@@ -36,7 +36,8 @@ _SPELLINGS = {
     "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
-    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest",
+    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
+    "go": "fly",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
