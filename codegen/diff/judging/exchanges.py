@@ -14,8 +14,8 @@ from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_respelt, is_slip
 from codegen.pattern import pattern
 
-_LEAST_FRAME = 3
-"""Words around a phrase that both texts have."""
+_LEAST_FRAME, _SMALL_FRAME = 3, 2
+"""Words around a phrase that both texts have; fewer where the phrase is what is counted from."""
 _LEAST_SHARE = 0.4
 """Of the words of the longer text, for one phrase to be exchanged in it."""
 _MOST_PIECES = 6
@@ -32,6 +32,7 @@ _POINTERS = pattern(r"\b(?:see|described|description|refer|documented|documentat
 _ALTERNATIVE = pattern(
     r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
 )
+_ORIGIN = pattern(r"\W*(?:from|above|below|relative to|since|until|between|towards?|after|before)\b", re.IGNORECASE)
 _RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
 _ALTERNATING = frozenset({"or", "unless", "except", "but"})
 _RESTRICTING = frozenset({"ignored", "used", "unused", "supported"})
@@ -56,7 +57,7 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     if not may_exchange and not may_condition:
         return HARMLESS
     found = aligned(old, new)
-    if found.kept >= _LEAST_FRAME and found.share >= _LEAST_SHARE:
+    if found.kept >= _SMALL_FRAME and found.share >= _LEAST_SHARE:
         exchanged = _exchanged(found, is_whole=is_whole)
         if exchanged is not None:
             was, now = exchanged
@@ -85,7 +86,9 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
     others = len(pieces) - len(exchanges)
     one = exchanges[0]
     least = _LEAST_SHARE if not others else _NEARLY_ALL
-    if others > (1 if is_whole else 0) or found.share < least:
+    is_origin = _ORIGIN.match(one.was) is not None and _ORIGIN.match(one.now) is not None
+    is_framed = found.kept >= (_SMALL_FRAME if is_origin else _LEAST_FRAME)
+    if others > (1 if is_whole else 0) or found.share < least or not is_framed:
         return None
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own

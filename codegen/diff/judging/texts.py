@@ -66,8 +66,8 @@ def _of_words(old: str, new: str) -> Judgement:
         return Judgement(doubt="whether the text says the opposite of what it said")
     if likeness is Likeness.UNSAID:
         return HARMLESS
-    known = _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
-    return known or other_piece(*without_alike(old, new))
+    old, new = without_alike(old, new)
+    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
 
 
 def other_reference(old: str, new: str) -> Judgement:
