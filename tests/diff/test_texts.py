@@ -45,7 +45,7 @@ def weight(judgement: Judgement) -> str:
         # the same phrase in other words is none: synonyms, slips of the pen, limits of types, compounds
         ("Length of cable that the winch let out so far", "Length of line that the winch released so far", NOTHING),
         (
-            "Load of the mainloop on this board, should be low",
+            "Load in percent of the mainloop on this board, should be low",
             "Load of the main loop on this board, should be low",
             NOTHING,
         ),
@@ -56,8 +56,16 @@ def weight(judgement: Judgement) -> str:
             NOTHING,
         ),
         (
-            "Kind of the valve behind the pump, as set in VALVE_KIND",
+            "Kind of the valve behind the pump, as on its label",
             "Kind of the valve behind the pump, see the description",
+            NOTHING,
+        ),
+        ("Thrust of the pump, reverse trust below 0", "Thrust of the pump, reverse thrust below 0", NOTHING),
+        ("Depth, not available while docked at the pier", "Depth, unknown while docked at the pier", NOTHING),
+        ("Current of the pump on deck, in 10*milliamperes", "Current of the pump on deck, in centiamperes", NOTHING),
+        (
+            "Axes of the stick, of which buttons are also transmit as booleans",
+            "Axes of the stick, of which buttons are transmitted as bits of a mask",
             NOTHING,
         ),
         # much else is another
@@ -133,6 +141,7 @@ def test_phrases_that_change_places(old: str, new: str, expected: str) -> None:
         ("Positive: loiter clockwise", "A positive number makes the vehicle turn right", NOTHING),
         ("Positive: loiter clockwise", "A positive number makes the vehicle turn left", BREAK),
         ("Flow. Positive for out", "Flow. Positive while it is drained (it flows out of the tank)", NOTHING),
+        ("Third value: positive altitude over the sea", "Third value: altitude over the sea, positive up", NOTHING),
         ("Sense, positive is clockwise", "Sense, positive is anticlockwise", BREAK),
         ("It is ignored unless KIND is set", "Only used if KIND is set", NOTHING),
         ("Zero: stop", "0: stop", NOTHING),
@@ -185,8 +194,10 @@ def test_what_is_measured_from_what(old: str, new: str, expected: str) -> None:
 
 def test_a_denial_of_something_else_is_no_doubt() -> None:
     """Of the same words in another order a denial in one of them is about another thing."""
-    old = "Radius around the buoy for vessels with sails (not for boats). Positive: clockwise. Negative: counter-clockwise."
-    new = "How far off the buoy vessels sail. Negative: counter-clockwise. Positive: clockwise. No boats have such a radius."
+    old = (
+        "Radius around the buoy for sailing vessels (not for boats). Positive: clockwise. Negative: counter-clockwise."
+    )
+    new = "A negative number turns sailing vessels around the buoy counter-clockwise, a positive one clockwise."
     assert weight(other_text(old, new)) == NOTHING
     assert weight(other_text("True if the pump runs", "True unless the pump runs")) == DOUBT
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from codegen.diff.judging.phrases import in_one_wording, with_unknown
 from codegen.diff.judging.wording import IDLE
-from codegen.diff.judging.words import is_respelt, stem
+from codegen.diff.judging.words import stem
 from codegen.pattern import pattern
 
 _TOKEN = pattern(r"(?<![\w.)\]])-?\d+(?:\.\d+)?(?!\w)|[a-z0-9][a-z0-9_]*")
@@ -121,21 +121,10 @@ def _joined(words: Sequence[Word], known: Collection[str]) -> list[Word]:
     return found
 
 
-def _respelt(words: Sequence[str], others: Sequence[str]) -> list[str]:
-    """The words of a text, each in the spelling of the other text that only one of them has."""
-    known, own = frozenset(others), frozenset(words)
-    missing = [word for word in dict.fromkeys(others) if word not in own and word.isalpha()]
-    return [word if word in known or not word.isalpha() else _spelling(word, missing) for word in words]
-
-
-def _spelling(word: str, others: Sequence[str]) -> str:
-    return next((each for each in others if is_respelt(word, each)), word)
-
-
 def _pieces(texts: Sequence[str], words: Sequence[Sequence[Word]], starts: Sequence[int]) -> Iterator[Piece]:
     """Yield where the ``words`` of two texts differ, which begin at ``starts`` there."""
     before, after = ([word.stem for word in side] for side in words)
-    for old, new in _together(_differences(before, _respelt(after, before) if before else after)):
+    for old, new in _together(_differences(before, after)):
         gone, come = before[old.start : old.stop], after[new.start : new.stop]
         if "".join(gone) != "".join(come):
             told = (_written(*each) for each in zip(texts, words, starts, (old, new), strict=True))

@@ -90,6 +90,8 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
     is_framed = found.kept >= (_SMALL_FRAME if is_origin else _LEAST_FRAME)
     if others > (1 if is_whole else 0) or found.share < least or not is_framed:
         return None
+    if any(is_respelt(word, other) for word in one.gone for other in one.come):
+        return None  # which says some of the same, in a sentence built otherwise
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own
     if is_whole and (_is_only_numbers(one.gone) or _is_only_numbers(one.come)):
