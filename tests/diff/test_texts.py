@@ -61,13 +61,15 @@ def weight(judgement: Judgement) -> str:
             NOTHING,
         ),
         ("Thrust of the pump, reverse trust below 0", "Thrust of the pump, reverse thrust below 0", NOTHING),
-        ("Depth, not available while docked at the pier", "Depth, unknown while docked at the pier", NOTHING),
+        ("Height above the deck of the vessel", "Altitude above the deck of the vessel", NOTHING),
+        ("Depth, cannot be measured while docked at the pier", "Depth, unknown while docked at the pier", NOTHING),
         ("Current of the pump on deck, in 10*milliamperes", "Current of the pump on deck, in centiamperes", NOTHING),
         (
             "Axes of the stick, of which buttons are also transmit as booleans",
             "Axes of the stick, of which buttons are transmitted as bits of a mask",
             NOTHING,
         ),
+        ("Depth, not available while at the pier", "Depth, unknown while at the pier", NOTHING),
         # much else is another
         ("Length of the hose", "How far the hose reaches from the pump when it is pulled out of its drum", NOTHING),
         # nothing but numbers has rules of its own
@@ -102,6 +104,7 @@ def test_phrases_that_are_exchanged_added_or_gone(old: str, new: str, expected: 
         ("Counted from the bow to the stern of the vessel", "Counted from the stern to the bow of the vessel", DOUBT),
         ("Pumps of the bow and the stern", "Pumps of the stern and the bow", NOTHING),
         ("0: stop, 1: start", "1: start, 0: stop", NOTHING),
+        ("Elements: left, right, radius", "Elements: radius, left, right", DOUBT),
         ("First it is filled. Then it is drained.", "Then it is drained. First it is filled.", NOTHING),
     ],
 )
@@ -145,6 +148,8 @@ def test_phrases_that_change_places(old: str, new: str, expected: str) -> None:
         ("Sense, positive is clockwise", "Sense, positive is anticlockwise", BREAK),
         ("It is ignored unless KIND is set", "Only used if KIND is set", NOTHING),
         ("Zero: stop", "0: stop", NOTHING),
+        ("Limit, 0 for none", "Limit. 0: there is no limit.", NOTHING),
+        ("Rejected since it is invalid", "Rejected, as it is not valid", NOTHING),
     ],
 )
 def test_what_is_said_of_numbers_signs_and_bits(old: str, new: str, expected: str) -> None:
@@ -182,6 +187,8 @@ def test_texts_of_messages(old: str, new: str, expected: str) -> None:
         ("Angle measured from north", "Angle measured from the present heading", BREAK),
         ("Speed of the vessel", "Speed of the vessel through the water", DOUBT),
         ("Speed of the vessel through the water", "Speed of the vessel over ground", BREAK),
+        ("Standard deviation of the depth", "Variance of the depth", BREAK),
+        ("Current of all motors together", "Current of each motor", BREAK),
         ("Temperature of the pack", "Temperature of the hottest cell of the pack", DOUBT),
         ("Zero based index of the tank", "Index of the tank", DOUBT),
         ("", "Course over ground", NOTHING),

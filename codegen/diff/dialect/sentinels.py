@@ -49,6 +49,8 @@ def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:
         if is_described(after, texts[0]):
             return OtherSentinel("the description said so before", ())
         told = _own_meanings(after, texts[0])
+        if told and all(map(says_unknown, told.values())):
+            return OtherSentinel("the description said so before", ())
         now = _own_meanings(after, texts[1])
         if told and not any(map(says_unknown, now.values())):
             effect = f"the description said before what {after.written} is"

@@ -33,6 +33,7 @@ _ALTERNATIVE = pattern(
     r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
 )
 _ORIGIN = pattern(r"\W*(?:from|above|below|relative to|since|until|between|towards?|after|before)\b", re.IGNORECASE)
+_ORDERED = pattern(r"\b(?:order|elements)\b", re.IGNORECASE)
 _RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
 _ALTERNATING = frozenset({"or", "unless", "except", "but"})
 _RESTRICTING = frozenset({"ignored", "used", "unused", "supported"})
@@ -48,7 +49,7 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     is exchanged and nothing else tells.
     """
     before, after, around = _middles(old, new)
-    swapped = _swapped(before, after)
+    swapped = _swapped(before, after, is_ordered=_ORDERED.search(new) is not None)
     if swapped.gravity:
         return swapped
     shared = around + len(set(before) & set(after))
@@ -126,14 +127,14 @@ def _middles(old: str, new: str) -> tuple[list[str], list[str], int]:
     return before[first : len(before) - last], after[first : len(after) - last], first + last
 
 
-def _swapped(middle: Sequence[str], now: Sequence[str]) -> Judgement:
-    """Return what comes of two phrases that changed places, all else being the same."""
+def _swapped(middle: Sequence[str], now: Sequence[str], *, is_ordered: bool) -> Judgement:
+    """Return what comes of two phrases that changed places, all else being the same; lists may be in an order."""
     if len(middle) != len(now) or len(middle) > _LONGEST_MIDDLE:
         return HARMLESS
     for first in range(1, _LONGEST_SWAPPED + 1):
         for last in range(1, min(_LONGEST_SWAPPED, len(middle) - first) + 1):
             one, between, other = middle[:first], middle[first : len(middle) - last], middle[len(middle) - last :]
-            if [*other, *between, *one] == now and not _JOINING.issuperset(between):
+            if [*other, *between, *one] == now and (is_ordered or not _JOINING.issuperset(between)):
                 return _of_swapped(" ".join(one), " ".join(other), between)
     return HARMLESS
 

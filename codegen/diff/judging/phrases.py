@@ -19,6 +19,8 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
         ("values not equal", r"\bvalues not equal to 0 or 1 are invalid\.?", ""),
         (" unless", r"\b(?:ignored|not used|unused) unless\b", "only used if"),
         (" out", r"\b(?:let(?:ting)?|paid|pay(?:ing)?) out\b", "released"),
+        ("not ", r"\bnot (valid|active)\b", r"in\1"),
+        ("not ", r"\bnot (healthy|available|known)\b", r"un\1"),
         ("re-", r"\bre-(?=[a-z]{3})", "re"),
         ("co-", r"\bco-(?=[a-z]{3})", "co"),
     )

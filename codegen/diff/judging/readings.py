@@ -36,6 +36,7 @@ _SENSES: Mapping[str, re.Pattern[str]] = {
         "kept": r"\b(?:no change|unchanged|keep|kept|keeps|leave|leaves|maintain|retain)\b",
         "by default": r"\bdefaults?\b",
         "chosen by the vehicle": r"\b(?:chooses?|decides?|choice|automatic(?:ally)?|at will)\b",
+        "none": r"\b(?:none|no limit|unlimited)\b",
         "ignored": r"\b(?:ignored?|no effect|do nothing|no action|disregard(?:ed)?)\b",
         "the best": r"\b(?:best|maximum|highest|full|perfect)\b",
         "the worst": r"\b(?:worst|minimum|lowest)\b",

@@ -41,6 +41,14 @@ _SPELLINGS = {
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
+_SYNONYMS: tuple[tuple[str, ...], ...] = (
+    ("height", "altitude"), ("actual", "current", "present"), ("free", "available"), ("picture", "image", "photo"),
+    ("documentation", "description"), ("deprecated", "superseded", "obsolete"), ("start", "begin"),
+    ("end", "finish", "complete"), ("large", "big"), ("allow", "permit"), ("maximum", "highest", "largest"),
+    ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"), ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
+)  # fmt: skip
+"""Words that mean the same, though each may mean something else, too."""
+
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
 """Words of these that are the beginning of longer ones."""
 
@@ -92,8 +100,14 @@ def is_shortened(one: str, other: str) -> bool:
 
 
 def is_respelt(one: str, other: str) -> bool:
-    """Return whether two words are one in another spelling: shortened, or with a slip of the pen."""
-    return is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
+    """Return whether two words are one in another spelling, shortened, with a slip of the pen, or mean the same."""
+    is_spelling = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
+    return is_spelling or any(one in group and other in group for group in _synonyms())
+
+
+@cache
+def _synonyms() -> tuple[frozenset[str], ...]:
+    return tuple(frozenset(map(stem, group)) for group in _SYNONYMS)
 
 
 def is_negated(word: str, other: str) -> bool:
