@@ -169,7 +169,7 @@ def _without_common(gone: Sequence[str], come: Sequence[str]) -> tuple[tuple[str
 
 
 def _written(text: str, words: Sequence[Word], start: int, where: range) -> str:
-    """What stands at some words in a text, from the end of the word before them."""
+    """Return the part of a text in which some words stand, from the end of the word before them."""
     if not where:
         return ""
     return text[words[where.start - 1].end if where.start else start : words[where.stop - 1].end]

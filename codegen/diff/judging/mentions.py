@@ -1,5 +1,6 @@
 """Single numbers of a text, and how often it denies something: ``true unless`` for ``true if``."""
 
+from codegen.diff.judging.phrases import with_unknown
 from codegen.pattern import pattern
 
 _NEGATION = pattern(r"\b(?:not|no|never|unless|except|without|cannot)\b|n't\b")
@@ -23,5 +24,5 @@ def _spelt(number: str) -> str:
 
 def negations(text: str) -> int:
     """Return how often a text denies something, without what it says of values that are unknown or not allowed."""
-    small = text.lower()
+    small = with_unknown(text).lower()
     return len(_NEGATION.findall(_UNKNOWN.sub(" ", small))) if _NEGATION.search(small) else 0

@@ -25,10 +25,10 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
         ("co-", r"\bco-(?=[a-z]{3})", "co"),
     )
 )
-"""What a phrase has in small letters, an expression for it, and what stands for it."""
+"""Parts of phrases in small letters, an expression for each phrase, and what stands for it."""
 
 _DENYING = ("not ", "no ", "invalid", "cannot", "unavailable", "undefined", "unmeasured", "n/a", "never", "isn't")
-"""What a text has in small letters that says in other words that something is unknown."""
+"""Parts in small letters of what says in other words that something is unknown."""
 _LIMIT = pattern(r"\b(U?)INT(8|16|32|64)_MAX\b")
 _UNKNOWN = pattern(
     r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"

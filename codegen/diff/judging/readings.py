@@ -1,4 +1,4 @@
-"""What a text says of single numbers, of signs, and of a bit that is set or not: the phrase that goes with each."""
+"""Phrases of a text that go with single numbers, with signs, and with a bit that is set or not."""
 
 import re
 from collections.abc import Mapping

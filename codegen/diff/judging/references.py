@@ -1,4 +1,4 @@
-"""What the numbers of a text are measured from: axes, heights, clocks, and what else there are several of.
+"""References of the numbers in a text: axes, heights, clocks, and what else there are several of.
 
 Most of two texts may be alike, and still one word decide what each number means: ``positive forward`` for ``positive
 north``.
@@ -58,7 +58,7 @@ _REFERENCES = tuple(
         ("spread", "a variance", "variance", r"\bvariance"),
         ("spread", "a deviation", "deviation|std|rms", r"\bdeviation|\bstd\b|\brms\b"),
         ("count", "all together", "total|sum|together|combined", r"\btotal|\bsum of|\ball \w+ together|\bcombined"),
-        ("count", "each", "each|per ", r"\bof each\b|\bper (?:cell|motor|engine|channel|axis|battery)\b"),
+        ("count", "each", "each", r"\bof each\b"),
         ("statistic", "a moment", "instantaneous|momentary", r"\binstantaneous|\bmomentary"),
         ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth|old|new)est\b"),
         ("medium", "the ground", "ground", r"\bground ?speed|\bover (?:the )?ground"),

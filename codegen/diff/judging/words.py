@@ -45,7 +45,8 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("height", "altitude"), ("actual", "current", "present"), ("free", "available"), ("picture", "image", "photo"),
     ("documentation", "description"), ("deprecated", "superseded", "obsolete"), ("start", "begin"),
     ("end", "finish", "complete"), ("large", "big"), ("allow", "permit"), ("maximum", "highest", "largest"),
-    ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"), ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
+    ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"),
+    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
 
