@@ -42,6 +42,13 @@ def weight(judgement: Judgement) -> str:
             "Share of the stroke that is left, -1 to hold the piston",
             DOUBT,
         ),
+        # and beside it a slip of the pen, or two words in one
+        (
+            "Way of the reciever over the mast, as seen from its tip",
+            "Way of the receiver over the mast, as seen from deck",
+            DOUBT,
+        ),
+        ("Load of the mainloop on the board at the bow", "Load of the main loop on the board at the stern", DOUBT),
         # the same phrase in other words is none: synonyms, slips of the pen, limits of types, compounds
         ("Length of cable that the winch let out so far", "Length of line that the winch released so far", NOTHING),
         (
@@ -141,6 +148,7 @@ def test_phrases_that_change_places(old: str, new: str, expected: str) -> None:
         ("Index, or -1 to look it up by tank_id", "Index. -1: the tank is told by tank_id", NOTHING),
         ("Index, or -1 to look it up by tank_id", "Index. -1: the tank is not told by tank_id", DOUBT),
         ("Charge, -1: pump does not provide an estimate", "Charge, -1: field not provided", NOTHING),
+        ("Depth, -1 if it cannot be measured", "Depth, -1: there is no sonar data", NOTHING),
         ("Positive: loiter clockwise", "A positive number makes the vehicle turn right", NOTHING),
         ("Positive: loiter clockwise", "A positive number makes the vehicle turn left", BREAK),
         ("Flow. Positive for out", "Flow. Positive while it is drained (it flows out of the tank)", NOTHING),
