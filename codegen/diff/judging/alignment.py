@@ -1,7 +1,7 @@
 """Two texts side by side, word by word: which words both have in one order, and the pieces in which they differ."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
 from functools import cache
 from typing import NamedTuple
@@ -76,11 +76,10 @@ def aligned(old: str, new: str) -> Alignment:
         stems = [{word.stem for word in side} for side in (before, after)]
         if len(stems[0] & stems[1]) < _LEAST_COMMON * longest:
             return Alignment((), 0, longest)
-        middles = _joined(middles[0], stems[1]), _joined(middles[1], stems[0])
     starts = [words[first - 1].end if first else 0 for words in (before, after)]
     pieces = tuple(_pieces(texts, middles, starts))
-    kept = first + len(middles[0]) + last - sum(len(piece.gone) for piece in pieces)
-    return Alignment(pieces, kept, first + max(map(len, middles)) + last)
+    kept = len(before) - sum(len(piece.gone) for piece in pieces)
+    return Alignment(pieces, kept, longest)
 
 
 def _words(text: str) -> list[Word]:
@@ -108,17 +107,6 @@ def _shared_ends(before: Sequence[Word], after: Sequence[Word]) -> tuple[int, in
     while last < least - first and before[-1 - last].stem == after[-1 - last].stem:
         last += 1
     return first, last
-
-
-def _joined(words: Sequence[Word], known: Collection[str]) -> list[Word]:
-    """The words of a text, two of them as one where the other text has them in one: ``main loop``, ``mainloop``."""
-    found: list[Word] = []
-    for word in words:
-        if found and found[-1].stem + word.stem in known:
-            found[-1] = Word(found[-1].stem + word.stem, word.end)
-        else:
-            found.append(word)
-    return found
 
 
 def _pieces(texts: Sequence[str], words: Sequence[Sequence[Word]], starts: Sequence[int]) -> Iterator[Piece]:
