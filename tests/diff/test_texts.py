@@ -228,6 +228,8 @@ def test_texts_side_by_side() -> None:
     assert [(piece.gone, piece.come) for piece in found.pieces] == [(("keel",), ("sonar",)), ((), ("calm",))]
     assert [(piece.was, piece.now) for piece in found.pieces] == [(" of the keel", " of the sonar"), ("", " the calm")]
     assert (found.kept, found.longest) == (3, 5)
+    endless = aligned("depth of it " * 1000, "depth of the keel " * 1000 + "below")
+    assert (endless.pieces, endless.kept) == ((), 0), "nobody waits for it"
     nothing = aligned("Depth of the keel below the surface", "Colour for a lamp that somebody may see at night")
     assert (nothing.pieces, nothing.kept) == ((), 0)
 

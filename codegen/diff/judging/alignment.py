@@ -25,6 +25,8 @@ _FILLING = frozenset(
 
 _LEAST_COMMON = 0.2
 """Of the words of the longer text: with fewer in both, texts are not laid beside each other."""
+_MOST_WORDS = 500
+"""Words between the first and the last that differ: to lay more side by side takes a time that grows with their cube."""
 
 
 class Word(NamedTuple):
@@ -66,7 +68,7 @@ class Alignment(NamedTuple):
 
 @cache
 def aligned(old: str, new: str) -> Alignment:
-    """Return two texts side by side; without pieces where they have next to nothing in common."""
+    """Return two texts side by side; without pieces where they have next to nothing in common, or differ all along."""
     texts = [with_unknown(in_one_wording(text)) for text in (old, new)]
     before, after = (_words(text) for text in texts)
     longest = max(len(before), len(after))
@@ -74,7 +76,7 @@ def aligned(old: str, new: str) -> Alignment:
     middles = before[first : len(before) - last], after[first : len(after) - last]
     if all(middles):
         stems = [{word.stem for word in side} for side in (before, after)]
-        if len(stems[0] & stems[1]) < _LEAST_COMMON * longest:
+        if len(stems[0] & stems[1]) < _LEAST_COMMON * longest or max(map(len, middles)) > _MOST_WORDS:
             return Alignment((), 0, longest)
     starts = [words[first - 1].end if first else 0 for words in (before, after)]
     pieces = tuple(_pieces(texts, middles, starts))

@@ -18,6 +18,8 @@ _LEAST_FRAME, _SMALL_FRAME = 3, 2
 """Words around a phrase that both texts have; fewer where the phrase is what is counted from."""
 _LEAST_SHARE = 0.4
 """Of the words of the longer text, for one phrase to be exchanged in it."""
+_LONGEST_PHRASE = 20
+"""Words of a phrase, in place of which another one stands: more are told in sentences of their own."""
 _MOST_PIECES = 6
 """In which two texts differ, some of them by a slip of the pen."""
 _NEARLY_ALL = 0.7
@@ -90,6 +92,8 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
     is_origin = _ORIGIN.match(one.was) is not None and _ORIGIN.match(one.now) is not None
     is_framed = found.kept >= (_SMALL_FRAME if is_origin else _LEAST_FRAME)
     if others > (1 if is_whole else 0) or found.share < least or not is_framed:
+        return None
+    if max(len(one.gone), len(one.come)) > _LONGEST_PHRASE:
         return None
     if any(is_respelt(word, other) for word in one.gone for other in one.come):
         return None  # which says some of the same, in a sentence built otherwise
