@@ -26,7 +26,7 @@ _FILLING = frozenset(
 _LEAST_COMMON = 0.2
 """Of the words of the longer text: with fewer in both, texts are not laid beside each other."""
 _MOST_WORDS = 500
-"""Words between the first and the last that differ: to lay more side by side takes a time that grows with their cube."""
+"""Words between the first and the last that differ: more take a time that grows with their cube."""
 
 
 class Word(NamedTuple):
