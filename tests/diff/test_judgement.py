@@ -8,10 +8,12 @@ import pytest
 
 from codegen.diff.change import Weight
 from codegen.diff.judging.quantities import unit_in_words
-from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, stated_values, text_likeness
+from codegen.diff.judging.readings import stated_values
+from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, text_likeness
 from codegen.diff.judging.words import is_negated, is_short_for, is_shortened, is_slip, stem
 
 CORPUS = Path(__file__).parent / "corpus"
+FOLDERS = [CORPUS, *(CORPUS / name for name in ("held_out", "second", "fourth"))]
 
 
 def scoring() -> Any:
@@ -24,7 +26,7 @@ def scoring() -> Any:
     return found
 
 
-@pytest.mark.parametrize("folder", [CORPUS, CORPUS / "held_out", CORPUS / "second"], ids=lambda folder: folder.name)
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_the_goals_of_the_corpus_hold(folder: Path) -> None:
     """No silent break is called harmless, and at most one in twenty harmless changes fails."""
     score = scoring()
@@ -39,8 +41,8 @@ def test_the_goals_of_the_corpus_hold(folder: Path) -> None:
 def test_what_texts_alone_tell_is_not_judged_worse_than_it_was() -> None:
     """The third folder is about prose, of which the comparison understands a part; docs/diff.md has the figures."""
     found = list(scoring().judged(scoring().pairs_of(CORPUS / "third")))
-    assert sum(each.is_missed for each in found) <= 8
-    assert sum(each.is_false_alarm for each in found) <= 4
+    assert sum(each.is_missed for each in found) <= 2
+    assert sum(each.is_false_alarm for each in found) <= 1
     for each in found:
         told = [change for change in each.changes if is_reworded(change.old, change.new)]
         assert told or not each.is_missed, f"the head line does not say that {each.pair.name} is to be read"
@@ -49,12 +51,11 @@ def test_what_texts_alone_tell_is_not_judged_worse_than_it_was() -> None:
 def test_the_corpus_is_large_and_has_every_judgement() -> None:
     """Names occur once, a third of those that were written first is held out, and each judgement has several pairs."""
     score = scoring()
-    folders = (score.pairs_of(folder) for folder in (CORPUS, CORPUS / "held_out", CORPUS / "second"))
-    tuned, held_out, second = folders
-    names = [pair.name for pair in (*tuned, *held_out, *second)]
+    tuned, held_out, second, fourth = map(score.pairs_of, FOLDERS)
+    names = [pair.name for pair in (*tuned, *held_out, *second, *fourth)]
     assert len(names) == len(set(names)) >= 120
     assert len(held_out) >= 58
-    for pairs in (tuned, held_out, second):
+    for pairs in (tuned, held_out, second, fourth):
         assert all(sum(pair.judgement is weight for pair in pairs) > 2 for weight in Weight)
 
 
@@ -120,7 +121,7 @@ def test_what_the_fields_of_a_message_are_measured_from() -> None:
         ("True if the filter has a glitch", "True unless the filter has a glitch", Weight.PERSON),
         ("Height", "Height above sea level", Weight.PERSON),
         ("Number of the stream (1 for first)", "Number of the stream (0 for first)", Weight.SILENT),
-        ("Yaw, NaN to keep the angle", "Yaw, NaN for the neutral position", Weight.PERSON),
+        ("Yaw, NaN to keep the angle", "Yaw, NaN for the neutral position", Weight.SILENT),
         ("Angle relative to north", "Angle of the nose, not relative to north", Weight.SILENT),
         ("Current. Positive for out", "Current. Positive while charging", Weight.PERSON),
         ("Hour in UTC", "Hour in local time", Weight.SILENT),

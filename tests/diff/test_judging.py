@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from codegen.diff.judging.conflicts import stated_conflict
 from codegen.diff.judging.judging import (
     Judgement,
     by_words,
@@ -13,7 +14,6 @@ from codegen.diff.judging.judging import (
     gravest,
     other_entry,
     other_enum,
-    stated_conflict,
 )
 from codegen.diff.judging.texts import same_entry
 from codegen.diff.judging.wording import Likeness

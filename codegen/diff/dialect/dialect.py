@@ -10,7 +10,7 @@ from codegen.diff.dialect.hearing import between, by_id, heard, taken_for
 from codegen.diff.dialect.lifecycle import lifecycle_changes
 from codegen.diff.dialect.meaning import Vocabulary
 from codegen.diff.dialect.pairing import type_text
-from codegen.diff.judging.texts import other_reference
+from codegen.diff.judging.texts import other_message
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.source import Place
 
@@ -132,10 +132,12 @@ def _within(
     yield from lifecycle_changes(new.name, old.definition.lifecycle, new.definition.lifecycle, places, names)
     before, after = old.definition.description, new.definition.description
     if before != after:
-        found = other_reference(before, after)
-        rule, breaks = (rules.MESSAGE_MEANING, BOTH) if found.breaks else (rules.DESCRIPTION, None)
+        found = other_message(before, after)
+        rule, breaks = (
+            (rules.MESSAGE_MEANING, BOTH if found.breaks else ()) if found.gravity else (rules.DESCRIPTION, None)
+        )
         words = before or None, after or None
-        yield changed(rule, new.name, *words, places, found.effect, breaks=breaks, messages=names)
+        yield changed(rule, new.name, *words, places, found.effect, breaks=breaks, doubt=found.doubt, messages=names)
 
 
 def _users(old: Dialect, new: Dialect) -> Mapping[str, list[str]]:

@@ -11,7 +11,14 @@ from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.pairing import Pair
 from codegen.diff.dialect.sentinels import is_same_sentinel, other_sentinel
 from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
-from codegen.diff.judging.quantities import SAME_NUMBER, other_range, other_unit, unit_in_words
+from codegen.diff.judging.quantities import (
+    SAME_NUMBER,
+    first_minimum,
+    first_unit,
+    other_range,
+    other_unit,
+    unit_in_words,
+)
 from codegen.diff.judging.texts import other_text
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.dialect.literals import exact_number
@@ -92,7 +99,7 @@ def _amounts(told: _Teller, pair: Pair) -> Iterator[Change]:
     units = _units(old, new)
     if units is not None:
         is_stated = is_same_number and told.attribute("units") is not None
-        judgement = Judgement(effect=SAME_NUMBER) if is_stated else _other_units(*units, new.description)
+        judgement = Judgement(effect=SAME_NUMBER) if is_stated else _other_units(*units, old, new)
         yield told.change(rules.FIELD_UNITS, units, judgement)
     if not is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
         found = other_sentinel(pair.old, pair.new)
@@ -118,7 +125,8 @@ def _readings(told: _Teller, enums: Vocabulary) -> Iterator[Change]:
         words = ["the instance" if side.is_instance else "a value" for side in (old, new)]
         yield told.change(rules.FIELD_INSTANCE, (words[0], words[1]), _other_instance(new))
     if (_number(old.minimum), _number(old.maximum)) != (_number(new.minimum), _number(new.maximum)):
-        judgement = other_range((old.minimum, old.maximum), (new.minimum, new.maximum))
+        limits = (old.minimum, old.maximum), (new.minimum, new.maximum)
+        judgement = gravest(other_range(*limits), first_minimum(*limits, old.description))
         yield told.change(rules.FIELD_RANGE, (_range(old), _range(new)), judgement)
     if words_of_enum := told.attribute("enum"):
         yield told.change(rules.FIELD_ENUM, words_of_enum, _enum_judgement(old, new, enums))
@@ -157,13 +165,14 @@ def _units(old: FieldDefinition, new: FieldDefinition) -> tuple[str | None, str 
     return before, (f"{words[1]}{_IN_WORDS}" if words[1] else None)
 
 
-def _other_units(old: str | None, new: str | None, text: str) -> Judgement:
-    """Return what comes of another unit, or of one that came or went; ``text`` is the new description."""
+def _other_units(old: str | None, new: str | None, before: FieldDefinition, after: FieldDefinition) -> Judgement:
+    """Return what comes of another unit, or of one that came or went, of a field as it was and is."""
     if old is None:
-        return Judgement(effect="stated for the first time")
+        first = first_unit(new or "", False, before.description)
+        return first if first.gravity else Judgement(effect="stated for the first time")
     if new is None:
         effect = "nothing says what the number counts any more"
-        is_denied = re.search(r"\bunitless\b|\bno unit\b|\bdimensionless\b", text, re.IGNORECASE)
+        is_denied = re.search(r"\bunitless\b|\bno unit\b|\bdimensionless\b", after.description, re.IGNORECASE)
         return (
             Judgement(doubt="whether it ever had that unit", effect=effect)
             if is_denied

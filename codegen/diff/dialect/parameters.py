@@ -3,10 +3,20 @@
 from collections.abc import Mapping
 
 from codegen.diff.dialect.meaning import Vocabulary, other_default
-from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum, stated_conflict
-from codegen.diff.judging.quantities import other_range, other_unit, share_for_unit, unit_in_words
+from codegen.diff.judging.conflicts import other_statements, other_truth
+from codegen.diff.judging.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum
+from codegen.diff.judging.phrases import in_one_wording
+from codegen.diff.judging.quantities import (
+    first_minimum,
+    first_unit,
+    other_range,
+    other_unit,
+    share_for_unit,
+    unit_in_words,
+)
 from codegen.diff.judging.texts import other_text
-from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
+from codegen.diff.judging.unset import first_meaning
+from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, text_likeness
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry
 
 _TELLING = ("label", "units", "enum", "multiplier")
@@ -21,7 +31,9 @@ def other_parameter(
 ) -> Judgement:
     """Return what comes of a parameter that is written otherwise; ``entries`` are its command in both versions."""
     if old is None or is_spare(old):
-        return Judgement(effect="it was not used before")
+        if new is None or is_spare(new):
+            return Judgement(effect="it was not used before")
+        return first_meaning(old, new, enums.new.get(dict(new.attributes).get("enum", "")))
     if new is None or is_spare(new):
         return Judgement(breaks=True, effect=f"what old stations set as {_called(old)} is not used any more")
     before, after = dict(old.attributes), dict(new.attributes)
@@ -29,6 +41,7 @@ def other_parameter(
         _other_words(old, new, entries),
         _other_unit(before, after, old.description, new.description),
         _other_range(before, after),
+        first_minimum(_range(before), _range(after), old.description),
         _other_enum(before, after, old.description, new.description, enums),
         _other_default(before, after),
     )
@@ -55,10 +68,13 @@ def _other_words(old: CommandParameter, new: CommandParameter, entries: tuple[En
     )
     if texts is Likeness.OPPOSITE or (names is Likeness.OPPOSITE and texts is not Likeness.SAME):
         return another
-    values = stated_conflict(stated_values(old.description), stated_values(new.description))
+    values = other_statements(*(in_one_wording(side.description) for side in (old, new)))
     if names in (Likeness.SAME, Likeness.UNSAID, Likeness.NEAR):
         is_told_by_enum = "enum" in dict(new.attributes) and "enum" not in dict(old.attributes)
-        found = values if is_told_by_enum else other_text(old.description, new.description)
+        if is_told_by_enum:
+            found = gravest(values, other_truth(old.description, new.description))
+        else:
+            found = other_text(old.description, new.description)
         if found.gravity:
             return found
         is_doubtful = names is not Likeness.SAME and texts is Likeness.OTHER
@@ -91,7 +107,10 @@ def _other_unit(before: Mapping[str, str], after: Mapping[str, str], old_text: s
         return Judgement(breaks=True, effect="nothing says what the number counts any more") if is_gone else HARMLESS
     if old is not None:
         return other_unit(old, new)
-    return share_for_unit(_range(before), _range(after), new, before.get("increment"))
+    return gravest(
+        share_for_unit(_range(before), _range(after), new, before.get("increment")),
+        first_unit(new, "units" in after, old_text),
+    )
 
 
 def _other_range(before: Mapping[str, str], after: Mapping[str, str]) -> Judgement:

@@ -2,8 +2,12 @@
 
 import math
 import re
+from collections.abc import Mapping
 
 from codegen.diff.change import BOTH, Victim
+from codegen.diff.judging.conflicts import is_alike
+from codegen.diff.judging.phrases import in_one_wording, says_unknown
+from codegen.diff.judging.readings import stated_values
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import Sentinel, WireField
 from codegen.model.dialect.literals import LIMITS
@@ -45,12 +49,37 @@ def other_sentinel(old: WireField, new: WireField) -> OtherSentinel:
     if after is not None:
         if is_described(after, texts[0]):
             return OtherSentinel("the description said so before", ())
+        told = _own_meanings(after, texts[0])
+        if told and all(map(says_unknown, told.values())):
+            return OtherSentinel("the description said so before", ())
+        now = _own_meanings(after, texts[1])
+        if told and not any(map(says_unknown, now.values())):
+            effect = f"the description said before what {after.written} is"
+            doubt = _other_meaning(told, now)
+            return OtherSentinel(effect, (), doubt)
         return OtherSentinel(f"old receivers take {after.written} for a measurement", (Victim.OLD_STATION,))
     assert before is not None
     if is_described(before, texts[1]):
         return OtherSentinel("the description still says so", ())
     effect = f"new receivers take an old sender's {before.written} for a measurement, old ones a real"
     return OtherSentinel(f"{effect} {before.written} for unknown", BOTH)
+
+
+def _own_meanings(sentinel: Sentinel, description: str) -> dict[str, str]:
+    """Return what a text says of the values of a sentinel; empty unless it says something of each."""
+    stated = {str(number).lower(): words for number, words in stated_values(in_one_wording(description)).items()}
+    values = {_text(value).lower() for value in sentinel.values if value is not None}
+    return {value: stated[value] for value in values} if values and values <= stated.keys() else {}
+
+
+def _other_meaning(told: Mapping[str, str], now: Mapping[str, str]) -> str:
+    """Return the question whether values that were told of are the values for unknown; empty where they still are
+    what they were.
+    """
+    for value, words in told.items():
+        if value not in now or not is_alike(words, now[value]):
+            return f"whether {value}, which was {words!r}, was for what is not known"
+    return ""
 
 
 def is_described(sentinel: Sentinel, description: str) -> bool:

@@ -205,7 +205,7 @@ FIELD_MEANING = _meaning(
 MESSAGE_MEANING = _meaning(
     "message-meaning-changed",
     "The description of a message says that its fields are measured from something else: other axes, another height, "
-    "another clock.",
+    "another clock. Or one phrase in it is another while all else stays, and a person has to judge.",
     *BOTH,
 )
 ENTRY_MEANING = _meaning(

@@ -1,26 +1,22 @@
 """Judges a number under another name: a respelling, another thing, or a question for a person."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
+from codegen.diff.judging.readings import stated_values
 from codegen.diff.judging.wording import (
     Likeness,
-    common_share,
     is_replaced,
     is_unsaid,
     name_likeness,
     names_of,
     says_private,
     says_reserved,
-    stated_values,
     text_likeness,
 )
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 
 _ALIKE = (Likeness.SAME, Likeness.NEAR)
 _UNCLEAR = (Likeness.VAGUE, Likeness.UNSAID)
-_SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
-"""Shares of the words that two texts about one number have in common."""
 
 
 class Judgement(NamedTuple):
@@ -153,37 +149,6 @@ def enum_for_words(text: str, new: EnumDefinition | None) -> Judgement:
                 effect = f"{number} was {words!r} in the description, which is {other} in {new.name}"
                 return Judgement(breaks=True, effect=effect)
     return HARMLESS
-
-
-def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) -> Judgement:
-    """Return what comes of numbers of which two texts say something else."""
-    for number, words in old.items():
-        if number not in new or text_likeness(words, new[number]) is Likeness.SAME:
-            continue
-        moved = next((other for other, said in new.items() if text_likeness(words, said) is Likeness.SAME), None)
-        if moved is not None and moved in old and text_likeness(old[moved], new[moved]) is not Likeness.SAME:
-            return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
-        is_same = _is_same(words, new[number])
-        if is_same and _is_alike(words, new[number]):
-            continue
-        moved = next((other for other, said in new.items() if other != number and _is_alike(words, said)), None)
-        if moved is not None:
-            return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}; {moved} is that now")
-        if text_likeness(words, new[number]) is Likeness.OPPOSITE:
-            return Judgement(breaks=True, effect=f"{number} was {words!r} and is {new[number]!r}")
-        if not is_same:
-            return Judgement(doubt=f"whether {number}, which was {words!r}, is {new[number]!r}")
-    return HARMLESS
-
-
-def _is_alike(words: str, other: str) -> bool:
-    return text_likeness(words, other) in _ALIKE
-
-
-def _is_same(words: str, other: str) -> bool:
-    """Return whether two texts about a number have most words of the shorter one, and some of the longer one."""
-    shorter, longer = common_share(words, other, of=min), common_share(words, other)
-    return shorter >= _NEARLY_ALL or (shorter >= _MOST and longer >= _SOME)
 
 
 def _is_entry(name: str, words: str, enum: str) -> bool:

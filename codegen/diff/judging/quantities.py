@@ -5,8 +5,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.mentions import numbers
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, conversion, decimal, map_words, ratio
+from codegen.pattern import pattern
 
 SAME_NUMBER = "the same value is the same number as before"
 
@@ -17,10 +19,13 @@ _SYMBOLS = {
 }  # fmt: skip
 _PREFIXES = {"milli": "m", "micro": "u", "nano": "n", "centi": "c", "deci": "d", "kilo": "k", "hecto": "h", "mega": "M"}
 _WORD = rf"(?:{'|'.join(_PREFIXES)})?(?:{'|'.join(_SYMBOLS)})s?"
-_WORDS = re.compile(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
-_NAMED = re.compile(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
-_FACTOR = re.compile(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
-_COUNTED = re.compile(r"[\d.)\]]\s*$")
+_WORDS = pattern(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
+_NAMED = pattern(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
+_FACTOR = pattern(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
+_COUNTED = pattern(r"[\d.)\]]\s*$")
+_RAW = pattern(r"\braw\b", re.IGNORECASE)
+_USUAL = frozenset({"%", "ms", "us", "min", "h", "deg", "deg/s", "rad", "rpm", "d", "dB", "dBm", "degC", "mAh", "km"})
+"""Parts and multiples of units in which commands do count."""
 _HUNDRED = 100
 _TEN = 10
 
@@ -36,6 +41,11 @@ def unit_in_words(text: str) -> str | None:
         if Unit.parse(one[1]) is not None and one[1] not in ("h", "d"):
             found[one[1] + _factor_after(text, one.end())] = None
     return next(iter(found)) if len(found) == 1 else None
+
+
+def says_unit(text: str) -> bool:
+    """Return whether a text has a unit, written out or in brackets."""
+    return _WORDS.search(text) is not None or any(Unit.parse(one[1]) is not None for one in _NAMED.finditer(text))
 
 
 def _factor_after(text: str, end: int) -> str:
@@ -100,6 +110,32 @@ def other_range(old: Range, new: Range, *, is_scaled: bool = True) -> Judgement:
         if was is not None and now is not None and sign * now > sign * was:
             doubt = f"whether values beyond the {names[index]}, now {decimal(now)} and not {decimal(was)}, were sent"
             return Judgement(doubt=doubt)
+    return HARMLESS
+
+
+def first_minimum(old: Range, new: Range, text: str) -> Judgement:
+    """Return what comes of a smallest value above 0 that is stated for the first time, of which ``text`` did not tell.
+
+    What counts from 1 has such a one, and was never sent as 0.
+    """
+    smallest = _limits(new)[0]
+    if old[0] is not None or smallest is None or smallest <= 1 or decimal(smallest) in numbers(text):
+        return HARMLESS
+    return Judgement(doubt=f"whether values below the smallest, now {decimal(smallest)}, were sent")
+
+
+def first_unit(unit: str, is_attribute: bool, text: str) -> Judgement:
+    """Return what comes of a unit that is stated for the first time, where ``text`` told of the number before.
+
+    What is called raw is no amount of anything, and parameters of commands, which are floats, rarely have a part of a
+    unit: whether it is written down or changed is not to be seen.
+    """
+    if _RAW.search(text):
+        return Judgement(doubt=f"whether what was called raw is a number of {unit}")
+    known = Unit.parse(unit)
+    is_part = known is not None and known.scale != 1 and known.name not in _USUAL and known.pi == 0
+    if is_attribute and is_part:
+        return Judgement(doubt=f"whether it was sent in {unit} before it was written down")
     return HARMLESS
 
 

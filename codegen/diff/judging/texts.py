@@ -1,12 +1,17 @@
 """Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
-from codegen.diff.judging.judging import HARMLESS, Judgement, stated_conflict
-from codegen.diff.judging.mentions import STATED_LATE, denied_references, negations, numbers, references, signs
+from codegen.diff.judging.alignment import aligned
+from codegen.diff.judging.conflicts import other_signs, other_statements, without_alike
+from codegen.diff.judging.exchanges import other_piece
+from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.mentions import negations, numbers
+from codegen.diff.judging.phrases import in_one_wording
+from codegen.diff.judging.references import STATED_LATE, denied_references, references
 from codegen.diff.judging.wording import (
     Likeness,
     common_share,
+    is_unsaid,
     other_word,
-    stated_values,
     text_likeness,
     without_addresses,
     words_of,
@@ -23,12 +28,12 @@ _LEAST_SHARE = 0.4
 
 def other_text(old: str, new: str) -> Judgement:
     """Return what comes of another text for what keeps its name and its place."""
-    return _of_words(without_addresses(old), without_addresses(new))
+    return _of_words(*(in_one_wording(without_addresses(text)) for text in (old, new)))
 
 
 def same_entry(old: str, new: str) -> Judgement:
     """Return what comes of another text for an entry that keeps its name and its number."""
-    old, new = without_addresses(old), without_addresses(new)
+    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
     found = _of_words(old, new)
     lengths = [len(words_of(text)) for text in (old, new)]
     if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
@@ -36,8 +41,19 @@ def same_entry(old: str, new: str) -> Judgement:
     return found
 
 
+def other_message(old: str, new: str) -> Judgement:
+    """Return what comes of another text for a message, which is about all of its fields and much else."""
+    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
+    found = other_reference(old, new)
+    if found.breaks:
+        return found
+    if is_unsaid(old) or is_unsaid(new):
+        return HARMLESS
+    return _other_word(old, new) or other_piece(old, new, is_whole=False)
+
+
 def _of_words(old: str, new: str) -> Judgement:
-    values = stated_conflict(stated_values(old), stated_values(new))
+    values = other_statements(old, new)
     if values.gravity:
         return values
     likeness = text_likeness(old, new)
@@ -50,12 +66,15 @@ def _of_words(old: str, new: str) -> Judgement:
         return Judgement(doubt="whether the text says the opposite of what it said")
     if likeness is Likeness.UNSAID:
         return HARMLESS
-    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new)
+    old, new = without_alike(old, new)
+    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
 
 
 def other_reference(old: str, new: str) -> Judgement:
     """Return what comes of another axis, height or clock from which a text says that something is measured."""
     before, after = references(old), references(new)
+    if before == after == {}:
+        return HARMLESS
     denied = denied_references(old), denied_references(new)
     nothing: frozenset[str] = frozenset()
     for kind in sorted(before.keys() | after.keys()):
@@ -67,7 +86,7 @@ def other_reference(old: str, new: str) -> Judgement:
         turned = (was & denied[1].get(kind, nothing)) | (now & denied[0].get(kind, nothing))
         if turned:
             return Judgement(breaks=True, effect=f"one of the texts says that {_listed(turned)} is not meant")
-        if (gone or come) and kind in STATED_LATE:
+        if (gone or come) and kind in STATED_LATE and not is_unsaid(old):
             return Judgement(doubt=f"whether {_listed(gone | come)} was meant all the time")
     return HARMLESS
 
@@ -92,15 +111,12 @@ def _other_sense(old: str, new: str) -> Judgement | None:
     """Return what comes of a text that denies what it said, or says another thing of a sign."""
     added = words_of(new) - words_of(old)
     is_longer = words_of(old) <= words_of(new) and len(added) >= _SENTENCE
-    if negations(old) % 2 != negations(new) % 2 and common_share(old, new) >= _LEAST_SHARE and not is_longer:
+    if negations(old) % 2 != negations(new) % 2 and aligned(old, new).share >= _LEAST_SHARE and not is_longer:
         return Judgement(doubt="whether the text denies what it said")
-    before, after = signs(old), signs(new)
-    for sign in before.keys() & after.keys():
-        if before[sign] and after[sign] and before[sign].isdisjoint(after[sign]):
-            return Judgement(doubt=f"whether {sign} numbers still are what they were")
-    return None
+    signs = other_signs(old, new)
+    return signs if signs.gravity else None
 
 
-def _other_word(old: str, new: str) -> Judgement:
+def _other_word(old: str, new: str) -> Judgement | None:
     word = other_word(old, new)
-    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
+    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else None

@@ -9,17 +9,18 @@ from codegen.diff.judging.words import (
     excluding,
     exclusive_groups,
     is_negated,
+    is_respelt,
     is_short_for,
-    is_shortened,
     is_slip,
     stem,
 )
+from codegen.pattern import pattern
 
-_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
-_WORD = re.compile(r"[a-z]+|\d+(?:\.\d+)?")
-_ADDRESS = re.compile(r"https?://\S+|www\.\S+", re.IGNORECASE)
-_SIGNED = re.compile(r"[a-z]+|-?\d+")
-_CLAUSE = re.compile(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
+_PARTS = pattern(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_WORD = pattern(r"[a-z]+|\d+(?:\.\d+)?")
+_ADDRESS = pattern(r"https?://\S+|www\.\S+", re.IGNORECASE)
+_SIGNED = pattern(r"[a-z]+|-?\d+")
+_CLAUSE = pattern(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
 
 _PLACEHOLDERS = frozenset({"empty", "reserved", "unused", "none", "undefined", "unset", "spare", "n/a", "tbd"})
 
@@ -28,13 +29,15 @@ def _words(text: str) -> list[str]:
     return text.split()
 
 
-_IDLE = frozenset(
+IDLE = frozenset(
     _words(
         "a an and are as at be by for from if in into is it its of on or that the this to was were where which with "
-        "will can may must should set use used using value values parameter param future"
+        "will can may must should set use used using value values parameter param future whichever"
     )
 )
 _FILLING = frozenset({"0", "nan", "zero", "send", "all", "remaining", "params", "parameters", "ignored", "yet"})
+_MOST_HYPHENATED = 2
+"""Words that one word is in a text with hyphens."""
 _GENERAL = frozenset(_words("mav type mode status state flag id comp kind option enum instance index number"))
 _NEGATING = frozenset({"not", "no", "non", "un", "dis", "in", "never"})
 _TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
@@ -93,7 +96,7 @@ def text_likeness(old: str, new: str) -> Likeness:
     if is_unsaid(old) or is_unsaid(new):
         return Likeness.UNSAID
     before, after = words_of(old), words_of(new)
-    if _are_exchanged(old, new):
+    if not any(map(_is_telling, before ^ after)) and _are_exchanged(old, new):
         return Likeness.OPPOSITE
     if before == after:
         return Likeness.DISPUTED if _is_reordered(old, new) else Likeness.SAME
@@ -140,8 +143,11 @@ def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
 
 def other_word(old: str, new: str) -> tuple[str, str] | None:
     """The one word in which two texts differ, where the second has another word in its place and not a respelling."""
+    sets = words_of(old), words_of(new)
+    if len(sets[0] - sets[1]) > _MOST_HYPHENATED or len(sets[1] - sets[0]) > _MOST_HYPHENATED:
+        return None
     before, after = (
-        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in _IDLE] for text in (old, new)
+        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in IDLE] for text in (old, new)
     )
     if len(before) != len(after):
         return None
@@ -149,8 +155,7 @@ def other_word(old: str, new: str) -> tuple[str, str] | None:
     if len(differing) != 1 or any(word.isdigit() for word in differing[0]):
         return None
     one, other = (stem(word) for word in differing[0])
-    is_respelt = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
-    return None if is_respelt else differing[0]
+    return None if is_respelt(one, other) else differing[0]
 
 
 def _are_exchanged(old: str, new: str) -> bool:
@@ -172,24 +177,29 @@ def _is_reordered(old: str, new: str) -> bool:
     """Return whether texts of the same words list things of one kind in another
     order: ``w, x, y, z`` and ``x, y, z, w``.
     """
-    sides = [[stem(word) for word in _WORD.findall(text.lower())] for text in (old, new)]
-    for group in exclusive_groups():
+    sides = [[word for word in map(stem, _WORD.findall(text.lower())) if excluding(word)] for text in (old, new)]
+    for group in exclusive_groups() if sides[0] != sides[1] else ():
         before, after = ([word for word in side if word in group] for side in sides)
         if len(set(before)) > 2 and before != after and sorted(before) == sorted(after):
             return True
     return False
 
 
+@cache
 def _telling(clause: str) -> tuple[str, ...]:
     """The numbers of a clause, and its words that exclude others."""
     words = (stem(word) for word in _SIGNED.findall(clause))
-    return tuple(word for word in words if word.lstrip("-").isdigit() or word in _TURNING or excluding(word))
+    return tuple(filter(_is_telling, words))
+
+
+def _is_telling(word: str) -> bool:
+    return word.lstrip("-").isdigit() or word in _TURNING or bool(excluding(word))
 
 
 def is_unsaid(text: str) -> bool:
     """Return whether a text says nothing: there is none, or it says that the thing is empty or reserved."""
     words = _WORD.findall(text.lower())
-    return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | _IDLE | _FILLING for word in words))
+    return not words or (words[0] in _PLACEHOLDERS and all(word in _PLACEHOLDERS | IDLE | _FILLING for word in words))
 
 
 def says_reserved(name: str) -> bool:
@@ -211,12 +221,12 @@ def names_of(text: str, names: Iterable[str]) -> bool:
 @cache
 def words_of(text: str) -> frozenset[str]:
     """The words of a text that carry something, in one spelling."""
-    return frozenset(stem(word) for word in _WORD.findall(text.lower()) if word not in _IDLE)
+    return frozenset(stem(word) for word in _WORD.findall(text.lower()) if word not in IDLE)
 
 
 def without_addresses(text: str) -> str:
     """Return a text without the addresses of pages, whose words and numbers say nothing of it."""
-    return _ADDRESS.sub(" ", text)
+    return _ADDRESS.sub(" ", text) if "://" in text or "www." in text.lower() else text
 
 
 @cache
@@ -260,18 +270,3 @@ def _is_opposed(gone: Collection[str], come: Collection[str], *, is_text: bool =
 
 _LONG = 8
 """Letters of a word in which two that changed places make no other word."""
-_LONGEST = 20
-_STATED = re.compile(
-    r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?\s*(?:[:=]|means\b|is\b|to\b|for\b)\s*([A-Za-z][^,;.:=()\[\]\n\d]*)",
-    re.IGNORECASE,
-)
-
-
-def stated_values(text: str) -> dict[int | str, str]:
-    """Return what a text says of single numbers: ``0: forward, 1: reverse``, ``NaN to keep the present angle``."""
-    found: dict[int | str, str] = {}
-    for one in _STATED.finditer(text):
-        if len(one[1]) < _LONGEST:
-            number, words = one[1] if one[1].isalpha() else int(one[1]), one[2].strip()
-            found[number] = f"{found[number]}, {words}" if number in found else words
-    return found

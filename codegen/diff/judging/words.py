@@ -1,9 +1,10 @@
 """Words in one spelling, and which of them exclude each other: what names and texts are compared by."""
 
-import re
 from functools import cache
 
-_VOWELS = re.compile(r"(?<=.)[aeiou]")
+from codegen.pattern import pattern
+
+_VOWELS = pattern(r"(?<=.)[aeiou]")
 
 _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("up", "down"), ("left", "right"), ("on", "off"), ("open", "close"), ("lock", "unlock"), ("arm", "disarm"),
@@ -23,7 +24,7 @@ _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
     ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
     ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
-    ("voltage", "current", "power"),
+    ("voltage", "current", "power"), ("clockwise", "counterclockwise"),
 )  # fmt: skip
 """Words that exclude each other: where one takes the place of another, the meaning does."""
 
@@ -35,8 +36,19 @@ _SPELLINGS = {
     "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
-    "cable": "line", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
+    "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
+    "go": "fly",
+    "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
+
+_SYNONYMS: tuple[tuple[str, ...], ...] = (
+    ("height", "altitude"), ("actual", "current", "present"), ("free", "available"), ("picture", "image", "photo"),
+    ("documentation", "description"), ("deprecated", "superseded", "obsolete"), ("start", "begin"),
+    ("end", "finish", "complete"), ("large", "big"), ("allow", "permit"), ("maximum", "highest", "largest"),
+    ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"),
+    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
+)  # fmt: skip
+"""Words that mean the same, though each may mean something else, too."""
 
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
 """Words of these that are the beginning of longer ones."""
@@ -51,8 +63,7 @@ def stem(word: str) -> str:
         if word.endswith(ending) and len(word) - len(ending) > 3 and not word.endswith(("eed", "ss", "us")):
             word = word.removesuffix(ending)
             break
-    if word in _SPELLINGS:
-        return _SPELLINGS[word]
+    word = _SPELLINGS.get(word, word)
     for written in _SPELT_OTHERWISE:
         if word.startswith(written):
             return _SPELLINGS[written] + word[len(written) :]
@@ -87,6 +98,17 @@ def is_shortened(one: str, other: str) -> bool:
     rest = iter(long)
     is_near = len(short) > 5 and len(long) - len(short) <= 2 and short[0] == long[0]
     return is_near and all(letter in rest for letter in short)
+
+
+def is_respelt(one: str, other: str) -> bool:
+    """Return whether two words are one in another spelling, shortened, with a slip of the pen, or mean the same."""
+    is_spelling = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
+    return is_spelling or any(one in group and other in group for group in _synonyms())
+
+
+@cache
+def _synonyms() -> tuple[frozenset[str], ...]:
+    return tuple(frozenset(map(stem, group)) for group in _SYNONYMS)
 
 
 def is_negated(word: str, other: str) -> bool:

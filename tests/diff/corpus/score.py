@@ -28,6 +28,9 @@ SECOND = CORPUS / "second"
 THIRD = CORPUS / "third"
 """Pairs of a third one, who had not seen it either: nearly all of them are about texts alone."""
 
+FOURTH = CORPUS / "fourth"
+"""Pairs of a fourth one, in the proportions in which releases have them."""
+
 MOST_FALSE_ALARMS = 0.05
 _COMMAND = "31000"
 
@@ -138,7 +141,7 @@ def told(found: list[Judged], *, is_all: bool) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    folders = [CORPUS] if "--tuned" in sys.argv else [CORPUS, HELD_OUT, SECOND, THIRD]
+    folders = [CORPUS] if "--tuned" in sys.argv else [CORPUS, HELD_OUT, SECOND, THIRD, FOURTH]
     for folder in folders:
         print(f"== {folder.relative_to(CORPUS.parent)}")
         print("\n".join(told(list(judged(pairs_of(folder))), is_all="--all" in sys.argv)))

@@ -1,0 +1,67 @@
+"""Phrases that mean the same in descriptions, in one wording: what is compared is what they say."""
+
+import re
+from functools import cache
+
+from codegen.pattern import pattern
+
+_TURNS = r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)?"
+
+_SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
+    (part, pattern(phrase, re.IGNORECASE), word)
+    for part, phrase, word in (
+        ("clockwise", r"\b(?:counter|anti)[- ]?clockwise\b", "counterclockwise"),
+        ("ccw", r"\bccw\b", "counterclockwise"),
+        ("left", rf"{_TURNS} left\b|\bleft turns?\b", "counterclockwise"),
+        ("right", rf"{_TURNS} right\b|\bright turns?\b", "clockwise"),
+        ("mav_bool_false", r"\bMAV_BOOL_FALSE\b", "0"),
+        ("mav_bool_true", r"\bMAV_BOOL_TRUE\b", "1"),
+        ("values not equal", r"\bvalues not equal to 0 or 1 are invalid\.?", ""),
+        (" unless", r"\b(?:ignored|not used|unused) unless\b", "only used if"),
+        (" out", r"\b(?:let(?:ting)?|paid|pay(?:ing)?) out\b", "released"),
+        ("not ", r"\bnot (valid|active)\b", r"in\1"),
+        ("not ", r"\bnot (healthy|available|known)\b", r"un\1"),
+        ("re-", r"\bre-(?=[a-z]{3})", "re"),
+        ("co-", r"\bco-(?=[a-z]{3})", "co"),
+    )
+)
+"""Parts of phrases in small letters, an expression for each phrase, and what stands for it."""
+
+_DENYING = ("not ", "no ", "invalid", "cannot", "unavailable", "undefined", "unmeasured", "n/a", "never", "isn't")
+"""Parts in small letters of what says in other words that something is unknown."""
+_LIMIT = pattern(r"\b(U?)INT(8|16|32|64)_MAX\b")
+_UNKNOWN = pattern(
+    r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"
+    r"|\b(?:not|cannot be|isn't|never) (?:yet )?"
+    r"(?:available|known|provided?|measured|supplied|estimated|valid|supported|present|sent)\b"
+    r"|\b(?:does|do|can) ?not (?:provide|measure|know|supply|estimate|support|send|have)\b"
+    r"|\b(?:is|are|has|have) no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information|value)\b"
+    r"|^no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information)\b",
+    re.IGNORECASE,
+)  # fmt: skip
+
+
+@cache
+def in_one_wording(text: str) -> str:
+    """Return a text with phrases of one meaning in one wording, and limits of types as their numbers."""
+    if "INT" in text:
+        text = _LIMIT.sub(lambda found: str(2 ** (int(found[2]) - (not found[1])) - 1), text)
+    small = text.lower()
+    for part, phrase, word in _SAME:
+        if part in small:
+            text = phrase.sub(word, text)
+    return text
+
+
+def with_unknown(text: str) -> str:
+    """Return a text with one word for all that says that nothing is known: ``not available``, ``is not measured``."""
+    small = text.lower()
+    for part in _DENYING:
+        if part in small:
+            return _UNKNOWN.sub("unknown", text)
+    return text
+
+
+def says_unknown(words: str) -> bool:
+    """Return whether what is said of a number is that nothing is known where it is sent."""
+    return _UNKNOWN.search(words) is not None

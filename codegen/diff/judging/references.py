@@ -1,0 +1,114 @@
+"""References of the numbers in a text: axes, heights, clocks, and what else there are several of.
+
+Most of two texts may be alike, and still one word decide what each number means: ``positive forward`` for ``positive
+north``.
+"""
+
+import re
+from typing import NamedTuple
+
+from codegen.pattern import pattern
+
+
+class _Reference(NamedTuple):
+    """A reference by its kind and name: the ``words`` one of which a text has that tells of it, and an expression."""
+
+    kind: str
+    name: str
+    words: tuple[str, ...]
+    expression: re.Pattern[str]
+
+
+_REFERENCES = tuple(
+    _Reference(kind, name, tuple(words.split("|")), pattern(expression))
+    for kind, name, words, expression in (
+        ("axes", "earth", "north|east|ned|enu", r"\bnorth|\beast(?:wards?)?\b|\bned\b|\benu\b"),
+        ("axes", "body", "forward|frd|flu|body|nose|starboard|heading",
+         r"\bforwards?\b|\bfrd\b|\bflu\b|\bbody\b|\bnose\b|\bstarboard\b"
+         r"|\bfrom the (?:present |current |vehicle'?s? )*heading"),
+        ("axes", "ned", "ned", r"\bned\b"),
+        ("axes", "enu", "enu", r"\benu\b"),
+        ("axes", "frd", "frd", r"\bfrd\b"),
+        ("axes", "flu", "flu", r"\bflu\b"),
+        ("height", "sea", "msl|sea|geoid", r"\ba?msl\b|\bsea[- ]level|\bgeoid"),
+        ("height", "ellipsoid", "ellipsoid|wgs|hae", r"\bellipsoid|\bwgs ?84\b|\bhae\b"),
+        ("height", "home", "home|above",
+         r"\babove home|\b(?:relative|with respect) to (?:the )?home|\babove (?:the )?take-?off"),
+        ("height", "terrain", "above|agl", r"\babove (?:the )?(?:terrain|ground)|\bagl\b"),
+        ("height", "target", "above", r"\babove (?:the )?target"),
+        ("pressure", "qnh", "qnh", r"\bqnh\b"),
+        ("pressure", "qne", "qne", r"\bqne\b"),
+        ("pressure", "qfe", "qfe", r"\bqfe\b"),
+        ("clock", "utc", "utc|gmt|unix|epoch", r"\butc\b|\bgmt\b|\bunix|\bepoch"),
+        ("clock", "boot", "boot|since",
+         r"\bsince (?:the )?(?:system |vehicle )?(?:was )?(?:boot|start|power)|\bboot time"
+         r"|\bfrom (?:the )?(?:system |vehicle )?boot"),
+        ("clock", "arming", " arm", r"\b(?:since|from) (?:the )?(?:vehicle )?(?:was )?(?:last )?arm"),
+        ("clock", "take-off", "take", r"\b(?:since|from) (?:the )?take-?off"),
+        ("clock", "the last message", "message|report",
+         r"\b(?:since|from) (?:the )?(?:previous|last) (?:message|report)"),
+        ("clock", "local time", "local time", r"\blocal time"),
+        ("clock", "gps time", "gps", r"\bgps (?:time|week)"),
+        ("airspeed", "indicated", "indicated|ias", r"\bindicated\b|\bias\b"),
+        ("airspeed", "true", "true|tas", r"\btrue (?:air ?)?speed|\btas\b"),
+        ("airspeed", "calibrated", "calibrated|cas", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
+        ("airspeed", "equivalent", "equivalent|eas", r"\bequivalent (?:air ?)?speed|\beas\b"),
+        ("statistic", "a mean", "averag|mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
+        ("statistic", "a peak", "peak|highest|maximum", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
+        ("spread", "a variance", "variance", r"\bvariance"),
+        ("spread", "a deviation", "deviation|std|rms", r"\bdeviation|\bstd\b|\brms\b"),
+        ("count", "all together", "total|sum|together|combined", r"\btotal|\bsum of|\ball \w+ together|\bcombined"),
+        ("count", "each", "each", r"\bof each\b"),
+        ("statistic", "a moment", "instantaneous|momentary", r"\binstantaneous|\bmomentary"),
+        ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth|old|new)est\b"),
+        ("medium", "the ground", "ground", r"\bground ?speed|\bover (?:the )?ground"),
+        ("medium", "the air", "air", r"\bair ?speed|\bthrough (?:the )?air|\brelative to (?:the )?(?:air|wind)"),
+        ("medium", "the water", "water", r"\bthrough (?:the )?water|\brelative to (?:the )?water"),
+        ("origin", "what was asked for", "command|request|desire|as set by",
+         r"\bcommanded|\brequested|\bdesired|\bas set by"),
+        ("origin", "what was measured", "measured|read back|actual|feedback|encoder",
+         r"\bmeasured|\bread back|\bactual\b|\bfeedback|\bencoder"),
+        ("amount", "what is left", "remaining|free|unused", r"\bremaining|\bfree\b|\bunused\b"),
+        ("amount", "what is used", "in use|consumed|occupied|already used",
+         r"\bin use\b|\bconsumed|\boccupied|\balready used"),
+        ("signal", "raw values", "raw|unfiltered", r"\braw\b|\bunfiltered"),
+        ("signal", "filtered values", "filtered|smoothed", r"(?<!un)\bfiltered|\bsmoothed"),
+        ("speed", "the shaft", "shaft|mechanical", r"\bshaft|\bmechanical"),
+        ("speed", "the field", "electrical|erpm", r"\belectrical (?:rotation|speed|rpm)|\berpm\b"),
+        ("first number", "0", "based", r"\bzero[- ]based|\b0-based"),
+        ("first number", "1", "based", r"\bone[- ]based|\b1-based"),
+        ("observer", "behind", "behind", r"\b(?:observer|seen from|viewed from) behind"),
+        ("observer", "in front", "front", r"\bobserver in front|\b(?:seen|viewed) from (?:the )?front"),
+        ("observer", "above", "from above", r"\b(?:seen|viewed) from above"),
+        ("observer", "below", "from below", r"\b(?:seen|viewed) from below"),
+    )
+)  # fmt: skip
+"""References that numbers are measured from."""
+
+STATED_LATE = frozenset({"height", "pressure", "airspeed", "first number", "one of several", "medium"})
+"""Of what a text that says nothing leaves open which of several it is, so that vehicles differ."""
+
+_DENIED = pattern(r"\((?:and )?not [^)]*\)|\bnot relative to (?:the )?\w+")
+
+
+def references(text: str) -> dict[str, frozenset[str]]:
+    """Return what a text measures from, by the kind of it; ``not relative to north`` is no mention of north."""
+    small = text.lower()
+    return _mentioned(_DENIED.sub(" ", small) if "not " in small else small)
+
+
+def denied_references(text: str) -> dict[str, frozenset[str]]:
+    """Return what a text says that it does not measure from."""
+    small = text.lower()
+    return _mentioned(" ".join(found[0] for found in _DENIED.finditer(small))) if "not " in small else {}
+
+
+def _mentioned(text: str) -> dict[str, frozenset[str]]:
+    found: dict[str, frozenset[str]] = {}
+    for kind, name, words, expression in _REFERENCES:
+        for word in words:
+            if word in text:
+                if expression.search(text):
+                    found[kind] = found.get(kind, frozenset()) | {name}
+                break
+    return found
