@@ -27,8 +27,8 @@ class Port:
         return ()
     def read(self):
         return None
-ground = Ground([{"at_ms": 0, "id": 4, "crc_extra": 237, "payload": "00", "every_ms": None}], 0, ("signed",))
-ground.speak_to(Port)
+ground = Ground([{"at_ms": 0, "id": 4, "crc_extra": 237, "payload": "00", "every_ms": None}], 0)
+ground.speak_to(Port, ("signed",))
 deaf, open_one = Port("signed"), Port("open")
 ground.turn(0)
 print(list(deaf.look(0)), deaf.read(), list(open_one.look(0)), len(open_one.read()), open_one.read())

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 0fdf6e5d940a86ef
+# Inputs: 6a590480483fb1de
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -70,9 +70,9 @@ class Simulation:
         events = settings["events"]
         happening = [event for event in events if "arm" in event or "reboot" in event]
         self._events = [event for event in happening if self._is_ahead(event)]
-        self._bridge = settings["bridge"]
         sendings = [event for event in events if "send" in event]
-        self._ground = Ground(sendings, self._start_ms, settings["deaf"])
+        self._ground = Ground(sendings, self._start_ms)
+        self._settings = settings
         self.records = Records(settings["records"], self.now_ms)
         self._turns = sim_pace.Turns(settings["turns"], settings["until_ms"], self.records)
         self._store = settings["store"]
@@ -174,7 +174,7 @@ class Simulation:
             """Open nothing, or UDP in place of a cable of a board that has no UDP: the first that is not signed."""
             import board  # noqa: PLC0415
 
-            if hasattr(board, "UdpPort") or self._is_bridged or (self._bridge or name) != name:
+            if hasattr(board, "UdpPort") or self._is_bridged or (self._settings["bridge"] or name) != name:
                 return SilentPort(name)
             self._is_bridged = True
 
@@ -189,7 +189,7 @@ class Simulation:
         serial_port.open_uart = serial_port.open_usb = open_serial
         for port_class in tcp_ports() + (udp_port.UdpPort,):  # noqa: RUF005 - MicroPython has no other way
             self._wire.listen(port_class)
-            self._ground.speak_to(port_class)
+            self._ground.speak_to(port_class, self._settings["deaf"])
         import texts  # noqa: PLC0415
 
         plain = texts.Texts

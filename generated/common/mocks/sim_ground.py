@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: 46c6468d6d2c896b
+# Inputs: ded0784c9c9eb335
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -10,23 +10,21 @@ HERE = (True,)  # what a port returns that has something
 class Ground:
     """Sends messages: each of `sendings` has `at_ms`, `id`, `crc_extra` and `payload` in hex.
 
-    One with `every_ms` is sent again and again, to `until_ms` or to the end. `deaf` are the names of the ports that
-    take nothing of it, since nobody signs it.
+    One with `every_ms` is sent again and again, to `until_ms` or to the end.
     """
 
-    def __init__(self, sendings, start_ms, deaf=()):
-        self._deaf = deaf
+    def __init__(self, sendings, start_ms):
         self._sendings = [[_first(sending, start_ms), sending] for sending in sendings]
         self._sequence = 0
         self._waiting = bytearray()
 
-    def speak_to(self, port_class):
-        """Let what is sent arrive at ports of this class, before what really arrives."""
+    def speak_to(self, port_class, deaf=()):
+        """Let what is sent arrive at ports of this class, before what really arrives, but not at those called `deaf`."""
         read = port_class.read
 
         def heard(port):
             data = bytes(self._waiting)
-            if not data or not self._is_heard_by(port):
+            if not data or getattr(port, "name", None) in deaf:
                 return read(port)
             self._waiting = bytearray()
             peers = getattr(port, "peers", None)  # over TCP it speaks as who is there, or as nobody
@@ -44,12 +42,9 @@ class Ground:
                 init(port, *arguments, **named)
                 look = getattr(port, "look", None)
                 if look is not None:
-                    port.look = lambda wait_ms: HERE if self._waiting and self._is_heard_by(port) else look(wait_ms)
+                    port.look = lambda wait_ms: HERE if self._waiting and port.name not in deaf else look(wait_ms)
 
             port_class.__init__ = made
-
-    def _is_heard_by(self, port):
-        return getattr(port, "name", None) not in self._deaf
 
     def next_ms(self):
         """Return when something is sent next, far ahead for never."""
