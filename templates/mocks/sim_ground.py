@@ -17,7 +17,7 @@ class Ground:
         self._waiting = bytearray()
 
     def speak_to(self, port_class, deaf=()):
-        """Let what is sent arrive at ports of this class, before what really arrives, but not at those called `deaf`."""
+        """Let what is sent arrive at ports of this class, but for those called `deaf`, before what really arrives."""
         read = port_class.read
 
         def heard(port):

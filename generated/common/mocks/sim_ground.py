@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: ded0784c9c9eb335
+# Inputs: 4fe67e0b880cf656
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -19,7 +19,7 @@ class Ground:
         self._waiting = bytearray()
 
     def speak_to(self, port_class, deaf=()):
-        """Let what is sent arrive at ports of this class, before what really arrives, but not at those called `deaf`."""
+        """Let what is sent arrive at ports of this class, but for those called `deaf`, before what really arrives."""
         read = port_class.read
 
         def heard(port):
