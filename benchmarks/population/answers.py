@@ -9,6 +9,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
+from operator import or_
 
 from population.answer import Answer
 from population.fields import Field, Message
@@ -109,6 +111,9 @@ def _enum(base: Answer, dice: random.Random) -> Answer:
     enum = base.field.enum
     assert enum is not None
     found = replace(base, kind="enum", steps=Fraction(1), quantity=(("enum", enum.name),))
+    largest = (1 << base.field.bits) - 1
+    if enum.is_bitmask and reduce(or_, enum.entries, 0) > largest:  # flags that the field has no bits for
+        found = replace(found, written=f"{found.written[:-1]}, max: {largest}}}")
     low, high = found.ends
     fitting = [value for value in enum.entries if low <= value <= high and value != base.unknown]
     if base.unknown is None and fitting and dice.random() < 0.5:

@@ -102,7 +102,7 @@ SOUND = [
     ("    courses: {battery.voltage: {points: [[5 s, 12 V], [5 s, 11 V]], noise: 0 V, rate: 1000 Hz}}\n", "every_ms=1"),
     ("    courses: {battery.voltage: {value: 12 V, rate: 3 Hz, noise: 20 mV}}\n", "noise=0.02, every_ms=333"),
     ("    expect: [{text: low, at: 60 s}]\n", "at_ms=60000"),
-    ("    expect: [{state: battery.voltage, between: [1 V, 1 V]}]\n", "1.0"),
+    ("    expect: [{state: battery.voltage, between: [1 V, 1 V]}]\n", "Fraction(1, 1)"),
     (PACK + "    events: [{at: 60 s, arm: true}]\n", "Arming(at_ms=60000"),
     (PACK + "    events: [{at: 1 s, fault: slow, of: battery.voltage, delay: 1 s}]\n", "1000000"),
     (PACK + "    events: [{at: 1 s, fault: slow, of: battery.voltage, delay: 1 us, for: 1 ms}]\n", "until_ms=1001"),

@@ -63,7 +63,7 @@ EDITS = [
     ("commands.yaml", "    from: ground_station\n", "", {"command-changed"}),
     ("commands.yaml", "    method: pump\n", "    method: pump\n    from: ground_station\n", {"command-changed!"}),
     ("commands.yaml", "method: sound_horn", "method: honk", {"command-changed"}),
-    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_WAYPOINT_USER_1", {"command-removed", "command-added"}),
+    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_WAYPOINT_USER_5", {"command-removed", "command-added"}),
     ("vehicle.yaml", "  11: {name: RTL", "  12: {name: RTL", {"mode-removed", "mode-added"}),
     ("vehicle.yaml", "name: RTL", "name: RETURN", {"mode-changed"}),
     ("vehicle.yaml", "It comes back., base: [guided]", "It comes back.", {"mode-changed"}),

@@ -111,7 +111,7 @@ def test_a_failsafe(old: str, new: str, said: str, folder: Path) -> None:
     if not said:
         assert not errors
         assert system.program is not None
-        assert len(system.program.failsafes) == 4
+        assert len(system.program.failsafes) == 8
         return
     assert [said in finding.message for finding in errors] == [True], errors
     if "§" in new:

@@ -12,7 +12,16 @@ BOAT = Path(__file__).resolve().parents[1] / "projects" / "watched_boat" / "spec
 
 @pytest.mark.parametrize(
     ("priority", "told"),
-    [("[stop, slow]", []), ("[slow, stop]", ["lost would stop, which gives way to slow of silent"])],
+    [
+        ("[stop, slow]", []),
+        (
+            "[slow, stop]",
+            [
+                "hot would stop, which gives way to slow of warm",
+                "lost would stop, which gives way to slow of silent",
+            ],
+        ),
+    ],
 )
 def test_levels_that_contradict_the_priority_are_found(
     priority: str, told: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
