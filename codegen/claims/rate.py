@@ -7,11 +7,11 @@ from fractions import Fraction
 from codegen.claims.reading import Reading, between
 from codegen.claims.ruled_out import is_aside
 from codegen.claims.rules import as_sure
-from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
+from codegen.claims.size import SizeClaim, frame_bytes, is_possible, size_claims
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
-from codegen.model.price import HEAD_V1, HEAD_V2, Range
+from codegen.model.price import HEAD_V1, HEAD_V2, SIGNATURE, Range
 from codegen.pattern import pattern
 
 RULE = Rule(

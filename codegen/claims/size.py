@@ -8,11 +8,8 @@ from codegen.claims.reading import Mention, Reading
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage
 from codegen.model.dialect.dialect import WireMessage
-from codegen.model.price import HEAD_V1, HEAD_V2, Range
+from codegen.model.price import HEAD_V1, HEAD_V2, SIGNATURE, Range
 from codegen.pattern import pattern
-
-SIGNATURE = 13
-"""Bytes that signing adds to a frame of MAVLink 2."""
 
 _BYTES = pattern(
     r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?(?:payload )?(?:bytes?|octets?|B)\b(?![ ]?(?:/|per\b|a second))",

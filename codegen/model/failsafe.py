@@ -36,6 +36,13 @@ class Setting:
         return self.parameter is not None and self.parameter.minimum >= 0
 
     @property
+    def by_default(self) -> int | None:
+        """The amount, or what the default of the parameter makes of it; None where that switches it off."""
+        if self.parameter is None:
+            return self.count
+        return None if self.is_off_at_zero and not self.parameter.default else self.count * self.parameter.default
+
+    @property
     def words(self) -> str:
         """The parameter, or the amount, for people."""
         if self.parameter is not None:
@@ -82,10 +89,9 @@ class Condition:
     @property
     def edge(self) -> int | None:
         """The first stored step, with the defaults, at which it does not hold and is over; None where any is one."""
-        limit = self.limit
-        if limit is None or (limit.is_off_at_zero and limit.parameter is not None and not limit.parameter.default):
+        at = self.limit.by_default if self.limit else None
+        if at is None:
             return None
-        at = limit.count * (limit.parameter.default if limit.parameter else 1)
         return at + self.hysteresis + 1 if self.sense is Sense.BELOW else at - self.hysteresis - 1
 
     def rests_at(self, value: int) -> bool:

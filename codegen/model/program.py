@@ -14,7 +14,7 @@ from codegen.model.failsafe import Failsafe
 from codegen.model.spec.access import SETUP_SIGNING
 from codegen.model.spec.board import LinkSpec
 from codegen.model.spec.program import ActionSpec, VehicleSpec
-from codegen.model.vehicle import Citation, Component
+from codegen.model.vehicle import Citation, Component, Quantity
 from codegen.model.watchdog import Watchdog
 
 
@@ -69,8 +69,12 @@ _NOT_OF_ALL = (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL, SETUP_SIGNING)
 def is_set_by_program(vehicle: Component | None, name: str) -> bool:
     """Return whether a quantity of the component ``vehicle`` is one that the program writes."""
     quantity = vehicle.quantities.get(name) if vehicle and vehicle.instances == 1 else None
-    kind = VEHICLE_QUANTITIES[name]
-    return quantity is not None and quantity.kind.value == kind and quantity.derivation.is_set_by_code
+    return quantity is not None and can_be_set_as(quantity, name)
+
+
+def can_be_set_as(quantity: Quantity, name: str) -> bool:
+    """Return whether a quantity is of the kind that the one of that name has, and nothing else sets it."""
+    return quantity.kind.value == VEHICLE_QUANTITIES[name] and quantity.derivation.is_set_by_code
 
 
 @dataclass(frozen=True, slots=True)

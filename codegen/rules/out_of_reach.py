@@ -64,11 +64,9 @@ def _of_condition(
     is_below = condition.sense is Sense.BELOW
     if not _is_reached(most if is_below else least, found[quantity.path], is_below=is_below):
         yield _found(RULE, _place(condition), quantity, found[quantity.path], written, is_below=is_below)
-    elif limit.parameter is not None and (limit.parameter.default or not limit.is_off_at_zero):
-        default = limit.parameter.default * limit.count
-        if not _is_reached(default, found[quantity.path], is_below=is_below):
-            words = limit.default_words
-            yield _found(BY_DEFAULT, _place(condition), quantity, found[quantity.path], words, is_below=is_below)
+    elif limit.by_default is not None and not _is_reached(limit.by_default, found[quantity.path], is_below=is_below):
+        words = limit.default_words
+        yield _found(BY_DEFAULT, _place(condition), quantity, found[quantity.path], words, is_below=is_below)
 
 
 def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator[Diagnostic]:

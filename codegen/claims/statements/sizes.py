@@ -9,14 +9,14 @@ from codegen.claims.parts.span import Span
 from codegen.claims.reading import Reading
 from codegen.claims.ruled_out import ASKED, DENIED, OWN, PAST, PROPOSED, REPLACED, words
 from codegen.claims.rules import SIZE, as_sure
-from codegen.claims.size import SIGNATURE, per_second, size_hint, sizes_of
+from codegen.claims.size import per_second, size_hint, sizes_of
 from codegen.claims.statements.fields import number
 from codegen.claims.statements.subjects import subjects
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
-from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.model.price import HEAD_V1, HEAD_V2, SIGNATURE
 from codegen.pattern import pattern
 
 _BYTES = pattern(

@@ -11,7 +11,7 @@ from codegen.claims.rate import RULE as BANDWIDTH
 from codegen.claims.rate import exact_sizes
 from codegen.claims.reading import Reading
 from codegen.claims.rules import CRC_EXTRA, EXTENSION, MESSAGE_ID, OFFSET, SENTINEL, SIZE, TYPE, as_sure
-from codegen.claims.size import SIGNATURE, size_hint, sizes_of
+from codegen.claims.size import size_hint, sizes_of
 from codegen.claims.statements.columns import field_sizes
 from codegen.claims.statements.columns.rows import Row, field_of, row_of
 from codegen.claims.statements.fields import number
@@ -21,7 +21,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireField, WireMessage
-from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.model.price import HEAD_V1, HEAD_V2, SIGNATURE
 from codegen.model.units.unit import Unit
 from codegen.pattern import pattern
 

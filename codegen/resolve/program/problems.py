@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
+from codegen.model.program import VEHICLE_QUANTITIES, can_be_set_as, is_set_by_program
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component
@@ -42,7 +42,7 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
         quantity = vehicle.quantities.get(name) if vehicle else None
         if quantity is None and vehicle and vehicle.spec.is_written(name):
             continue  # what is wrong with it has been reported
-        if quantity is None or quantity.kind.value != kind or not quantity.derivation.is_set_by_code:
+        if quantity is None or not can_be_set_as(quantity, name):
             message = f"arming needs a {kind} {name} that can be set in the component vehicle of the state"
             yield Problem(spec.at("arming"), message, f"write below its quantities: {_WRITTEN[name]}")
     files = spec.storage.files

@@ -27,7 +27,7 @@ from codegen.resolve.program.services import SENT, Uses, service_constants, serv
 BAD_PROGRAM = Rule(
     "bad-program",
     "vehicle.yaml contradicts itself or the rest of the specification: what can be armed needs the component vehicle "
-    "of the state with armed, ready, status, mode and load, failsafes need arming, parameters are saved in two files, "
+    "of the state with armed, ready, status, mode and load, actions need failsafes, parameters are saved in two files, "
     "and each action has a name of its own.",
     remedy="make vehicle.yaml fit the component vehicle of state.yaml",
 )
