@@ -169,7 +169,8 @@ def row(name: str, old: int | None, new: int | None) -> BandwidthRow:
     [(101, None, True), (100, None, False), (101, 100, True), (120, 120, False), (120, 130, False), (90, 80, False)],
 )
 def test_a_link_is_overloaded_by_more_than_before(share: int, before: int | None, is_overloaded: bool) -> None:
-    link = LinkRow("radio", 960, Fraction(share), None if before is None else Fraction(before))
+    taken = Range(Fraction(960), Fraction(960))
+    link = LinkRow("radio", 960, taken, Fraction(share), None if before is None else Fraction(before))
     assert link.is_overloaded is is_overloaded
 
 

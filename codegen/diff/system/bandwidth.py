@@ -6,7 +6,8 @@ from fractions import Fraction
 from codegen.diff.change import Change, changed
 from codegen.diff.system.behaviour_rules import BANDWIDTH, OVERLOADED
 from codegen.frozen import dataclass
-from codegen.model.price import NOTHING, Range, capacity, message_price, sent_messages, total
+from codegen.model.price import NOTHING, Range, capacity, message_price, price_on, sent_messages, total
+from codegen.model.program import BoardLink
 from codegen.model.system import System
 from codegen.source import Place
 
@@ -26,11 +27,13 @@ class BandwidthRow:
 class LinkRow:
     """A serial link, its capacity in bytes per second, and the largest share of it that the telemetry takes, in %.
 
+    ``taken`` are the bytes per second that make this share, with the signatures of a link that is signed.
     ``share_before`` is that of the old version, None where it had no such link.
     """
 
     name: str
     capacity: int
+    taken: Range
     share: Fraction
     share_before: Fraction | None
 
@@ -69,14 +72,19 @@ def compare_bandwidth(old: System, new: System) -> Bandwidth:
     whole = BandwidthRow("all", total(before.values()), total(after.values()))
     assert whole.old is not None
     assert whole.new is not None
-    carried_before = {link.name: int(capacity(link) or 0) for link in old.links}
+    known = {link.name: _share(link, old) for link in old.links}
     links = []
     for link in new.links:
-        carried, known = int(capacity(link) or 0), carried_before.get(link.name)
-        if carried:
-            share_before = whole.old.high * _ALL / known if known else None
-            links.append(LinkRow(link.name, carried, whole.new.high * _ALL / carried, share_before))
+        share, carried = _share(link, new), capacity(link)
+        if share is not None and carried is not None:
+            links.append(LinkRow(link.name, int(carried), price_on(link, new), share, known.get(link.name)))
     return Bandwidth(rows, whole, tuple(links))
+
+
+def _share(link: BoardLink, system: System) -> Fraction | None:
+    """Return the largest share of a link that its telemetry takes, in %; None where its capacity is not known."""
+    carried = capacity(link)
+    return price_on(link, system).high * _ALL / carried if carried else None
 
 
 def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fraction) -> Iterator[Change]:
@@ -86,7 +94,7 @@ def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fra
         if link.is_overloaded:
             before = None if link.share_before is None else f"{float(link.share_before):.1f} % of it"
             said = f"{float(link.share):.1f} % of it"
-            effect = f"at most {found.whole.new} of {link.capacity} bytes/s: frames come late, or not at all"
+            effect = f"at most {link.taken} of {link.capacity} bytes/s: frames come late, or not at all"
             where = places[link.name]
             yield changed(OVERLOADED, f"link.{link.name}", before, said, (where, where), effect, rows=(link.name,))
     growth = found.growth
