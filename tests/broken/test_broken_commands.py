@@ -78,6 +78,7 @@ CASES = [
     Case("bad-mode", VEHICLE, "modes:", "actions: [{value: 1, call: drift, doc: Drift., mode: §12}]\nmodes:", "mode 12, which is not declared", is_alone=False),
     Case("bad-mode", STATE, "max: 30, initial: 4", "max: 30, initial: §5", "begins as 5"),
     Case("bad-mode", STATE, "      mode: {doc: Number of the mode., min: 0, max: 30, initial: 4}\n", "", "no number mode to be set", is_alone=False),
+    Case("bad-mode", STATE, "mode: {doc: Number of the mode., min: 0, max: 30, initial: 4}", "mode: {doc: Whether it stays., boolean: true, initial: true}", "no number mode to be set", at=f"{VEHICLE}:7:3", is_alone=False),
 ]  # fmt: skip
 
 

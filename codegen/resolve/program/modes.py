@@ -32,7 +32,7 @@ def resolve_modes(
     vehicle = components.get("vehicle")
     quantity = vehicle.quantities.get("mode") if vehicle and vehicle.instances == 1 else None
     if vehicle is None or quantity is None or quantity.kind is not QuantityKind.NUMBER:
-        if not state.is_written("vehicle", "mode"):  # else what is wrong with it has been reported
+        if not has_unread_mode(vehicle, state):
             report.add(
                 BAD_MODE,
                 spec.at("modes"),
@@ -61,6 +61,11 @@ def resolve_modes(
         found[int(key)] = Mode(int(key), mode.name, _base(mode, vehicle, report), citation, mode)
     _check_uses(spec, quantity, found, report)
     return tuple(found.values())
+
+
+def has_unread_mode(vehicle: Component | None, state: StateSpec) -> bool:
+    """Return whether ``vehicle.mode`` is written in a way that could not be read, which has been reported."""
+    return (vehicle is None or "mode" not in vehicle.quantities) and state.is_written("vehicle", "mode")
 
 
 def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity, ...]:

@@ -8,6 +8,7 @@ from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.state import StateSpec
 from codegen.model.vehicle import Component
 from codegen.resolve.named import is_name
+from codegen.resolve.program.modes import has_unread_mode
 from codegen.resolve.program.vehicle_names import is_vehicle_name
 from codegen.source import Place
 from codegen.sources.module_names import taken_by
@@ -57,10 +58,7 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
 
 
 def _without_arming(spec: VehicleSpec, vehicle: Component | None, state: StateSpec) -> Iterator[Problem]:
-    is_broken = vehicle is None and state.has_written("vehicle")
-    is_broken = is_broken or (
-        vehicle is not None and "mode" not in vehicle.quantities and vehicle.spec.is_written("mode")
-    )
+    is_broken = has_unread_mode(vehicle, state)
     for action in spec.actions:
         if action.disarm:
             message = f"{action.call} cannot disarm what cannot be armed"
