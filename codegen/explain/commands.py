@@ -63,6 +63,8 @@ def _param(param: CommandParam, command: Command, dialect: Dialect) -> Iterator[
         words.append(f"on the wire {param.wire_unit.name} {map_words(param.scale)}")
     if param.axis is not None:
         words.append("in COMMAND_INT 1e-7 degrees")
+    elif param.steps is not None:
+        words.append(f"in COMMAND_INT multiplied by {decimal(param.steps)}")
     if not param.is_none_for_nan:
         words.append("NaN is denied" if param.default is None else f"{decimal(param.default)} for NaN")
     words += [f"None for {left_words(param)}, which leaves it as it is"] if left_words(param) else []

@@ -30,8 +30,9 @@ class CommandParam:
     A value on the wire, which is in ``wire_unit``, becomes the method's argument, which is in ``unit``, by ``scale``.
     ``minimum`` and ``maximum`` are limits on the wire, floats of 32 bits, None where there is none; ``limits`` says
     them in words and in ``unit``. ``default`` is the argument for NaN. Of an ``enum`` the value is an entry or, where
-    that is a bitmask, a sum of them. COMMAND_INT carries a position (``axis``) as a whole number of 1e-7 degrees, and
-    says in a frame from where an altitude counts. For numbers of ``left`` on the wire the argument is None, and where
+    that is a bitmask, a sum of them. COMMAND_INT carries parameters 5 and 6 as whole numbers: of ``steps`` to one in
+    ``wire_unit``, as the 1e-7 degrees of a position (``axis``), or of it, where ``steps`` is None. It says in a frame
+    from where an altitude counts. For numbers of ``left`` on the wire the argument is None, and where
     ``is_none_for_nan`` for NaN. ``ends`` are the limits as they are meant, in ``unit``.
     """
 
@@ -47,6 +48,7 @@ class CommandParam:
     enum: EnumDefinition | None
     default: Fraction | None
     axis: Axis | None
+    steps: Fraction | None
     is_altitude: bool
     spec: CommandParamSpec
     left: tuple[Fraction, ...] = ()
@@ -56,7 +58,7 @@ class CommandParam:
     @property
     def is_rounded(self) -> bool:
         """Return whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
-        return self.is_whole and (self.axis is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
+        return self.is_whole and (self.steps is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
 
     @property
     def whole_ends(self) -> tuple[int, int] | None:

@@ -44,6 +44,12 @@ class CommandParamSpec(Written):
         "Enum of the dialect, of which the value has to be an entry, or flags; default: the one that the dialect says.",
         default=None,
     )
+    scaled: Fraction | None = described(
+        "By what COMMAND_INT multiplies parameter 5 or 6, which are whole numbers there: 1e7 for global positions, 1e4 "
+        "for local ones in m, or what the dialect's words say; 1 where it has whole numbers of the value. Default: 1e7 "
+        "of what the dialect calls a latitude or a longitude.",
+        default=None,
+    )
     default: Fraction | Nothing | None = described(
         "What the method is given for NaN, in unit, or null: the method is given None. Without it NaN is denied.",
         default=None,

@@ -13,7 +13,7 @@ from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
 from codegen.model.spec.described import Nothing
 from codegen.model.units.affine import AffineMap
-from codegen.model.units.unit import NUMBER, Unit, conversion, decimal, unit_named
+from codegen.model.units.unit import NUMBER, Unit, conversion, decimal, ratio, unit_named
 from codegen.resolve.commands.left_values import left_values
 from codegen.resolve.named import is_name
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
@@ -24,6 +24,8 @@ BAD_COMMAND_PARAM = Rule(
     "within those of the dialect, the smaller one first, and its default lies within them.",
 )
 _AXES = {(5, "latitude"): Axis.LATITUDE, (6, "longitude"): Axis.LONGITUDE}
+_WHOLE = (5, 6)
+"""Parameters of which COMMAND_INT has whole numbers: x and y."""
 _SHOWN_ENTRIES = 6
 _LARGEST = Fraction(struct.unpack("<f", b"\xff\xff\x7f\x7f")[0])
 _DEGREES_E7 = unit_named("degE7")
@@ -136,6 +138,7 @@ def _param(
         is_within = (minimum is None or on_wire >= minimum) and (maximum is None or on_wire <= maximum)
         _check_default(spec, spec.default, enum, is_whole, is_within, report)
     left, is_nan_left = left_values(label, spec, report)
+    steps = _steps(label, number, spec, stated.axis, wire_unit, report)
     limits = (_limit(own, limit, scale) for own, limit in ((spec.min, stated.minimum), (spec.max, stated.maximum)))
     found = CommandParam(
         number=number,
@@ -150,6 +153,7 @@ def _param(
         enum=enum,
         default=spec.default if isinstance(spec.default, Fraction) else None,
         axis=stated.axis,
+        steps=steps,
         is_altitude=stated.is_altitude,
         spec=spec,
         left=left,
@@ -165,6 +169,28 @@ def _param(
         )
         return None
     return found
+
+
+def _steps(
+    label: str, number: int, spec: CommandParamSpec, axis: Axis | None, wire_unit: Unit, report: Report
+) -> Fraction | None:
+    """Return how many steps to one in its unit COMMAND_INT has of a parameter; None where it has whole ones."""
+    if axis is not None:
+        if spec.scaled is not None:
+            message = f"{label} is a {axis.name.lower()}, of which COMMAND_INT has 1e-7 degrees"
+            report.add(BAD_COMMAND_PARAM, spec.at("scaled"), message, hint="leave scaled out")
+        return ratio(wire_unit, _DEGREES_E7) or Fraction(1)
+    if spec.scaled is None or spec.scaled == 1:
+        return None
+    if number not in _WHOLE:
+        message = f"COMMAND_INT has {label} as COMMAND_LONG has it, and multiplies parameters 5 and 6 alone"
+        report.add(BAD_COMMAND_PARAM, spec.at("scaled"), message, hint="leave scaled out")
+        return None
+    if spec.scaled < 1 or spec.scaled.denominator != 1:
+        message = f"COMMAND_INT has {label} multiplied by a whole number, not by {decimal(spec.scaled)}"
+        report.add(BAD_COMMAND_PARAM, spec.at("scaled"), message, hint="scaled: 1e7 for a global position")
+        return None
+    return spec.scaled
 
 
 def _has_value(param: CommandParam) -> bool:

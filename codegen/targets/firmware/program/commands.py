@@ -9,13 +9,11 @@ from codegen.model.command import Command, CommandParam, Mode
 from codegen.model.program import Program
 from codegen.model.spec.command import Allowed, Sender
 from codegen.model.units.affine import AffineMap
-from codegen.model.units.unit import ratio, unit_named
 from codegen.targets.naming import prose, quoted
 
 FINITE = "3.4e38"
 """The limit of what has none: infinities are beyond it."""
 _ARMED = {Allowed.ALWAYS: None, Allowed.ARMED: True, Allowed.DISARMED: False}
-_DEGREES_E7 = unit_named("degE7")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +71,7 @@ _ROOM = 100
 
 
 def _row(command: Command) -> CommandRow:
-    is_other_int = any(param.axis or _is_exact_int(param) for param in command.params)
+    is_other_int = any(param.steps is not None or _is_exact_int(param) for param in command.params)
     return CommandRow(
         number=command.number,
         about=f"{command.name}: {prose(command.spec.doc)}{_cited(command)}",
@@ -98,12 +96,10 @@ def _frame_words(command: Command) -> str:
 
 def _param(param: CommandParam, *, is_int: bool) -> str:
     """Number, least, most, multiplier, divisor, form, values, default, words: as own_commands.py reads them."""
-    scale, steps = param.scale, Fraction(1)
-    if is_int and param.axis is not None:
-        steps = ratio(param.wire_unit, _DEGREES_E7) or Fraction(1)
-        scale = AffineMap(scale.factor / steps, scale.pi)
+    steps = param.steps if is_int and param.steps is not None else Fraction(1)
+    scale = AffineMap(param.scale.factor / steps, param.scale.pi)
     low, high = (None if end is None else end * steps for end in (param.minimum, param.maximum))
-    if is_int and param.axis is not None:
+    if is_int and param.steps is not None:
         low, high = (None if end is None else Fraction(round(end)) for end in (low, high))
     elif is_int and _is_exact_int(param):
         low, high = param.ends
@@ -118,7 +114,7 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
         _among(param),
         "None" if param.default is None else argument_text(param, param.default),
         quoted(f"{param.name} must be {param.limits}"),
-        *_further(param),
+        *_further(param, steps),
     )
     line = f"({', '.join(parts)})"
     if len(line) <= _ROOM:
@@ -129,16 +125,16 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
 
 def _is_exact_int(param: CommandParam) -> bool:
     """Return whether COMMAND_INT carries whole numbers of a parameter of which COMMAND_LONG has the nearest float."""
-    if param.number not in (5, 6) or param.axis is not None or not param.is_whole or param.scale.ratio != 1:
+    if param.number not in (5, 6) or param.steps is not None or not param.is_whole or param.scale.ratio != 1:
         return False
     limits = (param.minimum, param.maximum)
     return any(end is not None and end != limit for end, limit in zip(param.ends, limits, strict=True))
 
 
-def _further(param: CommandParam) -> Iterator[str]:
+def _further(param: CommandParam, steps: Fraction) -> Iterator[str]:
     """The numbers that leave things as they are, and the ends of the argument, as far as there are any."""
     ends = param.whole_ends
-    left = [*(["None"] if param.is_none_for_nan else []), *map(number_text, param.left)]
+    left = [*(["None"] if param.is_none_for_nan else []), *(number_text(value * steps) for value in param.left)]
     if left or ends:
         yield f"({', '.join(left)}{',' if len(left) == 1 else ''})"
     if ends:

@@ -202,11 +202,10 @@ def _has(enum: EnumDefinition, value: int) -> bool:
 
 
 def _as_int(param: CommandParam, good: dict[int, _Sample]) -> _Sample:
-    """The good value in a COMMAND_INT: x and y are whole, a position in 1e-7 degrees."""
+    """The good value in a COMMAND_INT: x and y are whole, of a position and what else is multiplied as well."""
     sample = good[param.number]
-    if param.axis is not None:
-        units = 10**7 if param.wire_unit.name == "deg" else 1
-        return _Sample(str(round(Fraction(sample.wire) * units)), sample.argument)
+    if param.steps is not None:
+        return _Sample(str(round(Fraction(sample.wire) * param.steps)), sample.argument)
     if param.number in (5, 6) and param.is_whole and param.scale.ratio == 1:
         return _Sample(sample.argument, sample.argument)
     if param.number in (5, 6):
