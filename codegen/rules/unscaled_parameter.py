@@ -42,7 +42,7 @@ def _of(command: Command, param: CommandParam, parameter: CommandParameter) -> I
         said = f"{scaled[0]!r}" if scaled else f"a position ({parameter.description.strip().rstrip('.')!r})"
         factor = (scaled[1] or scaled[2]).replace("10^", "1e") if scaled else _factor(command)
         message = f"{label} is {said} to the dialect, and {param.name} would get what COMMAND_INT carries as it is"
-        hint = f"write scaled: {factor}, or scaled: 1 where COMMAND_INT has whole numbers of the value itself"
+        hint = f"write scaled: {factor}; scaled: 1 where COMMAND_INT has whole numbers of the value itself"
         yield Diagnostic(param.spec.place, RULE, message, hint, related)
     elif param.steps is not None and is_place and not scaled and len(_kinds(command)) != 1:
         kinds = "global and local" if command.spec.frames else "any"
@@ -52,7 +52,8 @@ def _of(command: Command, param: CommandParam, parameter: CommandParameter) -> I
 
 
 def _factor(command: Command) -> str:
-    return _LOCAL if _kinds(command) == {_LOCAL} else _GLOBAL
+    kinds = _kinds(command)
+    return next(iter(kinds)) if len(kinds) == 1 else f"{_GLOBAL} and frames that are global, or {_LOCAL} and local ones"
 
 
 def _kinds(command: Command) -> set[str]:

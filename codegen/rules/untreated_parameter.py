@@ -17,6 +17,9 @@ RULE = Rule(
     Severity.WARNING,
 )
 
+_UNKNOWN_WHOLE = (1 << 31) - 1
+"""What stands for NaN in x and y of COMMAND_INT, whatever words say of it."""
+
 
 def check(system: System) -> Iterator[Diagnostic]:
     """One finding for each such number of a parameter that the method is given."""
@@ -35,6 +38,8 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 def _is_treated(stated: StatedValue, param: CommandParam) -> bool:
     value, unchanged = stated.number, param.spec.unchanged
+    if value == _UNKNOWN_WHOLE and param.number in (5, 6):
+        return True
     is_below = param.minimum is not None and value < param.minimum
     is_above = param.maximum is not None and value > param.maximum
     if is_below or is_above or value in param.left or unchanged == ():

@@ -24,6 +24,7 @@ def horn(text: str) -> str:
     return HORN.replace("requirement: FR-301.2", text)
 
 
+NORTH = "6: {name: north, min: -500, max: 500, scaled: 1e4}"
 CASES = [
     Case("unknown-enum-entry", COMMANDS, "  MAV_CMD_USER_1:", "  §MAV_CMD_USR_1:", "did you mean MAV_CMD_USER_1"),
     Case("built-in-command", COMMANDS, HORN, HORN.replace("  MAV_CMD_USER_3", "  §MAV_CMD_COMPONENT_ARM_DISARM"), "arming in vehicle.yaml says how"),
@@ -67,6 +68,14 @@ CASES = [
     Case("bad-command-frame", COMMANDS, "    frames: [MAV_FRAME_GLOBAL_RELATIVE_ALT_INT]\n", "", "the altitude altitude of MAV_CMD_DO_SET_HOME has no frame", at=f"{COMMANDS}:57:7"),
     Case("bad-command-frame", COMMANDS, "[MAV_FRAME_GLOBAL_RELATIVE_ALT_INT]", "§[MAV_FRAME_GLOBAL, MAV_FRAME_GLOBAL_RELATIVE_ALT]", "is given in MAV_FRAME_GLOBAL and MAV_FRAME_GLOBAL_RELATIVE_ALT"),
     Case("bad-command-frame", COMMANDS, "[MAV_FRAME_GLOBAL_RELATIVE_ALT_INT]", "§[MAV_FRAME_LOCAL_NED]", "has latitude and longitude"),
+    Case("unscaled-parameter", COMMANDS, NORTH, "§6: {name: north, min: -500, max: 500}", "MAV_CMD_NAV_LAND_LOCAL 6 is a position ('X-axis position') to the dialect"),
+    Case("unscaled-parameter", COMMANDS, NORTH, "§6: {name: north, min: -500, max: 500}", "write scaled: 1e4; scaled: 1 where"),
+    Case("unscaled-parameter", COMMANDS, "-1, max: 1, scaled: 1e7,", "-1, max: 1,", "'scaled by 1e7' to the dialect, and flap would get", at=f"{COMMANDS}:106:14"),
+    Case("unscaled-parameter", COMMANDS, "[MAV_FRAME_LOCAL_NED]", "[MAV_FRAME_LOCAL_NED, MAV_FRAME_GLOBAL]", "a position in global and local frames", at=f"{COMMANDS}:99:7", is_alone=False),
+    Case("unscaled-parameter", COMMANDS, "    frames: [MAV_FRAME_LOCAL_NED]\n", "", "a position in any frames", at=f"{COMMANDS}:98:7", is_alone=False),
+    Case("bad-command-parameter", COMMANDS, "lat, unit: degE7}\n      6: {name: lon, unit: deg}", "lat, unit: degE7, scaled: §1e7}\n      6: {name: lon, unit: deg}", "is a latitude, of which COMMAND_INT has 1e-7 degrees"),
+    Case("bad-command-parameter", COMMANDS, LAMPS, "1: {name: lamps, scaled: §1e7}", "multiplies parameters 5 and 6 alone"),
+    Case("bad-command-parameter", COMMANDS, NORTH, "6: {name: north, scaled: §2.5}", "multiplied by a whole number, not by 2.5"),
     Case("unknown-enum-entry", COMMANDS, "[MAV_FRAME_GLOBAL_RELATIVE_ALT_INT]", "§[MAV_FRAME_GLOBAL_RELATIVE]", "did you mean MAV_FRAME_GLOBAL_RELATIVE_ALT"),
     Case("no-program-for-commands", VEHICLE, None, "", "no program", at=f"{COMMANDS}:1:1"),
     Case("bad-mode", VEHICLE, "  11: {name: RTL", "  §31: {name: RTL", "31 is not a mode"),

@@ -58,6 +58,7 @@ EDITS = [
     ("commands.yaml", "unit: km/h, default: 3.6, max: 36", "unit: m/s, default: 1, max: 10", {"command-changed"}),
     ("commands.yaml", "unit: km/h, default: 3.6, max: 36", "unit: m/s, default: 1, max: 36", {"command-range-changed", "command-changed"}),
     ("commands.yaml", "unit: km/h, default: 3.6, max: 36", "unit: km/h, default: 3.60, max: 36.0", set()),
+    ("commands.yaml", "max: 500, scaled: 1e4", "max: 500, scaled: 1e3", {"command-unit-changed"}),
     ("commands.yaml", "allowed: armed", "allowed: always", {"command-changed"}),
     ("commands.yaml", "allowed: armed", "allowed: disarmed", {"command-changed!"}),
     ("commands.yaml", "    from: ground_station\n", "", {"command-changed"}),

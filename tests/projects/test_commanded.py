@@ -19,7 +19,7 @@ HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
 NAN, INFINITE = math.nan, math.inf
 PUMP, LIGHTS, HORN, UNKNOWN = 31010, 31011, 31012, 31013
-GO, TURN, SET_MODE, HOME, SPEED, COUNT = 192, 115, 176, 179, 178, 31014
+GO, TURN, SET_MODE, HOME, SPEED, COUNT, LAND, FLAP = 192, 115, 176, 179, 178, 31014, 23, 187
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED, FAILED, IN_PROGRESS, CANCELLED = range(7)
 
 
@@ -195,6 +195,31 @@ CASES = {
         [(GO, 2, 0), (GO, 0, 0), (GO, 0, 0)],
         ["Go to: positions have to be global"],
         [["go", "0", "0.0", "0.0", "0"], ["go", "0", "0.0", "36.0", "0"]],
+    ),
+    # COMMAND_INT.x and y are, in the words of the dialect, 1e4 of a metre in local frames
+    "a local position": (
+        [whole(LAND, x=12345, y=-30000, frame_of=1), long(LAND, 0, 0, 0, 0, 1.5, 2.25)],
+        [(LAND, 0, 0)] * 2,
+        [],
+        [["land", "-3.0", "123"], ["land", "2.25", "150"]],
+    ),
+    "no other frame for a local position": (
+        [whole(LAND, frame_of=6), whole(LAND, y=5000001, frame_of=1), whole(LAND, y=5000000, frame_of=1)],
+        [(LAND, 2, 0)] * 2 + [(LAND, 0, 0)],
+        ["Land: the frame must be MAV_FRAME_LOCAL_NED", "Land: north must be -500 to 500 m"],
+        [["land", "500.0", "0"]],
+    ),
+    "what is multiplied, and no position": (
+        [
+            whole(FLAP, x=5000000),
+            whole(FLAP, x=-10000000, frame_of=1),
+            whole(FLAP, x=0x7FFFFFFF),
+            long(FLAP, 0, 0, 0, 0, 0.5),
+            whole(FLAP, x=10000001),
+        ],
+        [(FLAP, 0, 0)] * 4 + [(FLAP, 2, 0)],
+        ["Move flap: flap must be -1 to 1"],
+        [["flap", "0.5"], ["flap", "-1.0"], ["flap", "None"], ["flap", "0.5"]],
     ),
     # MAV_FRAME_GLOBAL (0) and its _INT (5) count from the sea, LOCAL_NED (1) downwards; those above home are 3 and 6
     "an altitude counts from one level": (

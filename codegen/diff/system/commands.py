@@ -61,6 +61,7 @@ def _param(param: CommandParam) -> Iterator[Fact]:
     unit = param.wire_unit.name or "a number"
     position = f", {param.axis.name.lower()}" if param.axis else ""
     position += ", an altitude" if param.is_altitude else ""
+    position += "" if param.steps is None else f", in COMMAND_INT {amount(param.steps)} to one"
     yield Fact(f"{at} in", f"{unit}{position}", rules.COMMAND_UNIT, spec.at("unit"))
     yield Fact(
         f"{at} is given as", f"{param.name} {map_words(param.scale)} {param.unit.name}", rules.COMMAND, spec.place

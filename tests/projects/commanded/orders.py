@@ -60,6 +60,12 @@ class Boat(Craft):
     def set_home(self, lat, lon, altitude):
         return self._do("home", lat, lon, altitude)
 
+    def land(self, north, east):
+        return self._do("land", north, east)
+
+    def move_flap(self, flap):
+        return self._do("flap", flap)
+
     def check_mode(self, _mode):
         return self.says.get("check_mode")
 
