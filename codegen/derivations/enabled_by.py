@@ -39,4 +39,7 @@ class EnabledBy(Derivation):
 def resolve_enabled_by(written: EnabledBySpec, kept: Kept, around: Surroundings) -> EnabledBy | None:
     """The parameter that switches; None after a finding."""
     parameter = around.parameter("enabled_by", written.enabled_by)
+    if parameter is not None and not parameter.spec.reboot:
+        message = f"{parameter.name} is looked at when the board starts"
+        around.bad("enabled_by", message, hint=f"{parameter.name}: reboot: true")
     return None if parameter is None else EnabledBy(parameter)

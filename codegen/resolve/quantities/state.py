@@ -114,6 +114,9 @@ def _first_number(
             f"{parameter.name} is not a whole number from 0 to 255",
             hint=f"give {parameter.name} min: 0, max: 255 and step: 1, or name another parameter",
         )
+    elif parameter is not None and not parameter.spec.reboot:
+        message = f"{parameter.name} is looked at when the board starts"
+        report.add(BAD_COMPONENT, place, message, f"{parameter.name}: reboot: true")
     return parameter
 
 
