@@ -24,7 +24,7 @@ def vehicle_class():
     try:
         import rover  # noqa: PLC0415
     except ImportError as error:
-        if "rover" not in str(error):  # the module is there, but one that it imports is not
+        if not str(error).endswith("'rover'"):  # the module is there, but one that it imports is not
             raise
         return Vehicle
     if not issubclass(rover.Rover, Vehicle):

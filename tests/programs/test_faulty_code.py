@@ -60,6 +60,7 @@ def outcome(folder: Path, code: str | None, interpreter: str) -> list[object]:
     [
         ("class Rover(\n", "SyntaxError"),
         ("import wheels\n", "ImportError"),
+        ("import rover_wheels\n", "ImportError"),
         ("raise OSError(5)\n", "OSError"),
         ("x = 1\n", "AttributeError"),
         ("class Rover:\n    pass\n", "not derived from"),

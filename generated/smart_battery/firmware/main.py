@@ -24,7 +24,7 @@ def vehicle_class():
     try:
         import pack  # noqa: PLC0415
     except ImportError as error:
-        if "pack" not in str(error):  # the module is there, but one that it imports is not
+        if not str(error).endswith("'pack'"):  # the module is there, but one that it imports is not
             raise
         return Vehicle
     if not issubclass(pack.Pack, Vehicle):
