@@ -70,5 +70,6 @@ def _field(taken: ReceivedField) -> dict[str, object]:
         "unknown": list(taken.absent),
         "speaking": taken.speaking,
         "is_extension": taken.is_extension,
+        "initial": quantity.initial if isinstance(quantity.initial, str) else None,
         "stale_ms": quantity.trust.stale_after_ms if quantity.ages else None,
     }

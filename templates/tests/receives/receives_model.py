@@ -22,7 +22,7 @@ class Model:
         self.refused = {table["name"]: {} for table in facts["tables"]}
         for table in facts["tables"]:
             for field in table["fields"]:
-                self.known[_path(field)] = False if field["kind"] == "boolean" else None
+                self.known[_path(field)] = False if field["kind"] == "boolean" else field["initial"]
 
     def passes(self, duration_ms):
         """Let time pass: what is older than it may be is forgotten."""
@@ -44,10 +44,11 @@ class Model:
                     self._take(table["name"], field, values, version, types)
 
     def _is_for(self, table, values, sender):
+        # MAVLink 1 has no extensions: one that is not there is 0.
         for name, own in zip(table["target"], self._facts["own"], strict=True):
-            if name is not None and values[name] not in (0, own):
+            if name is not None and values.get(name, 0) not in (0, own):
                 return False
-        if any(values[name] != number for name, number in table["where"].items()):
+        if any(values.get(name, 0) != number for name, number in table["where"].items()):
             return False
         if table["sender"] == "ground_station":
             return sender[0] in self._heard
@@ -64,7 +65,7 @@ class Model:
         if outcome is AS_IT_WAS:
             return
         if outcome is None:
-            self.known[path] = self.known[path] if field["kind"] == "boolean" else None
+            self.known[path] = self.known[path] if field["kind"] == "boolean" else field["initial"]
         elif outcome is Ellipsis:
             refused = self.refused[table]
             refused[field["label"]] = refused.get(field["label"], 0) + 1
