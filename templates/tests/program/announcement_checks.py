@@ -8,6 +8,7 @@ from program_bench import (
     TURN_MS_US,
     GroundStation,
     Port,
+    id_of,
     main,
     messages,
     mock_time,
@@ -25,10 +26,6 @@ STEP_US = 10000
 LONG_US = 3 * SECOND_US // 2  # enough for every announcement, one in a pass
 
 
-def _id(frame):
-    return frame[7] | frame[8] << 8 | frame[9] << 16
-
-
 def _expected(craft):
     """Return the ids that a link is told when somebody appears, once for each frame."""
     found = []
@@ -41,7 +38,7 @@ def _expected(craft):
 def _announced(port, since=0):
     """Return the ids of what is sent on connection among the frames of a port, in their order."""
     known = [number for number, facts in MESSAGES.items() if facts["on_connection"] or facts["watched"]]
-    return sorted(_id(frame) for frame in port.frames[since:] if _id(frame) in known)
+    return sorted(id_of(frame) for frame in port.frames[since:] if id_of(frame) in known)
 
 
 def _craft(**arguments):
@@ -232,7 +229,7 @@ def told_of_a_change():
                     port.frames = []
                 run_passes(craft, 20)
                 for port in ports:
-                    found = [_id(frame) for frame in port.frames].count(number)
+                    found = [id_of(frame) for frame in port.frames].count(number)
                     assert found == (facts["pages"] if is_told else 0), (number, place, value, found)
 
 
@@ -257,7 +254,7 @@ def told_of_all_when_their_turn_comes():
         run(craft, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
         port.room = None
         run_passes(craft, 60)
-        found = [_id(frame) for frame in port.frames].count(number)
+        found = [id_of(frame) for frame in port.frames].count(number)
         assert found == len(reporting(craft, number)) * facts["pages"], (number, found)
     needs(several > 1, "several instances that are announced")
 
@@ -346,7 +343,7 @@ def told_besides():
     run(craft, 120 * SECOND_US, STEP_US)
     for number in found:
         turn = len(reporting(craft, number)) * MESSAGES[number]["pages"] if is_chosen(craft, number) else 0
-        count = [_id(frame) for frame in port.frames].count(number)
+        count = [id_of(frame) for frame in port.frames].count(number)
         assert abs(count - 120 * MESSAGES[number]["rate"] * turn) <= turn, (number, count)
 
 

@@ -7,6 +7,7 @@ from program_bench import (
     Sink,
     fitted,
     good_count,
+    id_of,
     machine,
     main,
     mock_time,
@@ -161,7 +162,7 @@ def _sent_in(craft, duration_us):
     run(craft, duration_us)
     sent = {}
     for frame in craft.port.frames:
-        number = frame[7] | frame[8] << 8 | frame[9] << 16
+        number = id_of(frame)
         sent[number] = sent.get(number, 0) + 1
     return sent
 

@@ -223,6 +223,21 @@ class Sink:
         """Do nothing."""
 
 
+def id_of(frame):
+    """Return the id of a frame's message, of either version."""
+    return frame[7] | frame[8] << 8 | frame[9] << 16 if frame[0] == 0xFD else frame[5]
+
+
+def payload_of(frame):
+    """Return the payload of a frame, without a signature."""
+    return frame[10:-2] if frame[0] == 0xFD else frame[6:-2]
+
+
+def sender_of(frame):
+    """Return the system that sent a frame."""
+    return frame[5 if frame[0] == 0xFD else 3]
+
+
 class GroundStation:
     """The other end of a port: the firmware's own link, with the ids of a ground station."""
 

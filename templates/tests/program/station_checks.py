@@ -7,6 +7,7 @@ from program_bench import (
     SECOND_US,
     SETTABLE,
     GroundStation,
+    id_of,
     main,
     messages,
     needs,
@@ -307,10 +308,7 @@ def who_comes_back_is_told_what_it_missed():
     scene.seconds(SILENCE_MS // 1000 + 2, 2)
     scene.air.taken = {}
     scene.seconds(1, 1, 2)
-    found = [
-        [frame for frame in scene.air.taken[address(number)] if frame[7] | frame[8] << 8 | frame[9] << 16 in told]
-        for number in (1, 2)
-    ]
+    found = [[frame for frame in scene.air.taken[address(number)] if id_of(frame) in told] for number in (1, 2)]
     assert found[0], "who came back"
     assert not found[1], "who was there"
 

@@ -7,6 +7,7 @@ from program_bench import (
     GroundStation,
     Port,
     Sink,
+    id_of,
     know,
     main,
     messages,
@@ -42,7 +43,7 @@ class Counter(Sink):
 
     def write(self, frame):
         """Take all."""
-        number = frame[7] | frame[8] << 8 | frame[9] << 16
+        number = id_of(frame)
         self.ids[number] = self.ids.get(number, 0) + 1
         return len(frame)
 
@@ -195,7 +196,7 @@ def _interval(craft, station, number):
 def _frames_in(craft, port, number, seconds):
     port.frames = []
     run(craft, seconds * SECOND_US, STEP_US)
-    return len([frame for frame in port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number])
+    return len([frame for frame in port.frames if id_of(frame) == number])
 
 
 def intervals_on_one_link():
@@ -294,7 +295,7 @@ def tables_are_asked_for_together():
         station.port.frames = []
         station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
         run(craft, 4 * LINKS_US)
-        found = [frame for frame in station.port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number]
+        found = [frame for frame in station.port.frames if id_of(frame) == number]
         assert len(found) == frames, (number, len(found))
 
 
@@ -315,7 +316,7 @@ def withheld_messages_are_rejected_for_now():
                 station.port.frames = []
                 station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
                 run(craft, 4 * LINKS_US)
-                found = len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
+                found = len([frame for frame in station.port.frames if id_of(frame) == number])
                 acks = station.received(messages.CommandAck)
                 assert [ack.result for ack in acks] == [result], (number, attribute, acks)
                 assert found >= frames, (number, attribute, found)
@@ -388,7 +389,7 @@ def _sent_in(craft, seconds, *stations):
     for station in stations:
         station.port.frames = []
     run(craft, seconds * SECOND_US, STEP_US)
-    return [[frame[7] | frame[8] << 8 | frame[9] << 16 for frame in station.port.frames] for station in stations]
+    return [[id_of(frame) for frame in station.port.frames] for station in stations]
 
 
 def repeated_requests_keep_the_phase():
@@ -406,7 +407,7 @@ def repeated_requests_keep_the_phase():
         _request(station, stream["data_stream"], 3)
         station.port.frames = []
         run(craft, 70 * 1000)
-        count += len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
+        count += len([frame for frame in station.port.frames if id_of(frame) == number])
     expected = instances * 3 * (mock_time.elapsed_us() - start_us) // SECOND_US
     assert abs(count - expected) <= instances, (count, expected)
 
