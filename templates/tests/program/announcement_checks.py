@@ -24,6 +24,8 @@ import dialect
 ONBOARD_CONTROLLER = 18  # MAV_TYPE_ONBOARD_CONTROLLER of MAVLink's minimal.xml
 STEP_US = 10000
 LONG_US = 3 * SECOND_US // 2  # enough for every announcement, one in a pass
+OFTEN_HZ = 0.1  # what is streamed more often than that is put to rest
+REST_US = 600 * SECOND_US
 
 
 def _expected(craft):
@@ -37,7 +39,7 @@ def _expected(craft):
 
 def _announced(port, since=0):
     """Return the ids of what is sent on connection among the frames of a port, in their order."""
-    known = [number for number, facts in MESSAGES.items() if facts["on_connection"] or facts["watched"]]
+    known = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
     return sorted(id_of(frame) for frame in port.frames[since:] if id_of(frame) in known)
 
 
@@ -46,7 +48,16 @@ def _craft(**arguments):
     needs([facts for facts in MESSAGES.values() if facts["on_connection"]], "a message that is sent on connection")
     craft = new_craft(**arguments)
     needs(_expected(craft), "a message that is sent on connection by default")
+    for number in MESSAGES:
+        _rest(craft, number, REST_US)
     return craft
+
+
+def _rest(craft, number, interval_us):
+    """Let a message that is streamed often be streamed at most once in an interval."""
+    if (MESSAGES[number]["rate"] or 0) > OFTEN_HZ:
+        for connection in craft.connections:
+            connection.streams.set_interval(number, interval_us)
 
 
 def _beat(station, kind=dialect.MAV_TYPE_GCS):
@@ -218,6 +229,7 @@ def told_of_a_change():
         component, attribute = facts["watched"]
         ports = [Port(), Port()]
         craft = new_craft(ports=ports)
+        _rest(craft, number, REST_US)
         _quiet(craft, ports)
         for place, owner in enumerate(_owners(craft, component)):
             for value in (5, 6, None):
@@ -248,10 +260,12 @@ def told_of_all_when_their_turn_comes():
         if not facts["rate"] or not is_chosen(craft, number):
             continue
         several = max(several, len(reporting(craft, number)))
+        interval_us = int(SECOND_US / min(facts["rate"], OFTEN_HZ))
+        _rest(craft, number, interval_us)
         _quiet(craft, [port])
         port.room = 0
         setattr(owners[-1], attribute, 5)
-        run(craft, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
+        run(craft, interval_us + SECOND_US, STEP_US)
         port.room = None
         run_passes(craft, 60)
         found = [id_of(frame) for frame in port.frames].count(number)

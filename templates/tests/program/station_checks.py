@@ -301,7 +301,8 @@ def who_comes_back_finds_its_rates():
 
 def who_comes_back_is_told_what_it_missed():
     """Only the station that comes back gets the messages sent on connection, though another has its system id."""
-    told = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
+    # What is streamed as often comes to both.
+    told = [number for number, facts in MESSAGES.items() if facts["on_connection"] and (facts["rate"] or 0) < 0.1]
     scene = Scene()
     needs(told and VERSION == 2, "a message that is sent on connection")
     scene.seconds(2, 1, 2)
@@ -350,8 +351,12 @@ def too_much_is_left_out_from_the_end():
     per_pass = sum([LINKS_US / interval_us for interval_us in intervals_us if interval_us > 0])
     needs(per_pass > 9, "enough messages")
     scene.seconds(1, 1, 2, 3, 4)
-    found = scene.heard(5, 1, 2, 3, 4)
-    frames = [len(scene.air.taken[address(number)]) for number in (1, 2, 3, 4)]
+    found, frames = [0] * 4, [0] * 4
+    for _ in range(5):
+        beats = scene.heard(1, 1, 2, 3, 4)
+        for place in range(4):
+            found[place] += beats[place]
+            frames[place] += len(scene.air.taken[address(place + 1)])
     assert min(frames) > max(frames) * 3 // 4, frames
     wanted = 5 * SECOND_US // streams[0].interval_us(messages.Heartbeat.ID)
     assert 2 * min(found) >= max(found), found

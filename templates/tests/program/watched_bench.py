@@ -5,6 +5,7 @@ from program_facts import CHECKS_US, FORCE_ARM, PARAMETERS, WATCHED
 
 LEVEL, ATTRIBUTE, SENSE, LIMIT, FACTOR, IS_OFF_AT_ZERO, AFTER, AFTER_MS, SLACK, LOW, HIGH = range(11)
 THRESHOLDS = ("below", "above")
+SOME_PASSES = 4  # in which a HEARTBEAT that has come is taken
 
 
 class Bench:
@@ -54,7 +55,11 @@ class Bench:
     def delay(self, condition):
         """Return after how many passes a condition has held for long enough: the first of them begins it."""
         if condition[AFTER]:
-            setattr(self.craft.parameters, condition[AFTER], max(1, _parameter(condition[AFTER])["minimum"]))
+            parameter = _parameter(condition[AFTER])
+            enough = -(-SOME_PASSES * self.period_us // (condition[AFTER_MS] * 1000))
+            setattr(
+                self.craft.parameters, condition[AFTER], min(max(enough, parameter["minimum"]), parameter["maximum"])
+            )
         return self.due(condition)
 
     def due(self, condition):
