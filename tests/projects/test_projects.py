@@ -13,9 +13,10 @@ have in radians, and the other way, sent and received. own_dialect is written fo
 and has the last system id that there is. sensors has a sensor of every kind, and one with a driver of its own;
 power_monitor has two channels of an ADC in one component, and a level. slow_readings has a thermometer that is read
 less often than failsafes look, actions by severity with a failsafe that arming does not ask, constants for multipliers,
-a range that is narrow and symmetric, and components with the names of functions. moored_buoy has failsafes and nothing
+a range that is narrow and symmetric, components with the names of functions, a stream of minutes, and a HEARTBEAT that
+is sent on connection and on a change, too. moored_buoy has failsafes and nothing
 to arm. watched_boat has several of them on one quantity, too much and too little of it, and thresholds that no 0
-switches off, beside each other. commanded has flags that no float of 32 bits carries.
+switches off, beside each other; it speaks MAVLink 1. commanded has flags that no float of 32 bits carries.
 """
 
 import subprocess
