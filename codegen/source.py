@@ -48,3 +48,7 @@ class Written:
     def at(self, key: str) -> Place:
         """The place of the value written for ``key``, or of the whole record where the key is not written."""
         return self.places.get(key, self.place)
+
+    def has_unread(self, *keys: str) -> bool:
+        """Return whether one of the keys is written with a value that could not be read, which has been reported."""
+        return any(key in self.places and getattr(self, key) is None for key in keys)

@@ -362,6 +362,8 @@ def _resolve_stream(
     citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
     if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         report.add(BAD_STREAM, spec.place, f"{name} cannot be the name of a stream", "use letters, digits and _")
+    if spec.has_unread("rate", "parameter"):
+        return None
     if (spec.rate is None) == (spec.parameter is None):
         report.add(
             BAD_STREAM,
