@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from codegen.diff.change import Weight
-from codegen.diff.judging.quantities import unit_in_words
 from codegen.diff.judging.readings import stated_values
+from codegen.diff.judging.units_in_words import unit_in_words
 from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, text_likeness
 from codegen.diff.judging.words import is_negated, is_short_for, is_shortened, is_slip, stem
 

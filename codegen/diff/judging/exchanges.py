@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from codegen.diff.judging.alignment import Alignment, Piece, aligned
 from codegen.diff.judging.judging import HARMLESS, Judgement
-from codegen.diff.judging.quantities import says_unit
+from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_respelt, is_slip
 from codegen.pattern import pattern
