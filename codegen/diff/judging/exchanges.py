@@ -11,7 +11,7 @@ from codegen.diff.judging.alignment import Alignment, Piece, aligned
 from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
-from codegen.diff.judging.words import is_respelt, is_slip
+from codegen.diff.judging.words import is_related, is_respelt, is_slip
 from codegen.pattern import pattern
 
 _LEAST_FRAME, _SMALL_FRAME = 3, 2
@@ -32,13 +32,16 @@ _LONGEST_MIDDLE = 40
 
 _POINTERS = pattern(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
 _ALTERNATIVE = pattern(
-    r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
+    r"^\W*(?:or\b(?! \w+ \(\d)(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)",
+    re.IGNORECASE | re.DOTALL,
 )
 _ORIGIN = pattern(r"\W*(?:from|above|below|relative to|since|until|between|towards?|after|before)\b", re.IGNORECASE)
 _ORDERED = pattern(r"\b(?:order|elements)\b", re.IGNORECASE)
-_RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
+_RESTRICTION = pattern(
+    r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b|\baffects \w+ only\b", re.IGNORECASE
+)
 _ALTERNATING = frozenset({"or", "unless", "except", "but"})
-_RESTRICTING = frozenset({"ignored", "used", "unused", "supported"})
+_RESTRICTING = frozenset({"ignored", "used", "unused", "supported", "affects"})
 _WORD = pattern(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
 _JOINING = frozenset({"and", "or", "the", "a", "an"})
 _DECIDING = frozenset({"positive", "negative", "true", "false", "nan", "set", "cleared"})
@@ -60,6 +63,12 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     if not may_exchange and not may_condition:
         return HARMLESS
     found = aligned(old, new)
+    if (
+        old.lower().split()[:_LEAST_FRAME] == new.lower().split()[:_LEAST_FRAME]
+        and is_whole
+        and found.kept == _SMALL_FRAME
+    ):
+        found = found._replace(kept=_LEAST_FRAME)  # the words that carry nothing hold the rest together, too
     if found.kept >= _SMALL_FRAME and found.share >= _LEAST_SHARE:
         exchanged = _exchanged(found, is_whole=is_whole)
         if exchanged is not None:
@@ -95,7 +104,7 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
         return None
     if max(len(one.gone), len(one.come)) > _LONGEST_PHRASE:
         return None
-    if any(is_respelt(word, other) for word in one.gone for other in one.come):
+    if any(is_related(word, other) for word in one.gone for other in one.come):
         return None  # which says some of the same, in a sentence built otherwise
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own

@@ -3,17 +3,31 @@
 from codegen.diff.judging.phrases import with_unknown
 from codegen.pattern import pattern
 
-_NEGATION = pattern(r"\b(?:not|no|never|unless|except|without|cannot)\b|n't\b")
+_NEGATION = pattern(
+    r"\b(?:not|no|never|unless|except|without|cannot)\b|n't\b"
+    r"|\b(?:left|leav(?:e|es|ing)) (?:out|alone)\b|\bdropped from\b"
+    r"|\b(?:exclud|omit|skip|suppress|bypass|disregard|discard|withh[eo]ld|ignor)\w*"
+)
+_RANGE_END = pattern(
+    r"(?:\d ?(?:to|-|\.\.+|through|and) ?|\b(?:share|out|parts?|fraction|maximum|up) (?:of|to|is) )(\d+)\b"
+    r"|\b(\d+)(?= ?(?:is|=|:|for) (?:the )?(?:max|full|100))"
+)
 _NUMBER = pattern(r"(?<![\w.])-?(?:0x[0-9a-f]+|\d+(?:\.\d+)?)(?![\w.]*\d)")
 _LIMITS = frozenset(str(2**bits - 1) for bits in (7, 8, 15, 16, 31, 32, 63, 64))
 _UNKNOWN = pattern(
-    r"\bnot (?:available|known|used|provided|set|supported|measured|applicable|equal)\b|\b(?:do not|don't) use\b"
+    r"\bnot (?:available|known|provided|set|supported|measured|applicable|equal)\b|\bnot used\b(?! (?:for|in|by|as))"
+    r"|\b(?:do not|don't) use\b(?! (?:the|this|a) )|\bignor\w* (?:it\b|(?:the|this) (?:value|field|number|parameter)\b)"
 )
 
 
 def numbers(text: str) -> frozenset[str]:
-    """Return the numbers of a text in one spelling, without the limits of types: those are its value for unknown."""
-    return frozenset(_spelt(number[0]) for number in _NUMBER.finditer(text.lower().replace("..", " "))) - _LIMITS
+    """Return the numbers of a text in one spelling, without the limits of types that no range
+    ends with: those are its value for unknown."""
+    small = text.lower()
+    found = frozenset(_spelt(number[0]) for number in _NUMBER.finditer(small.replace("..", " ")))
+    if found.isdisjoint(_LIMITS):
+        return found
+    return found - (_LIMITS - {end[1] or end[2] for end in _RANGE_END.finditer(small)})
 
 
 def _spelt(number: str) -> str:

@@ -19,6 +19,14 @@ class _Reference(NamedTuple):
     expression: re.Pattern[str]
 
 
+def _first_number(number: str) -> str:
+    """Return an expression for texts that say with which number counting begins."""
+    return (
+        rf"\b(?:{number})[- ](?:based|indexed)|\bfirst (?:one )?(?:being|is) (?:{number})\b"
+        rf"|\b(?:count|start|begin|number|index)\w* (?:counting )?(?:from|at|with) (?:{number})\b"
+    )
+
+
 _REFERENCES = tuple(
     _Reference(kind, name, tuple(words.split("|")), pattern(expression))
     for kind, name, words, expression in (
@@ -57,26 +65,41 @@ _REFERENCES = tuple(
         ("statistic", "a peak", "peak|highest|maximum", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
         ("spread", "a variance", "variance", r"\bvariance"),
         ("spread", "a deviation", "deviation|std|rms", r"\bdeviation|\bstd\b|\brms\b"),
-        ("count", "all together", "total|sum|together|combined", r"\btotal|\bsum of|\ball \w+ together|\bcombined"),
-        ("count", "each", "each", r"\bof each\b"),
-        ("statistic", "a moment", "instantaneous|momentary", r"\binstantaneous|\bmomentary"),
-        ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth|old|new)est\b"),
+        ("count", "all together", "total|sum|together|in series|combined|whole|pack",
+         r"\btotal|\bsum of|\ball \w+ (?:together|in series)|\bcombined|\bwhole\b|\bof the (?:battery )?pack\b"),
+        ("count", "a single one", "this", r"\bthis (?:flight|mission|charge|cycle)\b"),
+        ("count", "each", "each|per", r"\b(?:of|in|for) each\b|\bper (?:cell|motor|engine|battery|servo|sensor)\b"),
+        ("statistic", "a moment", "instantaneous|momentary|at the time|latest|most recent",
+         r"\binstantaneous|\bmomentary|\bat the time of sending|\blatest|\bmost recent"),
+        ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth)est\b"),
         ("medium", "the ground", "ground", r"\bground ?speed|\bover (?:the )?ground"),
         ("medium", "the air", "air", r"\bair ?speed|\bthrough (?:the )?air|\brelative to (?:the )?(?:air|wind)"),
         ("medium", "the water", "water", r"\bthrough (?:the )?water|\brelative to (?:the )?water"),
         ("origin", "what was asked for", "command|request|desire|as set by",
          r"\bcommanded|\brequested|\bdesired|\bas set by"),
-        ("origin", "what was measured", "measured|read back|actual|feedback|encoder",
-         r"\bmeasured|\bread back|\bactual\b|\bfeedback|\bencoder"),
-        ("amount", "what is left", "remaining|free|unused", r"\bremaining|\bfree\b|\bunused\b"),
-        ("amount", "what is used", "in use|consumed|occupied|already used",
-         r"\bin use\b|\bconsumed|\boccupied|\balready used"),
+        ("origin", "what was measured", "measured|read |actual|feedback|encoder",
+         r"\bmeasured|\bread (?:back|from|by)\b|\bactual\b|\bfeedback|\bencoder"),
+        ("amount", "what is left", "remain|free|unused|left in",
+         r"\bremain(?:s|ing)\b|\bfree\b|\bunused (?:space|memory|bytes|capacity)|\bleft in\b"),
+        ("amount", "what is used", "in use|consumed|occupied|used|burnt|burned|spent",
+         r"\bin use\b|\bconsumed|\boccupied|\balready used|\bused since|\bburn(?:t|ed)\b|\bspent\b"),
         ("signal", "raw values", "raw|unfiltered", r"\braw\b|\bunfiltered"),
         ("signal", "filtered values", "filtered|smoothed", r"(?<!un)\bfiltered|\bsmoothed"),
         ("speed", "the shaft", "shaft|mechanical", r"\bshaft|\bmechanical"),
         ("speed", "the field", "electrical|erpm", r"\belectrical (?:rotation|speed|rpm)|\berpm\b"),
-        ("first number", "0", "based", r"\bzero[- ]based|\b0-based"),
-        ("first number", "1", "based", r"\bone[- ]based|\b1-based"),
+        ("first number", "0", "based|indexed|from|at|with|being|is", _first_number("0|zero")),
+        ("first number", "1", "based|indexed|from|at|with|being|is", _first_number("1|one")),
+        ("byte order", "the most significant first", "big|most",
+         r"\bbig[- ]endian|\bmost significant byte first|\bmsb first"),
+        ("byte order", "the least significant first", "little|least",
+         r"\blittle[- ]endian|\bleast significant byte first|\blsb first"),
+        ("course", "what is to come", "until|till|time left|remaining time|to go",
+         r"\btime (?:left |remaining |that remains )?(?:until|till)|\btime left|\bremaining time|\btime to go"),
+        ("course", "what has passed", "time since|passed|elapsed",
+         r"\btime since\b|\btime (?:that )?(?:has |have )?(?:passed|elapsed)|\belapsed"),
+        ("flow", "where it comes from", "from",
+         r"\bfrom (?:which|where)|\b(?:comes?|coming|blows?|blowing|flows?|flowing) from"),
+        ("flow", "where it goes to", "to", r"\bto(?:wards?)? which|\b(?:goes|going|blows?|blowing|flows?|flowing) to"),
         ("observer", "behind", "behind", r"\b(?:observer|seen from|viewed from) behind"),
         ("observer", "in front", "front", r"\bobserver in front|\b(?:seen|viewed) from (?:the )?front"),
         ("observer", "above", "from above", r"\b(?:seen|viewed) from above"),

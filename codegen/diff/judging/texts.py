@@ -1,12 +1,16 @@
 """Judges another text about the same number: nothing, another meaning, or a question for a person."""
 
 from codegen.diff.judging.alignment import aligned
+from codegen.diff.judging.complements import other_complement
 from codegen.diff.judging.conflicts import other_signs, other_statements, without_alike
+from codegen.diff.judging.defaults import other_default_in_text
 from codegen.diff.judging.exchanges import other_piece
-from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.judging import HARMLESS, Judgement, gravest
 from codegen.diff.judging.mentions import negations, numbers
-from codegen.diff.judging.phrases import in_one_wording
+from codegen.diff.judging.phrases import in_one_wording, with_named_axes, without_examples
 from codegen.diff.judging.references import STATED_LATE, denied_references, references
+from codegen.diff.judging.turned import is_turned_twice
+from codegen.diff.judging.units_in_words import without_same_unit
 from codegen.diff.judging.wording import (
     Likeness,
     common_share,
@@ -28,12 +32,12 @@ _LEAST_SHARE = 0.4
 
 def other_text(old: str, new: str) -> Judgement:
     """Return what comes of another text for what keeps its name and its place."""
-    return _of_words(*(in_one_wording(without_addresses(text)) for text in (old, new)))
+    return _of_words(*_in_one_wording(old, new))
 
 
 def same_entry(old: str, new: str) -> Judgement:
     """Return what comes of another text for an entry that keeps its name and its number."""
-    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
+    old, new = _in_one_wording(old, new)
     found = _of_words(old, new)
     lengths = [len(words_of(text)) for text in (old, new)]
     if not found.gravity and common_share(old, new, of=min) < _LEAST_HALF and min(lengths) >= _LEAST_WORDS:
@@ -43,7 +47,7 @@ def same_entry(old: str, new: str) -> Judgement:
 
 def other_message(old: str, new: str) -> Judgement:
     """Return what comes of another text for a message, which is about all of its fields and much else."""
-    old, new = (in_one_wording(without_addresses(text)) for text in (old, new))
+    old, new = _in_one_wording(old, new)
     found = other_reference(old, new)
     if found.breaks:
         return found
@@ -52,8 +56,16 @@ def other_message(old: str, new: str) -> Judgement:
     return _other_word(old, new) or other_piece(old, new, is_whole=False)
 
 
+def _in_one_wording(old: str, new: str) -> tuple[str, str]:
+    """Return both texts without addresses, examples and the unit that both state, in one wording."""
+    old, new = (in_one_wording(without_examples(without_addresses(text))) for text in (old, new))
+    return with_named_axes(*without_same_unit(old, new))
+
+
 def _of_words(old: str, new: str) -> Judgement:
-    values = other_statements(old, new)
+    if is_turned_twice(old, new):
+        return HARMLESS
+    values = gravest(other_statements(old, new), other_default_in_text(old, new))
     if values.gravity:
         return values
     likeness = text_likeness(old, new)
@@ -67,7 +79,8 @@ def _of_words(old: str, new: str) -> Judgement:
     if likeness is Likeness.UNSAID:
         return HARMLESS
     old, new = without_alike(old, new)
-    return _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
+    found = _other_numbers(old, new) or _other_sense(old, new) or _other_word(old, new) or other_piece(old, new)
+    return found if found.gravity else other_complement(old, new)
 
 
 def other_reference(old: str, new: str) -> Judgement:

@@ -20,7 +20,8 @@ _LETTERS = {10: "d", 100: "c", 1000: "m", 10**6: "u"}
 _CELSIUS = pattern(r"deg(?:ree)?s? (?:celsius|centigrade|c)$")
 
 _PREFIX = rf"(?:(?:{'|'.join(_PREFIXES)})-?)?"
-_WORD = rf"{_PREFIX}(?:deg(?:ree)?s? (?:celsius|centigrade|c\b)|(?:{'|'.join(_SYMBOLS)})s?)"
+_DEGREE = r"deg(?:ree)?s? (?:celsius|centigrade|c\b)"
+_WORD = rf"(?:(?:revolution|rotation)s? per minute|{_PREFIX}(?:{_DEGREE}|(?:{'|'.join(_SYMBOLS)})s?))"
 _WORDS = pattern(
     rf"(?<![\w.])({_WORD})(?:(?:\s+per\s+|/)({_WORD})(?!\w)( squared| per second\b)?)?(?!\w)", re.IGNORECASE
 )
@@ -127,7 +128,9 @@ def _multiplied(unit: str, factor: re.Match[str] | None) -> str:
 def _symbol(word: str) -> str:
     """The symbol of a unit that is written out."""
     plain = _CELSIUS.sub("celsius", word.lower().replace("-", ""))
-    plain = plain if plain.endswith("celsius") or plain in _SYMBOLS else plain.removesuffix("s")
+    if plain.startswith(("revolution", "rotation")):
+        return "rpm"
+    plain = plain if plain.endswith(("celsius", "gauss")) or plain in _SYMBOLS else plain.removesuffix("s")
     for prefix, letter in _PREFIXES.items():
         if plain.startswith(prefix) and plain.removeprefix(prefix) in _SYMBOLS:
             return letter + _SYMBOLS[plain.removeprefix(prefix)]

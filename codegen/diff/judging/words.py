@@ -24,7 +24,7 @@ _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
     ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
     ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
-    ("voltage", "current", "power"), ("clockwise", "counterclockwise"),
+    ("voltage", "current", "power"), ("clockwise", "counterclockwise"), ("row", "column"),
 )  # fmt: skip
 """Words that exclude each other: where one takes the place of another, the meaning does."""
 
@@ -37,7 +37,7 @@ _SPELLINGS = {
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
     "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
-    "go": "fly",
+    "go": "fly", "succeed": "success", "successful": "success", "successfully": "success",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
@@ -46,9 +46,25 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("documentation", "description"), ("deprecated", "superseded", "obsolete"), ("start", "begin"),
     ("end", "finish", "complete"), ("large", "big"), ("allow", "permit"), ("maximum", "highest", "largest"),
     ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"),
-    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
+    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"), ("measurement", "data", "reading", "sample"),
+    ("size", "magnitude"), ("custom", "user"), ("fly", "flight", "flying"), ("mean", "average"), ("execute", "perform"),
+    ("transmit", "send"), ("bitmap", "bitmask", "mask"), ("erase", "delete"), ("connect", "attach"),
+    ("reach", "arrive"),
+    ("receive", "get"), ("interval", "period"), ("quantity", "amount"), ("amount", "number"), ("frequency", "rate"),
+    ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
+    ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
+    ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
+    ("exclude", "without", "omit", "skip"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
+
+_ROOT = 5
+"""Letters that two words of one root share."""
+_ENDINGS = frozenset((
+    "", "e", "ion", "ation", "at", "ment", "ly", "al", "ally", "ic", "ical", "ity", "ing", "y", "i", "ance", "ence",
+    "iv", "abl", "ability",
+))  # fmt: skip
+"""Of words that are made of others, without an e at the end."""
 
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
 """Words of these that are the beginning of longer ones."""
@@ -104,6 +120,18 @@ def is_respelt(one: str, other: str) -> bool:
     """Return whether two words are one in another spelling, shortened, with a slip of the pen, or mean the same."""
     is_spelling = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
     return is_spelling or any(one in group and other in group for group in _synonyms())
+
+
+def is_related(one: str, other: str) -> bool:
+    """Return whether two words are one in another spelling, mean the same, or one is made of the other: ``initialize``
+    and ``initialization``.
+    """
+    if is_respelt(one, other):
+        return True
+    length = 0
+    while length < min(len(one), len(other)) and one[length] == other[length]:
+        length += 1
+    return length >= _ROOT and one[length:] in _ENDINGS and other[length:] in _ENDINGS
 
 
 @cache

@@ -1,0 +1,72 @@
+"""Judges short texts that begin alike and go on about another thing: ``distance to home``, ``distance to the target``.
+
+So few words are all that is said; in longer texts what is exchanged stands between words that stay.
+"""
+
+from codegen.diff.judging.judging import HARMLESS, Judgement
+from codegen.diff.judging.readings import senses_of
+from codegen.diff.judging.units_in_words import says_unit
+from codegen.diff.judging.wording import IDLE
+from codegen.diff.judging.words import is_related, stem
+from codegen.pattern import pattern
+
+_WORD = pattern(r"[a-z0-9_]+(?:'s)?|[.;:,()\[\]\n]")
+_ARTICLES = frozenset({"the", "a", "an"})
+_LINKING = frozenset((
+    "of", "in", "at", "from", "to", "since", "until", "till", "as", "by", "for", "per", "with", "within", "on", "onto",
+    "into", "over", "under", "above", "below", "before", "after", "through", "between", "behind", "along", "across",
+    "towards", "toward", "where", "during", "against", "without", "around",
+))  # fmt: skip
+"""Words that begin what tells of which thing, place, time or way it is."""
+_LONGEST = 8
+"""Words of what is told of: more are told in a sentence built otherwise."""
+_HERE = frozenset(map(stem, ("current", "present", "position", "now")))
+_IT = ["where", "it"]
+"""What is the present position: ``land where it is``."""
+_POINTING = frozenset({"see", "refer", "described", "defined", "above", "below", "following", "table"})
+
+
+def other_complement(old: str, new: str) -> Judgement:
+    """Return what comes of two texts whose first clauses begin alike and go on about another thing.
+
+    Nothing comes of it where one of them has a word of what the other one goes on about, in any spelling, as
+    ``pressure in the tank`` and ``pressure within the fuel tank``.
+    """
+    before, after = _first_clause(old), _first_clause(new)
+    shared = 0
+    while shared < min(len(before), len(after)) and stem(before[shared]) == stem(after[shared]):
+        shared += 1
+    head, was, now = before[:shared], before[shared:], after[shared:]
+    if not _telling(head) or not all(0 < len(side) <= _LONGEST for side in (was, now)):
+        return HARMLESS
+    if head[-1] not in _LINKING and not (was[0] in _LINKING and now[0] in _LINKING):
+        return HARMLESS
+    if _is_told(was, new) or _is_told(now, old) or says_unit(" ".join(was)) or says_unit(" ".join(now)):
+        return HARMLESS
+    told = [_HERE if side[:2] == _IT else _telling(side) for side in (was, now)]
+    if not all(told) or told[0] <= _HERE >= told[1] or not _POINTING.isdisjoint((*was, *now)):
+        return HARMLESS
+    if senses_of(" ".join(was)) or senses_of(" ".join(now)):
+        return HARMLESS  # of which the numbers are told apart by rules of their own
+    return Judgement(doubt=f"whether {' '.join(now)!r} in place of {' '.join(was)!r} is another meaning")
+
+
+def _first_clause(text: str) -> list[str]:
+    words: list[str] = []
+    for word in _WORD.findall(text.lower()):
+        if not word[0].isalnum():
+            if words:
+                break
+        elif word not in _ARTICLES:
+            words.append(word.removesuffix("'s"))
+    return words
+
+
+def _telling(words: list[str]) -> set[str]:
+    return {stem(word) for word in words if word not in IDLE and word not in _LINKING}
+
+
+def _is_told(words: list[str], text: str) -> bool:
+    """Return whether a text has one of some words."""
+    others = _telling([word.removesuffix("'s") for word in _WORD.findall(text.lower()) if word[0].isalnum()])
+    return any(word == other or is_related(word, other) for word in _telling(words) for other in others)
