@@ -74,7 +74,7 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
         if exchanged is not None:
             was, now = exchanged
             return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
-    return _other_condition(found.pieces) if is_whole else HARMLESS
+    return _other_condition(found.pieces, new) if is_whole else HARMLESS
 
 
 def _is_respelt(piece: Piece) -> bool:
@@ -119,14 +119,23 @@ def _is_only_numbers(words: Sequence[str]) -> bool:
     return all(word.lstrip("-").replace(".", "").isdigit() or word == "nan" for word in words)
 
 
-def _other_condition(pieces: Sequence[Piece]) -> Judgement:
-    """Return what comes of an alternative that is new within a sentence, or of a restriction that is gone."""
+def _other_condition(pieces: Sequence[Piece], new: str) -> Judgement:
+    """Return what comes of an alternative that is new within a sentence, or of a restriction that is gone from all of
+    a text.
+    """
     for piece in pieces:
         if not piece.gone and _ALTERNATIVE.search(piece.now):
             return Judgement(doubt=f"whether it was so before: {piece.now.strip(' ,;.()')!r}")
-        if not piece.come and _RESTRICTION.search(piece.was):
+        restriction = None if piece.come else _RESTRICTION.search(piece.was)
+        if restriction is not None and _restricted(piece.was, restriction) not in new.lower():
             return Judgement(doubt=f"whether it still is so: {piece.was.strip(' ,;.()')!r}")
     return HARMLESS
+
+
+def _restricted(text: str, found: re.Match[str]) -> str:
+    """Return a restriction with the word behind it, in small letters: ``ignored by planes``."""
+    after = _WORD.search(text, found.end())
+    return text[found.start() : after.end() if after else found.end()].lower()
 
 
 def _middles(old: str, new: str) -> tuple[list[str], list[str], int]:

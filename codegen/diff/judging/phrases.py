@@ -40,6 +40,8 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
         ("24", r"\b24[- ]?h(?:ours?)? (?:format|clock)\b", ""),
         (" that ", rf"{_BACK}that \w+", ""),
         (" same ", rf"{_BACK}the same \w+", ""),
+        (" one", r"\bthe (\w{4,}) one\b(?! of)", r"\1"),
+        ("non-", r"\bnon-(?=[a-z]{3})", "not "),
         ("re-", r"\bre-(?=[a-z]{3})", "re"),
         ("co-", r"\bco-(?=[a-z]{3})", "co"),
     )

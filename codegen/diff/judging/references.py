@@ -22,11 +22,12 @@ class _Reference(NamedTuple):
 def _first_number(number: str) -> str:
     """Return an expression for texts that say with which number counting begins."""
     return (
-        rf"\b(?:{number})[- ](?:based|indexed)|\bfirst (?:one )?(?:being|is) (?:{number})\b"
+        rf"\b(?:{number})[- ](?:based|indexed)|\bfirst (?:\w+ )?(?:being|is|has) (?:number |index )?(?:{number})\b"
         rf"|\b(?:count|start|begin|number|index)\w* (?:counting )?(?:from|at|with) (?:{number})\b"
     )
 
 
+_FLOWING = r"(?:flow(?:s|ing)?|rate|current|energy|charge|fuel|water|air|power|data|bytes|packets)"
 _REFERENCES = tuple(
     _Reference(kind, name, tuple(words.split("|")), pattern(expression))
     for kind, name, words, expression in (
@@ -64,7 +65,9 @@ _REFERENCES = tuple(
         ("statistic", "a mean", "averag|mean", r"\baverag|\bmean (?:value|of|over)|\bmean\b(?= \w+ over)"),
         ("statistic", "a peak", "peak|highest|maximum", r"\bpeak|\bhighest|\bmaximum (?:value|seen)"),
         ("spread", "a variance", "variance", r"\bvariance"),
-        ("spread", "a deviation", "deviation|std|rms", r"\bdeviation|\bstd\b|\brms\b"),
+        ("spread", "a share of all cases", "percent|confidence|cep",
+         r"\b(?:percent|%) (?:of (?:all|the)|confidence|probab)|\bconfidence|\bcep\b"),
+        ("spread", "a deviation", "deviation|std|rms|sigma", r"\bdeviation|\bstd\b|\brms\b|\b(?:1|one)[- ]sigma"),
         ("count", "all together", "total|sum|together|in series|combined|whole|pack",
          r"\btotal|\bsum of|\ball \w+ (?:together|in series)|\bcombined|\bwhole\b|\bof the (?:battery )?pack\b"),
         ("count", "a single one", "this", r"\bthis (?:flight|mission|charge|cycle)\b"),
@@ -75,8 +78,8 @@ _REFERENCES = tuple(
         ("medium", "the ground", "ground", r"\bground ?speed|\bover (?:the )?ground"),
         ("medium", "the air", "air", r"\bair ?speed|\bthrough (?:the )?air|\brelative to (?:the )?(?:air|wind)"),
         ("medium", "the water", "water", r"\bthrough (?:the )?water|\brelative to (?:the )?water"),
-        ("origin", "what was asked for", "command|request|desire|as set by",
-         r"\bcommanded|\brequested|\bdesired|\bas set by"),
+        ("origin", "what was asked for", "command|request|desire|as set by|setpoint|set-point|demand",
+         r"\bcommanded|\brequested|\bdesired|\bas set by|\bset-?points?\b|\bdemanded"),
         ("origin", "what was measured", "measured|read |actual|feedback|encoder",
          r"\bmeasured|\bread (?:back|from|by)\b|\bactual\b|\bfeedback|\bencoder"),
         ("amount", "what is left", "remain|free|unused|left in",
@@ -87,16 +90,19 @@ _REFERENCES = tuple(
         ("signal", "filtered values", "filtered|smoothed", r"(?<!un)\bfiltered|\bsmoothed"),
         ("speed", "the shaft", "shaft|mechanical", r"\bshaft|\bmechanical"),
         ("speed", "the field", "electrical|erpm", r"\belectrical (?:rotation|speed|rpm)|\berpm\b"),
-        ("first number", "0", "based|indexed|from|at|with|being|is", _first_number("0|zero")),
-        ("first number", "1", "based|indexed|from|at|with|being|is", _first_number("1|one")),
+        ("first number", "0", "based|indexed|from|at|with|first", _first_number("0|zero")),
+        ("first number", "1", "based|indexed|from|at|with|first", _first_number("1|one")),
         ("byte order", "the most significant first", "big|most",
          r"\bbig[- ]endian|\bmost significant byte first|\bmsb first"),
         ("byte order", "the least significant first", "little|least",
          r"\blittle[- ]endian|\bleast significant byte first|\blsb first"),
         ("course", "what is to come", "until|till|time left|remaining time|to go",
          r"\btime (?:left |remaining |that remains )?(?:until|till)|\btime left|\bremaining time|\btime to go"),
+        ("course", "when it is", "time at which|time when|moment", r"\btime (?:at which|when)\b|\bmoment"),
         ("course", "what has passed", "time since|passed|elapsed",
          r"\btime since\b|\btime (?:that )?(?:has |have )?(?:passed|elapsed)|\belapsed"),
+        ("way", "in", "into", rf"\b{_FLOWING}\b[^.;]* into\b"),
+        ("way", "out", "out of", rf"\b{_FLOWING}\b[^.;]* out of\b"),
         ("flow", "where it comes from", "from",
          r"\bfrom (?:which|where)|\b(?:comes?|coming|blows?|blowing|flows?|flowing) from"),
         ("flow", "where it goes to", "to", r"\bto(?:wards?)? which|\b(?:goes|going|blows?|blowing|flows?|flowing) to"),
