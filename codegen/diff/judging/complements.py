@@ -3,6 +3,8 @@
 So few words are all that is said; in longer texts what is exchanged stands between words that stay.
 """
 
+from collections.abc import Sequence
+
 from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.diff.judging.readings import senses_of
 from codegen.diff.judging.units_in_words import says_unit
@@ -15,9 +17,17 @@ _ARTICLES = frozenset({"the", "a", "an"})
 _LINKING = frozenset((
     "of", "in", "at", "from", "to", "since", "until", "till", "as", "by", "for", "per", "with", "within", "on", "onto",
     "into", "over", "under", "above", "below", "before", "after", "through", "between", "behind", "along", "across",
-    "towards", "toward", "where", "during", "against", "without", "around",
+    "towards", "toward", "where", "during", "against", "without", "around", "that", "which", "whose", "who", "when",
+    "while", "if", "is", "are", "was", "were", "has", "have", "can", "may", "must", "will", "does",
 ))  # fmt: skip
-"""Words that begin what tells of which thing, place, time or way it is."""
+"""Words that begin what tells of which thing, place, time, way or state it is."""
+_BEFORE = frozenset((
+    "back", "straight", "out", "up", "down", "forward", "forwards", "backward", "backwards", "away", "home", "left",
+    "right", "directly", "just", "only", "once", "always", "still",
+))  # fmt: skip
+"""Words that may stand before these, or for all of it: ``climb straight up``."""
+_PLACING = frozenset(("before", "after", "between", "during", "since", "until", "above", "below", "within", "without"))
+"""Words of these that exclude each other, whatever they are followed by."""
 _LONGEST = 8
 """Words of what is told of: more are told in a sentence built otherwise."""
 _HERE = frozenset(map(stem, ("current", "present", "position", "now")))
@@ -39,15 +49,23 @@ def other_complement(old: str, new: str) -> Judgement:
     head, was, now = before[:shared], before[shared:], after[shared:]
     if not _telling(head) or not all(0 < len(side) <= _LONGEST for side in (was, now)):
         return HARMLESS
-    if head[-1] not in _LINKING and not (was[0] in _LINKING and now[0] in _LINKING):
+    if head[-1] not in _LINKING and not all(side[0] in _LINKING or side[0] in _BEFORE for side in (was, now)):
         return HARMLESS
+    if was[0] != now[0] and {was[0], now[0]} <= _PLACING:
+        return _doubt(was, now)
     if _is_told(was, new) or _is_told(now, old) or says_unit(" ".join(was)) or says_unit(" ".join(now)):
         return HARMLESS
     told = [_HERE if side[:2] == _IT else _telling(side) for side in (was, now)]
-    if not all(told) or told[0] <= _HERE >= told[1] or not _POINTING.isdisjoint((*was, *now)):
+    if not any(told) or any(not each and len(side) == 1 for each, side in zip(told, (was, now), strict=True)):
+        return HARMLESS
+    if told[0] <= _HERE >= told[1] or not _POINTING.isdisjoint((*was, *now)):
         return HARMLESS
     if senses_of(" ".join(was)) or senses_of(" ".join(now)):
         return HARMLESS  # of which the numbers are told apart by rules of their own
+    return _doubt(was, now)
+
+
+def _doubt(was: Sequence[str], now: Sequence[str]) -> Judgement:
     return Judgement(doubt=f"whether {' '.join(now)!r} in place of {' '.join(was)!r} is another meaning")
 
 

@@ -115,7 +115,8 @@ def without_alike(old: str, new: str) -> tuple[str, str]:
     before, after = stated_values(old), stated_values(new)
     for number, words in before.items():
         said = after.get(number, words)
-        if said != words and _is_one_sense(words, said):
+        is_nothing = _says_nothing(number, words) and _says_nothing(number, said)
+        if said != words and (is_nothing or _is_one_sense(words, said)):
             old, new = old.replace(words, " "), new.replace(said, " ")
     return old, new
 

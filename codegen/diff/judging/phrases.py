@@ -68,6 +68,7 @@ _UNKNOWN = pattern(
     r"\b(?:unknown|invalid|unavailable|undefined|unmeasured)\b|\bn/a\b"
     r"|\b(?:not|cannot be|isn't|never) (?:yet )?"
     r"(?:available|known|provided?|measured|supplied|estimated|valid|supported|present|sent)\b"
+    r"|\bnot applicable\b|\b(?:does|do) ?not apply\b"
     r"|\b(?:does|do|can) ?not (?:provide|measure|know|supply|estimate|support|send|have)\b"
     r"|\b(?:is|are|has|have) no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information|value)\b"
     r"|^no (?:\w+ )?(?:estimate|sensor|measurement|reading|data|information)\b",

@@ -16,7 +16,8 @@ _DOES = (
 )
 """What a number does: ``0 disables the limit``."""
 _STATED = pattern(
-    r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?(?:\)(?= (?:if|when|while)))?\s*(?:[:=]|(?:means|is|to|for|if|when|while|where)\b"
+    r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?(?:\)(?= (?:if|when|while)))?"
+    r"\s*(?:[:=]|(?:means|is|to|for|if|when|while|where)\b"
     rf"|(?:indicates?|tells?|says?|denotes?|marks?)(?: that)?\b|(?=(?:{_DOES})\b))"
     r"\s*([A-Za-z][^,;.:=()\[\]\n\d]*)",
     re.IGNORECASE,
@@ -42,19 +43,21 @@ _ALSO = {"into": "in", "right": stem("clockwise"), "left": stem("counterclockwis
 _THERE = frozenset(map(stem, ("there", "was", "were", "turn", "has", "have", "been", "s", "its", "this", "as")))
 _NO = re.compile(r"^no (?=\w)", re.IGNORECASE)
 _LETTERS = pattern(r"[a-z]+")
-_ZERO = pattern(rf"\bzero\b(?=\s*(?:[:=]|(?:means|{_DOES})\b))", re.IGNORECASE)
+_ZERO = pattern(rf"\b(?:all )?zeros?\b(?=\s*(?:[:=]|(?:means|if|when|{_DOES})\b))", re.IGNORECASE)
 _BRACKETED = pattern(r"([A-Za-z][^;.:=()\[\]\n\d]*?)\s*\((\d+)\)(?=\s*(?:,|or\b|and\b|[.;]|$|\w))")
 
 Senses = frozenset[str]
 _SENSES: Mapping[str, re.Pattern[str]] = {
     sense: pattern(words, re.IGNORECASE)
     for sense, words in {
-        "kept": r"\b(?:no change|unchanged|keep|kept|keeps|leave|leaves|maintain|retain|stays?|holds?|as it is)\b",
+        "kept": r"\b(?:no change|unchanged|keep|kept|keeps|leave|leaves|maintain|retain|stays?|holds?|as it is"
+        r"|as (?:now|before)|(?:do not|don't|not) changed?|unaffected|untouched)\b",
         "by default": r"\bdefaults?\b",
         "chosen by the vehicle": r"\b(?:chooses?|decides?|choice|automatic(?:ally)?|at will)\b",
-        "none": r"\b(?:none|no (?!change|effect|action|longer)\w+|unlimited|without)\b",
-        "healthy": r"\b(?:healthy|ok|okay|good|operational|functional|works?|working)\b",
-        "faulty": r"\b(?:errors?|fail(?:s|ed|ure)?|faulty?|unhealthy|broken|defective|bad)\b",
+        "none": r"\b(?:none|nothing|no (?!change|effect|action|longer|error|fault|failure|problem)\w+|unlimited|without)\b",
+        "healthy": r"\b(?:no (?:errors?|faults?|failures?|problems?)|fine|healthy|ok|okay|good|operational"
+        r"|functional|works?|working)\b",
+        "faulty": r"(?<!no )\b(?:errors?|fail(?:s|ed|ure)?|faulty?|unhealthy|broken|defective|bad)\b",
         "off": r"\b(?:disabl\w*|off|deactivat\w*|silent)\b",
         "stopped": r"\b(?:stop\w*|end(?:s|ed|ing)?|cancel\w*)\b",
         "on": r"\b(?:enabl\w*|on|activat\w*|start\w*|begin\w*)\b",
@@ -123,7 +126,7 @@ _DIRECTIONS = frozenset(map(stem, (
 
 _OBJECTLESS = frozenset({"none", "off", "stopped", "on", "healthy", "faulty"})
 """Senses of an action or a state: what it is of has to be the same, too."""
-_NEAR_SENSES = (frozenset({"none", "off"}), frozenset({"off", "stopped"}))
+_NEAR_SENSES = (frozenset({"none", "off"}), frozenset({"off", "stopped"}), frozenset({"none", "healthy"}))
 """Of a limit that is disabled there is none, and a message that is disabled is stopped; to stop is to do something."""
 
 

@@ -28,6 +28,7 @@ def _first_number(number: str) -> str:
 
 
 _FLOWING = r"(?:flow(?:s|ing)?|rate|current|energy|charge|fuel|water|air|power|data|bytes|packets)"
+_MOVING = r"(?:zoom|reel|pull|roll|wind|fade|slide|draw|let)(?:s|ed|ing)?"
 _REFERENCES = tuple(
     _Reference(kind, name, tuple(words.split("|")), pattern(expression))
     for kind, name, words, expression in (
@@ -58,7 +59,7 @@ _REFERENCES = tuple(
          r"\b(?:since|from) (?:the )?(?:previous|last) (?:message|report)"),
         ("clock", "local time", "local time", r"\blocal time"),
         ("clock", "gps time", "gps", r"\bgps (?:time|week)"),
-        ("airspeed", "indicated", "indicated|ias", r"\bindicated\b|\bias\b"),
+        ("airspeed", "indicated", "indicated|ias", r"\bindicated\b(?! (?:by|in|with|at|as|through)\b)|\bias\b"),
         ("airspeed", "true", "true|tas", r"\btrue (?:air ?)?speed|\btas\b"),
         ("airspeed", "calibrated", "calibrated|cas", r"\bcalibrated (?:air ?)?speed|\bcas\b"),
         ("airspeed", "equivalent", "equivalent|eas", r"\bequivalent (?:air ?)?speed|\beas\b"),
@@ -101,8 +102,8 @@ _REFERENCES = tuple(
         ("course", "when it is", "time at which|time when|moment", r"\btime (?:at which|when)\b|\bmoment"),
         ("course", "what has passed", "time since|passed|elapsed",
          r"\btime since\b|\btime (?:that )?(?:has |have )?(?:passed|elapsed)|\belapsed"),
-        ("way", "in", "into", rf"\b{_FLOWING}\b[^.;]* into\b"),
-        ("way", "out", "out of", rf"\b{_FLOWING}\b[^.;]* out of\b"),
+        ("way", "in", " in", rf"\b{_FLOWING}\b[^.;]* into\b|\b{_MOVING} in\b"),
+        ("way", "out", " out", rf"\b{_FLOWING}\b[^.;]* out of\b|\b{_MOVING} out\b"),
         ("flow", "where it comes from", "from",
          r"\bfrom (?:which|where)|\b(?:comes?|coming|blows?|blowing|flows?|flowing) from"),
         ("flow", "where it goes to", "to", r"\bto(?:wards?)? which|\b(?:goes|going|blows?|blowing|flows?|flowing) to"),

@@ -4,6 +4,7 @@ from functools import cache
 
 from codegen.pattern import pattern
 
+_DOUBLED = pattern(r"([a-z])(?=\1)")
 _VOWELS = pattern(r"(?<=.)[aeiou]")
 
 _EXCLUDING: tuple[tuple[str, ...], ...] = (
@@ -37,7 +38,8 @@ _SPELLINGS = {
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
     "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
-    "go": "fly", "succeed": "success", "successful": "success", "successfully": "success",
+    "go": "fly", "every": "all", "fine": "ok", "shut": "close", "succeed": "success", "successful": "success",
+    "successfully": "success",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
@@ -54,7 +56,7 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
     ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
     ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
-    ("exclude", "without", "omit", "skip"), ("active", "running"),
+    ("exclude", "without", "omit", "skip"), ("active", "running"), ("deploy", "extend"), ("lost", "down"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
 
@@ -104,7 +106,7 @@ def is_slip(one: str, other: str) -> bool:
         differing = [index for index in range(len(short)) if short[index] != long[index]]
         if len(differing) == 2 and differing[1] == differing[0] + 1:
             return sorted(short) == sorted(long)
-        return len(differing) == 1 and len(short) > 4
+        return (len(differing) == 1 and len(short) > 4) or _DOUBLED.sub("", one) == _DOUBLED.sub("", other)
     return any(long[:index] + long[index + 1 :] == short for index in range(len(long)))
 
 
