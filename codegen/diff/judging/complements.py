@@ -6,7 +6,7 @@ So few words are all that is said; in longer texts what is exchanged stands betw
 from collections.abc import Sequence
 
 from codegen.diff.judging.judging import HARMLESS, Judgement
-from codegen.diff.judging.readings import senses_of
+from codegen.diff.judging.readings import is_one_sense
 from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_related, stem
@@ -19,11 +19,13 @@ _LINKING = frozenset((
     "into", "over", "under", "above", "below", "before", "after", "through", "between", "behind", "along", "across",
     "towards", "toward", "where", "during", "against", "without", "around", "that", "which", "whose", "who", "when",
     "while", "if", "is", "are", "was", "were", "has", "have", "can", "may", "must", "will", "does",
+    "and", "then",
 ))  # fmt: skip
 """Words that begin what tells of which thing, place, time, way or state it is."""
 _BEFORE = frozenset((
     "back", "straight", "out", "up", "down", "forward", "forwards", "backward", "backwards", "away", "home", "left",
-    "right", "directly", "just", "only", "once", "always", "still",
+    "right", "inside", "outside", "near", "next", "opposite", "beside", "beyond", "directly", "just", "only", "once",
+    "always", "still",
 ))  # fmt: skip
 """Words that may stand before these, or for all of it: ``climb straight up``."""
 _PLACING = frozenset(("before", "after", "between", "during", "since", "until", "above", "below", "within", "without"))
@@ -60,8 +62,8 @@ def other_complement(old: str, new: str) -> Judgement:
         return HARMLESS
     if told[0] <= _HERE >= told[1] or not _POINTING.isdisjoint((*was, *now)):
         return HARMLESS
-    if senses_of(" ".join(was)) or senses_of(" ".join(now)):
-        return HARMLESS  # of which the numbers are told apart by rules of their own
+    if is_one_sense(" ".join(was), " ".join(now)):
+        return HARMLESS
     return _doubt(was, now)
 
 

@@ -37,7 +37,7 @@ def other_statements(old: str, new: str) -> Judgement:
     return gravest(stated_conflict(*values), moved_value(*bits) if bits else HARMLESS, _turned_state(*states))
 
 
-def _turned_state(old: Mapping[int, str], new: Mapping[int, str]) -> Judgement:
+def _turned_state(old: Mapping[int | str, str], new: Mapping[int | str, str]) -> Judgement:
     """Return what comes of a bit that is cleared for what it was set for, each text telling of one state alone."""
     if len(old) != 1 or len(new) != 1 or old.keys() == new.keys():
         return HARMLESS

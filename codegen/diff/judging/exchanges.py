@@ -32,7 +32,8 @@ _LONGEST_MIDDLE = 40
 
 _POINTERS = pattern(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
 _ALTERNATIVE = pattern(
-    r"^\W*(?:or\b(?! \w+ \(\d)(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)",
+    r"^\W*(?:or\b(?! \w+ \(\d)(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b"
+    r"|(?:not )?(?:including|excluding|counting)\b)",
     re.IGNORECASE | re.DOTALL,
 )
 _ORIGIN = pattern(r"\W*(?:from|above|below|relative to|since|until|between|towards?|after|before)\b", re.IGNORECASE)
@@ -40,7 +41,7 @@ _ORDERED = pattern(r"\b(?:order|elements)\b", re.IGNORECASE)
 _RESTRICTION = pattern(
     r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b|\baffects \w+ only\b", re.IGNORECASE
 )
-_ALTERNATING = frozenset({"or", "unless", "except", "but"})
+_ALTERNATING = frozenset({"or", "unless", "except", "but", "including", "excluding", "counting"})
 _RESTRICTING = frozenset({"ignored", "used", "unused", "supported", "affects"})
 _WORD = pattern(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
 _JOINING = frozenset({"and", "or", "the", "a", "an"})

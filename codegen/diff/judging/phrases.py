@@ -1,6 +1,7 @@
 """Phrases that mean the same in descriptions, in one wording: what is compared is what they say."""
 
 import re
+from collections.abc import Mapping
 from functools import cache
 
 from codegen.pattern import pattern
@@ -35,6 +36,8 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
         ("first", r"\b(?:most significant byte|msb) first\b", "big endian"),
         (" off", r"\b(?:turn|switch)(?:s|es|ed|ing)? ((?:the |a |it )?(?:\w+ )?)off\b", r"disable \1"),
         (" on", r"\b(?:turn|switch)(?:s|es|ed|ing)? ((?:the |a |it )?(?:\w+ )?)on\b(?! the| a)", r"enable \1"),
+        (" off", r"\b(is|are|stays?|remains?) off\b", r"\1 disabled"),
+        (" on", r"\b(is|are|stays?|remains?) on(?=[.,;:)]|$| for\b| while\b| if\b)", r"\1 enabled"),
         ("whether", rf"^\W*{_TELLS}whether(?: or not)?\b", "true if"),
         ("universal", r"\bcoordinated universal time(?: \(utc\))?", "UTC"),
         ("24", r"\b24[- ]?h(?:ours?)? (?:format|clock)\b", ""),
@@ -92,8 +95,12 @@ def with_named_axes(old: str, new: str) -> tuple[str, str]:
     """Return two texts with ``north`` for ``x`` where both tell of the frame NED, and the like for other frames."""
     for frame, axes in _AXES.items():
         if frame in old.lower() and frame in new.lower():
-            old, new = (_AXIS.sub(lambda found, axes=axes: axes[found[0].lower()], text) for text in (old, new))
+            return _named(old, axes), _named(new, axes)
     return old, new
+
+
+def _named(text: str, axes: Mapping[str, str]) -> str:
+    return _AXIS.sub(lambda found: axes[found[0].lower()], text)
 
 
 def without_examples(text: str) -> str:

@@ -54,7 +54,8 @@ _SENSES: Mapping[str, re.Pattern[str]] = {
         r"|as (?:now|before)|(?:do not|don't|not) changed?|unaffected|untouched)\b",
         "by default": r"\bdefaults?\b",
         "chosen by the vehicle": r"\b(?:chooses?|decides?|choice|automatic(?:ally)?|at will)\b",
-        "none": r"\b(?:none|nothing|no (?!change|effect|action|longer|error|fault|failure|problem)\w+|unlimited|without)\b",
+        "none": r"\b(?:none|nothing|no (?!change|effect|action|longer|error|fault|failure|problem)\w+|unlimited"
+        r"|without)\b",
         "healthy": r"\b(?:no (?:errors?|faults?|failures?|problems?)|fine|healthy|ok|okay|good|operational"
         r"|functional|works?|working)\b",
         "faulty": r"(?<!no )\b(?:errors?|fail(?:s|ed|ure)?|faulty?|unhealthy|broken|defective|bad)\b",

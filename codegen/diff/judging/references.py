@@ -99,6 +99,7 @@ _REFERENCES = tuple(
          r"\blittle[- ]endian|\bleast significant byte first|\blsb first"),
         ("course", "what is to come", "until|till|time left|remaining time|to go",
          r"\btime (?:left |remaining |that remains )?(?:until|till)|\btime left|\bremaining time|\btime to go"),
+        ("course", "how long it takes", "time for which|how long|duration", r"\btime for which|\bhow long|\bduration"),
         ("course", "when it is", "time at which|time when|moment", r"\btime (?:at which|when)\b|\bmoment"),
         ("course", "what has passed", "time since|passed|elapsed",
          r"\btime since\b|\btime (?:that )?(?:has |have )?(?:passed|elapsed)|\belapsed"),
