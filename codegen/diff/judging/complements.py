@@ -30,6 +30,8 @@ _BEFORE = frozenset((
 """Words that may stand before these, or for all of it: ``climb straight up``."""
 _PLACING = frozenset(("before", "after", "between", "during", "since", "until", "above", "below", "within", "without"))
 """Words of these that exclude each other, whatever they are followed by."""
+_TURNING = ({"to", "by"}, {"from", "into"}, {"from", "to"}, {"in", "out"}, {"at", "after"}, {"at", "before"})
+"""Words each of which turns the sense of what stands before the other: ``climb to`` and ``climb by`` 20 m."""
 _LONGEST = 8
 """Words of what is told of: more are told in a sentence built otherwise."""
 _HERE = frozenset(map(stem, ("current", "present", "position", "now")))
@@ -44,6 +46,9 @@ def other_complement(old: str, new: str) -> Judgement:
     Nothing comes of it where one of them has a word of what the other one goes on about, in any spelling, as
     ``pressure in the tank`` and ``pressure within the fuel tank``.
     """
+    preposition = _other_preposition(old, new)
+    if preposition is not None:
+        return _doubt(*preposition)
     before, after = _first_clause(old), _first_clause(new)
     shared = 0
     while shared < min(len(before), len(after)) and stem(before[shared]) == stem(after[shared]):
@@ -65,6 +70,19 @@ def other_complement(old: str, new: str) -> Judgement:
     if is_one_sense(" ".join(was), " ".join(now)):
         return HARMLESS
     return _doubt(was, now)
+
+
+def _other_preposition(old: str, new: str) -> tuple[list[str], list[str]] | None:
+    """Return the one word in which two texts differ, with the word before it, where it turns the sense of that."""
+    before, after = (_WORD.findall(text.lower()) for text in (old, new))
+    differing = [index for index, pair in enumerate(zip(before, after, strict=False)) if pair[0] != pair[1]]
+    if len(before) != len(after) or len(differing) != 1 or "distance" in before:
+        return None
+    where = differing[0]
+    if {before[where], after[where]} not in _TURNING:
+        return None
+    first = max(0, where - 1)
+    return before[first : where + 1], after[first : where + 1]
 
 
 def _doubt(was: Sequence[str], now: Sequence[str]) -> Judgement:

@@ -109,7 +109,7 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
         return None  # which says some of the same, in a sentence built otherwise
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own
-    if is_whole and (_is_only_numbers(one.gone) or _is_only_numbers(one.come)):
+    if is_whole and (_is_only_numbers(one.gone) and _is_only_numbers(one.come)):
         return None
     if _POINTERS.search(one.was) or _POINTERS.search(one.now) or any("_" in word for word in one.gone + one.come):
         return None

@@ -9,6 +9,8 @@ from codegen.pattern import pattern
 _TURNS = r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|ing))(?: to)?(?: the)?"
 
 _TELLS = r"(?:(?:indicates|tells|says|states|shows|boolean|boolean:|flag:|boolean indicating) )?"
+_CLOCKWISE = r"(?<!not )\b(?:(?:counted |measured )?clockwise from|relative to|with respect to)"
+"""How a bearing is counted, which is always so."""
 _BACK = r"(?<=[a-z]) of "
 """Before what points back to what was said: ``the minute of that hour`` is a minute."""
 
@@ -38,6 +40,8 @@ _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
         (" on", r"\b(?:turn|switch)(?:s|es|ed|ing)? ((?:the |a |it )?(?:\w+ )?)on\b(?! the| a)", r"enable \1"),
         (" off", r"\b(is|are|stays?|remains?) off\b", r"\1 disabled"),
         (" on", r"\b(is|are|stays?|remains?) on(?=[.,;:)]|$| for\b| while\b| if\b)", r"\1 enabled"),
+        (" north", rf"{_CLOCKWISE} (?=(?:\w+ )?north\b)", "from "),
+        (" side", r"\b(?:this|our|own) side\b", "local side"),
         ("whether", rf"^\W*{_TELLS}whether(?: or not)?\b", "true if"),
         ("universal", r"\bcoordinated universal time(?: \(utc\))?", "UTC"),
         ("24", r"\b24[- ]?h(?:ours?)? (?:format|clock)\b", ""),

@@ -59,7 +59,8 @@ _SENSES: Mapping[str, re.Pattern[str]] = {
         "healthy": r"\b(?:no (?:errors?|faults?|failures?|problems?)|fine|healthy|ok|okay|good|operational"
         r"|functional|works?|working)\b",
         "faulty": r"(?<!no )\b(?:errors?|fail(?:s|ed|ure)?|faulty?|unhealthy|broken|defective|bad)\b",
-        "off": r"\b(?:disabl\w*|off|deactivat\w*|silent)\b",
+        "any": r"\b(?:any|arbitrary|no preference|not matter|don't care)\b",
+        "off": r"\b(?:not run(?:ning)?|inactive|disabl\w*|off|deactivat\w*|silent)\b",
         "stopped": r"\b(?:stop\w*|end(?:s|ed|ing)?|cancel\w*)\b",
         "on": r"\b(?:enabl\w*|on|activat\w*|start\w*|begin\w*)\b",
         "ignored": r"\b(?:ignored?|no effect|do nothing|no action|disregard(?:ed)?)\b",

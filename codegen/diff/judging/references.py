@@ -22,7 +22,8 @@ class _Reference(NamedTuple):
 def _first_number(number: str) -> str:
     """Return an expression for texts that say with which number counting begins."""
     return (
-        rf"\b(?:{number})[- ](?:based|indexed)|\bfirst (?:\w+ )?(?:being|is|has) (?:number |index )?(?:{number})\b"
+        rf"\b(?:{number})[- ](?:based|indexed)|\b(?:{number}) (?:for|is) the first\b"
+        rf"|\bfirst (?:\w+ )?(?:being|is|has) (?:number |index )?(?:{number})\b"
         rf"|\b(?:count|start|begin|number|index)\w* (?:counting )?(?:from|at|with) (?:{number})\b"
     )
 
@@ -44,7 +45,8 @@ _REFERENCES = tuple(
         ("height", "ellipsoid", "ellipsoid|wgs|hae", r"\bellipsoid|\bwgs ?84\b|\bhae\b"),
         ("height", "home", "home|above",
          r"\babove home|\b(?:relative|with respect) to (?:the )?home|\babove (?:the )?take-?off"),
-        ("height", "terrain", "above|agl", r"\babove (?:the )?(?:terrain|ground)|\bagl\b"),
+        ("height", "terrain", "above|over|agl",
+         r"\babove (?:the )?(?:terrain|ground)|\bover (?:the )?terrain|\bagl\b"),
         ("height", "target", "above", r"\babove (?:the )?target"),
         ("pressure", "qnh", "qnh", r"\bqnh\b"),
         ("pressure", "qne", "qne", r"\bqne\b"),
@@ -81,6 +83,8 @@ _REFERENCES = tuple(
         ("medium", "the water", "water", r"\bthrough (?:the )?water|\brelative to (?:the )?water"),
         ("origin", "what was asked for", "command|request|desire|as set by|setpoint|set-point|demand",
          r"\bcommanded|\brequested|\bdesired|\bas set by|\bset-?points?\b|\bdemanded"),
+        ("origin", "what was set up", "set |configured",
+         r"\b(?:set|configured) (?:in|by|with) (?:the |a |its )?(?:param|config|operator|user|pilot)"),
         ("origin", "what was measured", "measured|read |actual|feedback|encoder",
          r"\bmeasured|\bread (?:back|from|by)\b|\bactual\b|\bfeedback|\bencoder"),
         ("amount", "what is left", "remain|free|unused|left in",
@@ -99,7 +103,7 @@ _REFERENCES = tuple(
          r"\blittle[- ]endian|\bleast significant byte first|\blsb first"),
         ("course", "what is to come", "until|till|time left|remaining time|to go",
          r"\btime (?:left |remaining |that remains )?(?:until|till)|\btime left|\bremaining time|\btime to go"),
-        ("course", "how long it takes", "time for which|how long|duration", r"\btime for which|\bhow long|\bduration"),
+        ("course", "how long it takes", "time for which|duration", r"\btime for which|\bduration"),
         ("course", "when it is", "time at which|time when|moment", r"\btime (?:at which|when)\b|\bmoment"),
         ("course", "what has passed", "time since|passed|elapsed",
          r"\btime since\b|\btime (?:that )?(?:has |have )?(?:passed|elapsed)|\belapsed"),

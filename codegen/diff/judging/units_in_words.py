@@ -31,7 +31,7 @@ _NAMED = pattern(
     r"([A-Za-z%][A-Za-z0-9%/^*]{0,15}(?<![*/^]))(?=[)\].,;\s]|$)"
 )
 _FACTOR = pattern(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
-_COUNTED = pattern(r"[\d.)\]]\s*$")
+_COUNTED = pattern(r"(?:[\d.)\]]|\b(?:per|every|each|one|a|an))\s*$", re.IGNORECASE)
 _BEFORE = pattern(
     rf"(?:\b(?P<part>{'|'.join(_PARTS)})s? of (?:an? |the )?"
     rf"|(?:\bin |\b(?:units|steps|multiples) of |[(\[])(?P<small>{_SMALL})\s?[*x]?\s?"

@@ -38,8 +38,8 @@ _SPELLINGS = {
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
     "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
-    "go": "fly", "every": "all", "fine": "ok", "shut": "close", "succeed": "success", "successful": "success",
-    "successfully": "success",
+    "go": "fly", "every": "all", "fine": "ok", "shut": "close", "rows": "row", "succeed": "success",
+    "successful": "success", "successfully": "success",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
@@ -64,7 +64,7 @@ _ROOT = 5
 """Letters that two words of one root share."""
 _ENDINGS = frozenset((
     "", "e", "ion", "ation", "at", "ment", "ly", "al", "ally", "ic", "ical", "ity", "ing", "y", "i", "ance", "ence",
-    "iv", "abl", "ability",
+    "abl", "ability",
 ))  # fmt: skip
 """Of words that are made of others, without an e at the end."""
 
@@ -102,11 +102,13 @@ def is_slip(one: str, other: str) -> bool:
     if min(len(one), len(other)) < 3 or abs(len(one) - len(other)) > 1:
         return False
     short, long = sorted((one, other), key=len)
+    if _DOUBLED.sub("", one) == _DOUBLED.sub("", other) and min(len(one), len(other)) > _ROOT:
+        return True
     if len(short) == len(long):
         differing = [index for index in range(len(short)) if short[index] != long[index]]
         if len(differing) == 2 and differing[1] == differing[0] + 1:
             return sorted(short) == sorted(long)
-        return (len(differing) == 1 and len(short) > 4) or _DOUBLED.sub("", one) == _DOUBLED.sub("", other)
+        return len(differing) == 1 and len(short) > 4
     return any(long[:index] + long[index + 1 :] == short for index in range(len(long)))
 
 
