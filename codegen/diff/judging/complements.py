@@ -19,7 +19,7 @@ _LINKING = frozenset((
     "into", "over", "under", "above", "below", "before", "after", "through", "between", "behind", "along", "across",
     "towards", "toward", "where", "during", "against", "without", "around", "that", "which", "whose", "who", "when",
     "while", "if", "is", "are", "was", "were", "has", "have", "can", "may", "must", "will", "does",
-    "and", "then",
+    "and", "then", "because", "due",
 ))  # fmt: skip
 """Words that begin what tells of which thing, place, time, way or state it is."""
 _BEFORE = frozenset((

@@ -56,7 +56,8 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
     ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
     ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
-    ("exclude", "without", "omit", "skip"), ("active", "running"), ("deploy", "extend"), ("lost", "down"),
+    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"),
+    ("deploy", "extend"), ("lost", "down"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
 
