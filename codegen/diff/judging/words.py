@@ -56,7 +56,7 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
     ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
     ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
-    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"),
+    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"), ("share", "fraction", "proportion"),
     ("deploy", "extend"), ("lost", "down"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
