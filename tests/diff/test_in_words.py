@@ -15,7 +15,7 @@ from codegen.diff.judging.references import references
 from codegen.diff.judging.texts import other_text
 from codegen.diff.judging.turned import is_turned_twice
 from codegen.diff.judging.units_in_words import is_same_unit, unit_in_words, without_same_unit
-from codegen.diff.judging.words import is_related, is_slip, stem
+from codegen.diff.judging.words import is_slip
 
 CORPUS = Path(__file__).parent / "corpus"
 CLASSES = sorted(file for file in (CORPUS / "in_words").glob("*.yaml") if not file.stem.startswith("mixed"))
@@ -205,9 +205,12 @@ def test_one_wording() -> None:
     assert with_named_axes("X velocity (NED)", "North velocity")[0] == "X velocity (NED)"
 
 
-def test_words_that_are_made_of_others() -> None:
-    assert is_related(stem("initialize"), stem("initialization"))
-    assert not is_related(stem("position"), stem("positive"))
+def test_axes_are_called_by_letters_and_by_names() -> None:
+    assert not other_text("Drift in X (NED) direction", "Drift in north (NED) direction (NaN if unknown)").gravity
+    assert other_text("Drift in X (NED) direction", "Drift in east (NED) direction (NaN if unknown)").gravity
+
+
+def test_a_letter_doubled_in_place_of_another_one_is_a_slip() -> None:
     assert is_slip("sattelites", "satellites")
     assert not is_slip("pumps", "hulls")
 

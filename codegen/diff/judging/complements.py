@@ -9,7 +9,7 @@ from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.diff.judging.readings import is_one_sense
 from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
-from codegen.diff.judging.words import is_related, stem
+from codegen.diff.judging.words import is_respelt, stem
 from codegen.pattern import pattern
 
 _WORD = pattern(r"[a-z0-9_]+(?:'s)?|[.;:,()\[\]\n]")
@@ -107,4 +107,4 @@ def _telling(words: list[str]) -> set[str]:
 def _is_told(words: list[str], text: str) -> bool:
     """Return whether a text has one of some words."""
     others = _telling([word.removesuffix("'s") for word in _WORD.findall(text.lower()) if word[0].isalnum()])
-    return any(word == other or is_related(word, other) for word in _telling(words) for other in others)
+    return any(word == other or is_respelt(word, other) for word in _telling(words) for other in others)

@@ -11,7 +11,7 @@ from codegen.diff.judging.alignment import Alignment, Piece, aligned
 from codegen.diff.judging.judging import HARMLESS, Judgement
 from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
-from codegen.diff.judging.words import is_related, is_respelt, is_slip
+from codegen.diff.judging.words import is_respelt, is_slip
 from codegen.pattern import pattern
 
 _LEAST_FRAME, _SMALL_FRAME = 3, 2
@@ -105,11 +105,11 @@ def _exchanged(found: Alignment, *, is_whole: bool) -> tuple[str, str] | None:
         return None
     if max(len(one.gone), len(one.come)) > _LONGEST_PHRASE:
         return None
-    if any(is_related(word, other) for word in one.gone for other in one.come):
+    if any(is_respelt(word, other) for word in one.gone for other in one.come):
         return None  # which says some of the same, in a sentence built otherwise
     if says_unit(one.was) and says_unit(one.now):
         return None  # which has a rule of its own
-    if is_whole and (_is_only_numbers(one.gone) and _is_only_numbers(one.come)):
+    if is_whole and (_is_only_numbers(one.gone) or _is_only_numbers(one.come)):
         return None
     if _POINTERS.search(one.was) or _POINTERS.search(one.now) or any("_" in word for word in one.gone + one.come):
         return None

@@ -9,7 +9,7 @@ from codegen.diff.judging.words import (
     excluding,
     exclusive_groups,
     is_negated,
-    is_related,
+    is_respelt,
     is_short_for,
     is_slip,
     stem,
@@ -155,7 +155,7 @@ def other_word(old: str, new: str) -> tuple[str, str] | None:
     if len(differing) != 1 or any(word.isdigit() for word in differing[0]):
         return None
     one, other = (stem(word) for word in differing[0])
-    return None if is_related(one, other) else differing[0]
+    return None if is_respelt(one, other) else differing[0]
 
 
 def _are_exchanged(old: str, new: str) -> bool:

@@ -56,19 +56,14 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
     ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
     ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
-    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"), ("share", "fraction", "proportion"),
+    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"),
+    ("share", "fraction", "proportion"),
     ("deploy", "extend"), ("lost", "down"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
 
-_ROOT = 5
-"""Letters that two words of one root share."""
-_ENDINGS = frozenset((
-    "", "e", "ion", "ation", "at", "ment", "ly", "al", "ally", "ic", "ical", "ity", "ing", "y", "i", "ance", "ence",
-    "abl", "ability",
-))  # fmt: skip
-"""Of words that are made of others, without an e at the end."""
-
+_LEAST_LETTERS = 5
+"""Of a word in which one letter is doubled for another one, more than which it has."""
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
 """Words of these that are the beginning of longer ones."""
 
@@ -103,7 +98,7 @@ def is_slip(one: str, other: str) -> bool:
     if min(len(one), len(other)) < 3 or abs(len(one) - len(other)) > 1:
         return False
     short, long = sorted((one, other), key=len)
-    if _DOUBLED.sub("", one) == _DOUBLED.sub("", other) and min(len(one), len(other)) > _ROOT:
+    if _DOUBLED.sub("", one) == _DOUBLED.sub("", other) and min(len(one), len(other)) > _LEAST_LETTERS:
         return True
     if len(short) == len(long):
         differing = [index for index in range(len(short)) if short[index] != long[index]]
@@ -125,18 +120,6 @@ def is_respelt(one: str, other: str) -> bool:
     """Return whether two words are one in another spelling, shortened, with a slip of the pen, or mean the same."""
     is_spelling = is_short_for(one, other) or is_slip(one, other) or is_shortened(one, other)
     return is_spelling or any(one in group and other in group for group in _synonyms())
-
-
-def is_related(one: str, other: str) -> bool:
-    """Return whether two words are one in another spelling, mean the same, or one is made of the other: ``initialize``
-    and ``initialization``.
-    """
-    if is_respelt(one, other):
-        return True
-    length = 0
-    while length < min(len(one), len(other)) and one[length] == other[length]:
-        length += 1
-    return length >= _ROOT and one[length:] in _ENDINGS and other[length:] in _ENDINGS
 
 
 @cache
