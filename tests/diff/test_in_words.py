@@ -26,6 +26,7 @@ MIXED = {
     "mixed_4": (4, 0),
     "mixed_5": (3, 1),
     "mixed_6": (0, 1),
+    "mixed_7": (3, 3),
 }
 """Of each file of mixed pairs the silent breaks that are called harmless, and the false alarms."""
 NOT_UNDERSTOOD = {"left_out-16", "off_and_stopped-7"}

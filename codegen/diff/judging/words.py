@@ -38,7 +38,8 @@ _SPELLINGS = {
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
     "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
-    "go": "fly", "every": "all", "fine": "ok", "shut": "close", "rows": "row", "succeed": "success",
+    "go": "fly", "goes": "fly", "gone": "fly",
+     "every": "all", "fine": "ok", "shut": "close", "rows": "row", "succeed": "success",
     "successful": "success", "successfully": "success",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
