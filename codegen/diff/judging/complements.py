@@ -36,7 +36,7 @@ _LONGEST = 8
 """Words of what is told of: more are told in a sentence built otherwise."""
 _HERE = frozenset(map(stem, ("current", "present", "position", "now")))
 _IT = ["where", "it"]
-"""What is the present position: ``land where it is``."""
+"""Words for the present position: ``land where it is``."""
 _POINTING = frozenset({"see", "refer", "described", "defined", "above", "below", "following", "table"})
 
 

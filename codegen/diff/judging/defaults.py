@@ -11,7 +11,7 @@ _MARK = pattern(
     r"[(\[](?:the )?default[)\]]|(?:^|[.;,:(\[]\s*|\b(?:this|it) is )(?:the )?(?:default|used by default)"
     r"(?: (?:behaviou?r|mode|option|choice|setting|value))?\s*(?:[.;:,)\]]|$)"
 )
-"""That something is the default, in small letters; ``reset to the default`` and ``the default rate`` are no mark."""
+"""The mark of a default, in small letters; ``reset to the default`` and ``the default rate`` are no mark."""
 _MARKED = pattern(
     r"(?<![\w.])(-?\d+|nan)\s*(?:[:=]|\bis\b|\bfor\b)?[^.;,()\[\]\d]*(?:[(\[](?:the )?default[)\]]|, the default\b)"
 )

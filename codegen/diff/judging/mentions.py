@@ -23,7 +23,7 @@ _RANGE_END = pattern(
 _NUMBER = pattern(r"(?<![\w.])-?(?:0x[0-9a-f]+|\d+(?:\.\d+)?)(?![\w.]*\d)")
 _LIMITS = frozenset(str(2**bits - 1) for bits in (7, 8, 15, 16, 31, 32, 63, 64))
 OTHERWISE = pattern(r"\b(?:else|otherwise)\b", re.IGNORECASE)
-"""What says the rest without denying anything."""
+"""Words that say the rest without denying anything."""
 _UNKNOWN = pattern(
     r"\bnot (?:available|known|provided|set|supported|measured|applicable|equal)\b|\bnot used\b(?! (?:for|in|by|as))"
     r"|\b(?:do not|don't) use\b(?! (?:the|this|a) )|\bignor\w* (?:it\b|(?:the|this) (?:value|field|number|parameter)\b)"
@@ -31,8 +31,9 @@ _UNKNOWN = pattern(
 
 
 def numbers(text: str) -> frozenset[str]:
-    """Return the numbers of a text in one spelling, without the limits of types that no range
-    ends with: those are its value for unknown."""
+    """Return the numbers of a text in one spelling, without the limits of types, which are its value for unknown, but
+    for those with which a range or a scale ends.
+    """
     small = text.lower()
     found = frozenset(_spelt(number[0]) for number in _NUMBER.finditer(small.replace("..", " ")))
     if found.isdisjoint(_LIMITS):

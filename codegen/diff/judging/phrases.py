@@ -10,9 +10,9 @@ _TURNS = r"\b(?:turn(?:s|ing|ed)?|orbit(?:s|ing)?|loiter(?:s|ing)?|circl(?:e|es|
 
 _TELLS = r"(?:(?:indicates|tells|says|states|shows|boolean|boolean:|flag:|boolean indicating) )?"
 _CLOCKWISE = r"(?<!not )\b(?:(?:counted |measured )?clockwise from|relative to|with respect to)"
-"""How a bearing is counted, which is always so."""
+"""Ways in which a bearing is counted: all are one."""
 _BACK = r"(?<=[a-z]) of "
-"""Before what points back to what was said: ``the minute of that hour`` is a minute."""
+"""The beginning of what points back to what was said: ``the minute of that hour`` is a minute."""
 
 _SAME: tuple[tuple[str, re.Pattern[str], str], ...] = tuple(
     (part, pattern(phrase, re.IGNORECASE), word)

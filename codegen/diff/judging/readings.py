@@ -14,7 +14,7 @@ _DOES = (
     "leaves|leave|keeps|keep|disables|disable|enables|enable|stops|stop|starts|start|turns|turn|switches|selects"
     "|requests|asks|lets|makes|holds|resets|uses|without"
 )
-"""What a number does: ``0 disables the limit``."""
+"""Verbs of what a number does: ``0 disables the limit``."""
 _STATED = pattern(
     r"(?<![\w.])(-?\d+|NaN\b)(?:\.0+(?!\d))?(?:\)(?= (?:if|when|while)))?"
     r"\s*(?:[:=]|(?:means|is|to|for|if|when|while|where)\b"

@@ -29,6 +29,7 @@ def _first_number(number: str) -> str:
 
 
 _FLOWING = r"(?:flow(?:s|ing)?|rate|current|energy|charge|fuel|water|air|power|data|bytes|packets)"
+_PER_UNIT = r"(?:second|minute|hour|day|week|cent|unit|[a-z]*(?:met(?:er|re)|gram|volt|degree|bit|byte|lit(?:er|re)))"
 _MOVING = r"(?:zoom|reel|pull|roll|wind|fade|slide|draw|let)(?:s|ed|ing)?"
 _REFERENCES = tuple(
     _Reference(kind, name, tuple(words.split("|")), pattern(expression))
@@ -72,9 +73,9 @@ _REFERENCES = tuple(
          r"\b(?:percent|%) (?:of (?:all|the)|confidence|probab)|\bconfidence|\bcep\b"),
         ("spread", "a deviation", "deviation|std|rms|sigma", r"\bdeviation|\bstd\b|\brms\b|\b(?:1|one)[- ]sigma"),
         ("count", "all together", "total|sum|together|in series|combined|whole|pack",
-         r"\btotal|\bsum of|\ball \w+ (?:together|in series)|\bcombined|\bwhole\b|\bof the (?:battery )?pack\b"),
+         r"\btotal|\bsum of|\ball \w+ (?:together|in series)|\bcombined|\bwhole\b|\bof the pack\b"),
         ("count", "a single one", "this", r"\bthis (?:flight|mission|charge|cycle)\b"),
-        ("count", "each", "each|per", r"\b(?:of|in|for) each\b|\bper (?:cell|motor|engine|battery|servo|sensor)\b"),
+        ("count", "each", "each|per", rf"\b(?:of|in|for) each\b|\bper (?!{_PER_UNIT})[a-z]{{3,}}\b"),
         ("statistic", "a moment", "instantaneous|momentary|at the time|latest|most recent",
          r"\binstantaneous|\bmomentary|\bat the time of sending|\blatest|\bmost recent"),
         ("one of several", "an extreme", "est", r"\b(?:hott|cold|weak|strong|slow|fast|clos|near|farth)est\b"),
