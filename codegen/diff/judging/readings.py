@@ -126,7 +126,7 @@ _DIRECTIONS = frozenset(map(stem, (
 )))  # fmt: skip
 
 
-_OBJECTLESS = frozenset({"none", "off", "stopped", "on", "healthy", "faulty"})
+_OF_SOMETHING = frozenset({"none", "off", "stopped", "on", "healthy", "faulty"})
 """Senses of an action or a state: what it is of has to be the same, too."""
 _NEAR_SENSES = (frozenset({"none", "off"}), frozenset({"off", "stopped"}), frozenset({"none", "healthy"}))
 """Of a limit that is disabled there is none, and a message that is disabled is stopped; to stop is to do something."""
@@ -137,9 +137,9 @@ def is_one_sense(words: str, other: str) -> bool:
     before, after = senses_of(words), senses_of(other)
     if not before or not after:
         return False
-    if before == after and before.isdisjoint(_OBJECTLESS):
+    if before == after and before.isdisjoint(_OF_SOMETHING):
         return True
-    if not (before | after) <= _OBJECTLESS or not (before == after or before | after in _NEAR_SENSES):
+    if not (before | after) <= _OF_SOMETHING or not (before == after or before | after in _NEAR_SENSES):
         return False
     objects = _object(words), _object(other)
     return objects[0] <= objects[1] or objects[1] <= objects[0]
@@ -147,7 +147,7 @@ def is_one_sense(words: str, other: str) -> bool:
 
 def _object(words: str) -> frozenset[str]:
     """Return what is left of a text about a number without the words that tell of its sense."""
-    for sense in _OBJECTLESS:
+    for sense in _OF_SOMETHING:
         words = _NO.sub(
             " ", _SENSES[sense].sub(lambda found: f" {_NO.sub('', found[0])} " if found[0][:3] == "no " else " ", words)
         )
