@@ -5,6 +5,8 @@ north``.
 """
 
 import re
+from collections.abc import Mapping
+from functools import cache
 from typing import NamedTuple
 
 from codegen.pattern import pattern
@@ -130,19 +132,20 @@ STATED_LATE = frozenset({"height", "pressure", "airspeed", "first number", "one 
 _DENIED = pattern(r"\((?:and )?not [^)]*\)|\bnot relative to (?:the )?\w+")
 
 
-def references(text: str) -> dict[str, frozenset[str]]:
+def references(text: str) -> Mapping[str, frozenset[str]]:
     """Return what a text measures from, by the kind of it; ``not relative to north`` is no mention of north."""
     small = text.lower()
     return _mentioned(_DENIED.sub(" ", small) if "not " in small else small)
 
 
-def denied_references(text: str) -> dict[str, frozenset[str]]:
+def denied_references(text: str) -> Mapping[str, frozenset[str]]:
     """Return what a text says that it does not measure from."""
     small = text.lower()
     return _mentioned(" ".join(found[0] for found in _DENIED.finditer(small))) if "not " in small else {}
 
 
-def _mentioned(text: str) -> dict[str, frozenset[str]]:
+@cache
+def _mentioned(text: str) -> Mapping[str, frozenset[str]]:
     found: dict[str, frozenset[str]] = {}
     for kind, name, words, expression in _REFERENCES:
         for word in words:

@@ -4,7 +4,8 @@ from codegen.diff.judging.words import excluding, stem
 from codegen.pattern import pattern
 
 _TOKEN = pattern(r"[a-z]+|\d+|[.;,:()]")
-_CARRIERS = frozenset(map(stem, ("positive", "negative", "true", "false", "set", "cleared", "row", "column")))
+_CARRYING = ("positive", "negative", "true", "false", "set", "cleared", "row", "column")
+_CARRIERS = frozenset(map(stem, _CARRYING))
 """Words that say by what the rest of a clause is shown."""
 _STATES = {"set", stem("cleared")}
 _TWO = 2
@@ -18,6 +19,9 @@ def is_turned_twice(old: str, new: str) -> bool:
 
     Of a symmetric matrix the rows of the upper right triangle are the columns of the lower left one.
     """
+    small = old.lower()
+    if not any(word in small for word in _CARRYING):
+        return False
     before, after = ([_spelt(word) for word in _TOKEN.findall(text.lower())] for text in (old, new))
     if len(before) != len(after) or before == after:
         return False
