@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import cache
 from typing import NamedTuple
 
 from codegen.model.units.unit import Unit, ratio
@@ -23,7 +24,9 @@ _PREFIX = rf"(?:(?:{'|'.join(_PREFIXES)})-?)?"
 _DEGREE = r"deg(?:ree)?s? (?:celsius|centigrade|c\b)"
 _WORD = rf"(?:(?:revolution|rotation)s? per minute|{_PREFIX}(?:{_DEGREE}|(?:{'|'.join(_SYMBOLS)})s?))"
 _WORDS = pattern(
-    rf"(?<![\w.])({_WORD})(?:(?:\s+per\s+|/)({_WORD})(?!\w)( squared| per second\b)?)?(?!\w)", re.IGNORECASE
+    rf"(?<![\w.])({_WORD})(?:(?:\s+per\s+|/)({_WORD})(?!\w)( squared| per second\b)?)?(?!\w)",
+    re.IGNORECASE,
+    needs="|".join((*_SYMBOLS, "deg", "revolution", "rotation")),
 )
 _SMALL = r"0?\.0*1|1[eE]-\d|1/10{1,9}"
 _NAMED = pattern(
@@ -68,7 +71,7 @@ def says_unit(text: str) -> bool:
 
 def without_same_unit(old: str, new: str) -> tuple[str, str]:
     """Return two texts without the unit that both state, each in words of its own: ``in centimetres`` and ``(cm)``."""
-    before, after = (list(_statements(text)) for text in (old, new))
+    before, after = _statements(old), _statements(new)
     if not before or not after or not is_same_unit(before[0].unit, after[0].unit):
         return old, new
     if len({one.unit for one in before}) != 1 or len({one.unit for one in after}) != 1:
@@ -82,14 +85,19 @@ def is_same_unit(one: str, other: str) -> bool:
     return one == other or (units[0] is not None and units[1] is not None and ratio(units[0], units[1]) == 1)
 
 
-def _without(text: str, statements: list[_Statement]) -> str:
+def _without(text: str, statements: tuple[_Statement, ...]) -> str:
     for one in sorted(statements, key=lambda each: each.start, reverse=True):
         text = f"{text[: one.start]} {text[one.end :]}"
     return text
 
 
-def _statements(text: str) -> Iterator[_Statement]:
-    """Yield the units that a text states; what is counted with them, such as ``5 seconds``, states none."""
+@cache
+def _statements(text: str) -> tuple[_Statement, ...]:
+    """Return the units that a text states; what is counted with them, such as ``5 seconds``, states none."""
+    return tuple(_each_statement(text))
+
+
+def _each_statement(text: str) -> Iterator[_Statement]:
     for one in _WORDS.finditer(text):
         head = text[max(0, one.start() - _LONGEST_BEFORE) : one.start()]
         factor = _BEFORE.search(head)

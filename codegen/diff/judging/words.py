@@ -133,10 +133,18 @@ def is_negated(word: str, other: str) -> bool:
     return other in {f"{prefix}{word}" for prefix in ("un", "dis", "in", "non", "ab", "de")}
 
 
-@cache
 def excluding(word: str) -> frozenset[str]:
     """The words that exclude a word, all in one spelling."""
-    return frozenset(other for group in exclusive_groups() if word in group for other in group if other != word)
+    return _excluded().get(word, frozenset())
+
+
+@cache
+def _excluded() -> dict[str, frozenset[str]]:
+    found: dict[str, frozenset[str]] = {}
+    for group in exclusive_groups():
+        for word in group:
+            found[word] = found.get(word, frozenset()) | (group - {word})
+    return found
 
 
 @cache
