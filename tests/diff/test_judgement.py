@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 
 from codegen.diff.change import Weight
-from codegen.diff.judging.quantities import unit_in_words
 from codegen.diff.judging.readings import stated_values
+from codegen.diff.judging.units_in_words import unit_in_words
 from codegen.diff.judging.wording import Likeness, is_reworded, is_unsaid, name_likeness, text_likeness
 from codegen.diff.judging.words import is_negated, is_short_for, is_shortened, is_slip, stem
 
 CORPUS = Path(__file__).parent / "corpus"
-FOLDERS = [CORPUS, *(CORPUS / name for name in ("held_out", "second", "fourth"))]
+FOLDERS = [CORPUS, *(CORPUS / name for name in ("held_out", "second", "fourth", "fifth"))]
 
 
 def scoring() -> Any:
@@ -38,14 +38,11 @@ def test_the_goals_of_the_corpus_hold(folder: Path) -> None:
     assert len(alarms) <= score.MOST_FALSE_ALARMS * harmless, alarms
 
 
-@pytest.mark.parametrize(("folder", "missed", "alarms"), [("third", 2, 1), ("fifth", 3, 7)])
-def test_what_texts_alone_tell_is_not_judged_worse_than_it_was(folder: str, missed: int, alarms: int) -> None:
-    """The third folder is about prose, of which the comparison understands a part, and of the fifth nothing was learnt;
-    docs/diff.md has the figures.
-    """
-    found = list(scoring().judged(scoring().pairs_of(CORPUS / folder)))
-    assert sum(each.is_missed for each in found) <= missed
-    assert sum(each.is_false_alarm for each in found) <= alarms
+def test_what_texts_alone_tell_is_not_judged_worse_than_it_was() -> None:
+    """The third folder is about prose, of which the comparison understands a part; docs/diff.md has the figures."""
+    found = list(scoring().judged(scoring().pairs_of(CORPUS / "third")))
+    assert sum(each.is_missed for each in found) <= 1
+    assert sum(each.is_false_alarm for each in found) <= 1
     for each in found:
         told = [change for change in each.changes if is_reworded(change.old, change.new)]
         assert told or not each.is_missed, f"the head line does not say that {each.pair.name} is to be read"
@@ -54,11 +51,11 @@ def test_what_texts_alone_tell_is_not_judged_worse_than_it_was(folder: str, miss
 def test_the_corpus_is_large_and_has_every_judgement() -> None:
     """Names occur once, a third of those that were written first is held out, and each judgement has several pairs."""
     score = scoring()
-    tuned, held_out, second, fourth = map(score.pairs_of, FOLDERS)
-    names = [pair.name for pair in (*tuned, *held_out, *second, *fourth)]
+    tuned, held_out, second, fourth, fifth = map(score.pairs_of, FOLDERS)
+    names = [pair.name for pair in (*tuned, *held_out, *second, *fourth, *fifth)]
     assert len(names) == len(set(names)) >= 120
     assert len(held_out) >= 58
-    for pairs in (tuned, held_out, second, fourth):
+    for pairs in (tuned, held_out, second, fourth, fifth):
         assert all(sum(pair.judgement is weight for pair in pairs) > 2 for weight in Weight)
 
 

@@ -10,8 +10,9 @@ from codegen.diff.change import Change, changed
 from codegen.diff.dialect import wire_rules as wire
 from codegen.diff.dialect.meaning import other_default
 from codegen.diff.judging.judging import Judgement
-from codegen.diff.judging.quantities import Range, other_range, other_unit, share_for_unit, unit_in_words
+from codegen.diff.judging.quantities import Range, other_range, other_unit, share_for_unit
 from codegen.diff.judging.softening import softened
+from codegen.diff.judging.units_in_words import unit_in_words
 from codegen.diff.system.requirements import renamed_ids
 from codegen.model.dialect.dialect import Lifecycle
 from codegen.source import Place

@@ -9,7 +9,8 @@ from codegen.diff.dialect import wire_rules as rules
 from codegen.diff.dialect.lifecycle import lifecycle_changes
 from codegen.diff.dialect.meaning import Vocabulary
 from codegen.diff.dialect.parameters import other_parameter
-from codegen.diff.judging.judging import HARMLESS, Judgement, gone_entry, other_entry
+from codegen.diff.judging.defaults import moved_default
+from codegen.diff.judging.judging import HARMLESS, Judgement, gone_entry, gravest, other_entry
 from codegen.diff.judging.texts import same_entry
 from codegen.model.dialect.dialect import CommandParameter, EnumDefinition, EnumEntry
 from codegen.source import Place
@@ -72,6 +73,7 @@ def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], en
     before = {entry.name: entry for entry in old.entries}
     after = {entry.name: entry for entry in new.entries}
     gone = {entry.name: entry for entry in old.entries if entry.name not in after}
+    moved = moved_default(old.entries, new.entries)
     for entry in new.entries:
         known = before.get(entry.name)
         if known is None:
@@ -84,7 +86,8 @@ def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], en
             said = f"{entry.name} = {entry.value}"
             yield _enum(rules.ENTRY_ADDED, f"{new.name}.{entry.name}", None, said, (None, entry.place), fields)
             continue
-        yield from _entry_changes(known, entry, new.name, fields, enums)
+        default = moved.judgement if moved is not None and moved.entry == entry.name else HARMLESS
+        yield from _entry_changes(known, entry, default, new.name, fields, enums)
     for entry in gone.values():
         said = f"{entry.name} = {entry.value}"
         change = _enum(rules.ENTRY_REMOVED, f"{new.name}.{entry.name}", said, None, (entry.place, None), fields)
@@ -99,13 +102,15 @@ def _as_judged(change: Change, judgement: Judgement) -> Change:
 
 
 def _entry_changes(
-    old: EnumEntry, new: EnumEntry, enum: str, fields: Sequence[str], enums: Vocabulary
+    old: EnumEntry, new: EnumEntry, default: Judgement, enum: str, fields: Sequence[str], enums: Vocabulary
 ) -> Iterator[Change]:
+    """Yield what changed in an entry; ``default`` is what comes of it being the default of its enum now."""
     if old.value != new.value:
         yield _entry(rules.ENTRY_VALUE, enum, new, (str(old.value), str(new.value)), old, fields)
     if old.description != new.description:
         texts = old.description or None, new.description or None
         found = same_entry(old.description, new.description) if old.name == new.name else HARMLESS
+        found = gravest(found, default)
         change = _entry(rules.ENTRY_MEANING if found.gravity else rules.DESCRIPTION, enum, new, texts, old, fields)
         yield _as_judged(change, found)
     if sorted(old.traits) != sorted(new.traits):

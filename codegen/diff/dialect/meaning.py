@@ -17,9 +17,9 @@ from codegen.diff.judging.quantities import (
     first_unit,
     other_range,
     other_unit,
-    unit_in_words,
 )
 from codegen.diff.judging.texts import other_text
+from codegen.diff.judging.units_in_words import unit_in_words
 from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import Unit, decimal, ratio

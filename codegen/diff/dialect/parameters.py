@@ -12,9 +12,9 @@ from codegen.diff.judging.quantities import (
     other_range,
     other_unit,
     share_for_unit,
-    unit_in_words,
 )
 from codegen.diff.judging.texts import other_text
+from codegen.diff.judging.units_in_words import unit_in_words
 from codegen.diff.judging.unset import first_meaning
 from codegen.diff.judging.wording import Likeness, is_unsaid, name_likeness, text_likeness
 from codegen.model.dialect.dialect import CommandParameter, EnumEntry

@@ -5,7 +5,14 @@ from collections.abc import Mapping
 from codegen.diff.judging.judging import HARMLESS, Judgement, gravest
 from codegen.diff.judging.mentions import negations
 from codegen.diff.judging.phrases import in_one_wording, says_unknown
-from codegen.diff.judging.readings import directions, senses_of, stated_signs, stated_states, stated_values
+from codegen.diff.judging.readings import (
+    directions,
+    is_one_sense,
+    senses_of,
+    stated_signs,
+    stated_states,
+    stated_values,
+)
 from codegen.diff.judging.wording import Likeness, common_share, text_likeness
 from codegen.pattern import pattern
 
@@ -15,6 +22,8 @@ _SOME, _MOST, _NEARLY_ALL = 0.35, 0.6, 0.8
 _DECIDED = frozenset({"kept", "by default"})
 """Senses that a text about a number does not lose by being said anew."""
 
+_LIMITS = frozenset(2**bits - 1 for bits in (7, 8, 15, 16, 31, 32, 63, 64))
+_ABSENT = pattern(r"\b(?:not|isn't) (?:fitted|connected|installed|present)\b|\bmissing\b|\bthere (?:is|are) no\b")
 _NAME = pattern(r"\w+")
 _HEAD = pattern(r"[(.,;:]")
 _BARE = frozenset({"true", "false", "yes", "no"})
@@ -25,7 +34,17 @@ def other_statements(old: str, new: str) -> Judgement:
     states = stated_states(old), stated_states(new)
     values = stated_values(old), stated_values(new)
     bits = [{**state, **value} for state, value in zip(states, values, strict=True)] if any(states) else ()
-    return gravest(stated_conflict(*values), moved_value(*bits) if bits else HARMLESS)
+    return gravest(stated_conflict(*values), moved_value(*bits) if bits else HARMLESS, _turned_state(*states))
+
+
+def _turned_state(old: Mapping[int | str, str], new: Mapping[int | str, str]) -> Judgement:
+    """Return what comes of a bit that is cleared for what it was set for, each text telling of one state alone."""
+    if len(old) != 1 or len(new) != 1 or old.keys() == new.keys():
+        return HARMLESS
+    was, now = next(iter(old.values())), next(iter(new.values()))
+    if not was or negations(was) % 2 != negations(now) % 2 or not is_alike(was, now):
+        return HARMLESS
+    return Judgement(breaks=True, effect=f"the bit is {next(iter(new))} where it was {next(iter(old))}: {now!r}")
 
 
 def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) -> Judgement:
@@ -40,6 +59,8 @@ def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) 
         moved = next((other for other, said in new.items() if text_likeness(words, said) is Likeness.SAME), None)
         if moved is not None and moved in old and text_likeness(old[moved], new[moved]) is not Likeness.SAME:
             return _moved(number, words, new[number], moved)
+        if _says_nothing(number, words) and _says_nothing(number, new[number]):
+            continue
         is_same = _is_same(words, new[number])
         if is_same and is_alike(words, new[number]):
             continue
@@ -51,6 +72,13 @@ def stated_conflict(old: Mapping[int | str, str], new: Mapping[int | str, str]) 
         if not is_same:
             return Judgement(doubt=f"whether {number}, which was {words!r}, is {new[number]!r}")
     return HARMLESS
+
+
+def _says_nothing(number: int | str, words: str) -> bool:
+    """Return whether a number that is no amount stands for something that is unknown or that there is none of."""
+    return (number == "NaN" or number in _LIMITS) and (
+        says_unknown(words) or "none" in senses_of(words) or _ABSENT.search(words) is not None
+    )
 
 
 def _is_bare(words: str) -> bool:
@@ -87,7 +115,8 @@ def without_alike(old: str, new: str) -> tuple[str, str]:
     before, after = stated_values(old), stated_values(new)
     for number, words in before.items():
         said = after.get(number, words)
-        if said != words and _is_one_sense(words, said):
+        is_nothing = _says_nothing(number, words) and _says_nothing(number, said)
+        if said != words and (is_nothing or _is_one_sense(words, said)):
             old, new = old.replace(words, " "), new.replace(said, " ")
     return old, new
 
@@ -105,8 +134,7 @@ def _is_one_sense(words: str, other: str) -> bool:
         return True
     if not _identifiers(words).isdisjoint(_identifiers(other)) and text_likeness(words, other) is not Likeness.OPPOSITE:
         return negations(words) == negations(other)
-    senses = senses_of(words)
-    return bool(senses) and senses == senses_of(other)
+    return is_one_sense(words, other)
 
 
 def _identifiers(words: str) -> set[str]:

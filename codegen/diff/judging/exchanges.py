@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from codegen.diff.judging.alignment import Alignment, Piece, aligned
 from codegen.diff.judging.judging import HARMLESS, Judgement
-from codegen.diff.judging.quantities import says_unit
+from codegen.diff.judging.units_in_words import says_unit
 from codegen.diff.judging.wording import IDLE
 from codegen.diff.judging.words import is_respelt, is_slip
 from codegen.pattern import pattern
@@ -32,13 +32,17 @@ _LONGEST_MIDDLE = 40
 
 _POINTERS = pattern(r"\b(?:see|described|description|refer|documented|documentation)\b", re.IGNORECASE)
 _ALTERNATIVE = pattern(
-    r"^\W*(?:or\b(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b)", re.IGNORECASE | re.DOTALL
+    r"^\W*(?:or\b(?! \w+ \(\d)(?=.*\b(?:if|when|while|where|unless)\b)|unless\b|except\b|but not\b"
+    r"|(?:not )?(?:including|excluding|counting)\b)",
+    re.IGNORECASE | re.DOTALL,
 )
 _ORIGIN = pattern(r"\W*(?:from|above|below|relative to|since|until|between|towards?|after|before)\b", re.IGNORECASE)
 _ORDERED = pattern(r"\b(?:order|elements)\b", re.IGNORECASE)
-_RESTRICTION = pattern(r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b", re.IGNORECASE)
-_ALTERNATING = frozenset({"or", "unless", "except", "but"})
-_RESTRICTING = frozenset({"ignored", "used", "unused", "supported"})
+_RESTRICTION = pattern(
+    r"\b(?:ignored|not used|unused|not supported) (?:by|for|on|in)\b|\baffects \w+ only\b", re.IGNORECASE
+)
+_ALTERNATING = frozenset({"or", "unless", "except", "but", "including", "excluding", "counting"})
+_RESTRICTING = frozenset({"ignored", "used", "unused", "supported", "affects"})
 _WORD = pattern(r"-?\d+(?:\.\d+)?|[^\W\d]\w*")
 _JOINING = frozenset({"and", "or", "the", "a", "an"})
 _DECIDING = frozenset({"positive", "negative", "true", "false", "nan", "set", "cleared"})
@@ -60,12 +64,18 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
     if not may_exchange and not may_condition:
         return HARMLESS
     found = aligned(old, new)
+    if (
+        old.lower().split()[:_LEAST_FRAME] == new.lower().split()[:_LEAST_FRAME]
+        and is_whole
+        and found.kept == _SMALL_FRAME
+    ):
+        found = found._replace(kept=_LEAST_FRAME)  # the words that carry nothing hold the rest together, too
     if found.kept >= _SMALL_FRAME and found.share >= _LEAST_SHARE:
         exchanged = _exchanged(found, is_whole=is_whole)
         if exchanged is not None:
             was, now = exchanged
             return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
-    return _other_condition(found.pieces) if is_whole else HARMLESS
+    return _other_condition(found.pieces, new) if is_whole else HARMLESS
 
 
 def _is_respelt(piece: Piece) -> bool:
@@ -110,14 +120,23 @@ def _is_only_numbers(words: Sequence[str]) -> bool:
     return all(word.lstrip("-").replace(".", "").isdigit() or word == "nan" for word in words)
 
 
-def _other_condition(pieces: Sequence[Piece]) -> Judgement:
-    """Return what comes of an alternative that is new within a sentence, or of a restriction that is gone."""
+def _other_condition(pieces: Sequence[Piece], new: str) -> Judgement:
+    """Return what comes of an alternative that is new within a sentence, or of a restriction that is gone from all of
+    a text.
+    """
     for piece in pieces:
         if not piece.gone and _ALTERNATIVE.search(piece.now):
             return Judgement(doubt=f"whether it was so before: {piece.now.strip(' ,;.()')!r}")
-        if not piece.come and _RESTRICTION.search(piece.was):
+        restriction = None if piece.come else _RESTRICTION.search(piece.was)
+        if restriction is not None and _restricted(piece.was, restriction) not in new.lower():
             return Judgement(doubt=f"whether it still is so: {piece.was.strip(' ,;.()')!r}")
     return HARMLESS
+
+
+def _restricted(text: str, found: re.Match[str]) -> str:
+    """Return a restriction with the word behind it, in small letters: ``ignored by planes``."""
+    after = _WORD.search(text, found.end())
+    return text[found.start() : after.end() if after else found.end()].lower()
 
 
 def _middles(old: str, new: str) -> tuple[list[str], list[str], int]:

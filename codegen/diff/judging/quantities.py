@@ -1,4 +1,4 @@
-"""Compares units, by attribute or in words, and ranges of numbers."""
+"""Compares units and ranges of numbers."""
 
 import re
 from collections.abc import Sequence
@@ -12,54 +12,11 @@ from codegen.pattern import pattern
 
 SAME_NUMBER = "the same value is the same number as before"
 
-_SYMBOLS = {
-    "meter": "m", "metre": "m", "gram": "g", "second": "s", "amp": "A", "ampere": "A", "volt": "V", "degree": "deg",
-    "radian": "rad", "percent": "%", "hertz": "Hz", "minute": "min", "hour": "h", "pascal": "Pa", "watt": "W",
-    "celsius": "degC", "pixel": "pix", "gauss": "gauss", "joule": "J",
-}  # fmt: skip
-_PREFIXES = {"milli": "m", "micro": "u", "nano": "n", "centi": "c", "deci": "d", "kilo": "k", "hecto": "h", "mega": "M"}
-_WORD = rf"(?:{'|'.join(_PREFIXES)})?(?:{'|'.join(_SYMBOLS)})s?"
-_WORDS = pattern(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
-_NAMED = pattern(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
-_FACTOR = pattern(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
-_COUNTED = pattern(r"[\d.)\]]\s*$")
 _RAW = pattern(r"\braw\b", re.IGNORECASE)
 _USUAL = frozenset({"%", "ms", "us", "min", "h", "deg", "deg/s", "rad", "rpm", "d", "dB", "dBm", "degC", "mAh", "km"})
 """Parts and multiples of units in which commands do count."""
 _HUNDRED = 100
 _TEN = 10
-
-
-def unit_in_words(text: str) -> str | None:
-    """The one unit that a text states, as dialects write it: of ``in millimeters``, ``(mG)``; not of ``5 seconds``."""
-    found = dict.fromkeys(
-        _symbol(one[1]) + (f"/{_symbol(one[2])}" if one[2] else "") + _factor_after(text, one.end())
-        for one in _WORDS.finditer(text)
-        if not _COUNTED.search(text[: one.start()])
-    )
-    for one in _NAMED.finditer(text):
-        if Unit.parse(one[1]) is not None and one[1] not in ("h", "d"):
-            found[one[1] + _factor_after(text, one.end())] = None
-    return next(iter(found)) if len(found) == 1 else None
-
-
-def says_unit(text: str) -> bool:
-    """Return whether a text has a unit, written out or in brackets."""
-    return _WORDS.search(text) is not None or any(Unit.parse(one[1]) is not None for one in _NAMED.finditer(text))
-
-
-def _factor_after(text: str, end: int) -> str:
-    """``*100`` where a text goes on so after a unit: the number was multiplied with it."""
-    found = _FACTOR.match(text, end)
-    return f"*{Fraction(found[1]).numerator}" if found is not None else ""
-
-
-def _symbol(word: str) -> str:
-    plain = word.lower().removesuffix("s") if word.lower() not in _SYMBOLS else word.lower()
-    for prefix, letter in _PREFIXES.items():
-        if plain.startswith(prefix) and plain.removeprefix(prefix) in _SYMBOLS:
-            return letter + _SYMBOLS[plain.removeprefix(prefix)]
-    return _SYMBOLS.get(plain, plain)
 
 
 def other_unit(old: str, new: str) -> Judgement:

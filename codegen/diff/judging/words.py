@@ -4,6 +4,7 @@ from functools import cache
 
 from codegen.pattern import pattern
 
+_DOUBLED = pattern(r"([a-z])(?=\1)")
 _VOWELS = pattern(r"(?<=.)[aeiou]")
 
 _EXCLUDING: tuple[tuple[str, ...], ...] = (
@@ -24,7 +25,7 @@ _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
     ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
     ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
-    ("voltage", "current", "power"), ("clockwise", "counterclockwise"),
+    ("voltage", "current", "power"), ("clockwise", "counterclockwise"), ("row", "column"),
 )  # fmt: skip
 """Words that exclude each other: where one takes the place of another, the meaning does."""
 
@@ -37,7 +38,9 @@ _SPELLINGS = {
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
     "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
     "cable": "line", "else": "otherwise", "replacement": "alternative", "shorter": "shortest", "identifier": "id",
-    "go": "fly",
+    "go": "fly", "goes": "fly", "gone": "fly",
+     "every": "all", "fine": "ok", "shut": "close", "rows": "row", "succeed": "success",
+    "successful": "success", "successfully": "success",
     "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
@@ -46,10 +49,22 @@ _SYNONYMS: tuple[tuple[str, ...], ...] = (
     ("documentation", "description"), ("deprecated", "superseded", "obsolete"), ("start", "begin"),
     ("end", "finish", "complete"), ("large", "big"), ("allow", "permit"), ("maximum", "highest", "largest"),
     ("minimum", "lowest", "smallest"), ("show", "display"), ("select", "choose"),
-    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"),
+    ("unknown", "unavailable", "undefined"), ("wrong", "incorrect"), ("measurement", "data", "reading", "sample"),
+    ("size", "magnitude"), ("custom", "user"), ("fly", "flight", "flying"), ("mean", "average"), ("execute", "perform"),
+    ("transmit", "send"), ("bitmap", "bitmask", "mask"), ("erase", "delete"), ("connect", "attach"),
+    ("reach", "arrive"),
+    ("receive", "get"), ("interval", "period"), ("quantity", "amount"), ("amount", "number"), ("frequency", "rate"),
+    ("stop", "halt"), ("retry", "repeat"), ("waypoint", "item"), ("location", "place", "position"), ("now", "current"),
+    ("missing", "absent"), ("present", "fitted"), ("specify", "indicate"), ("denote", "indicate"), ("tell", "indicate"),
+    ("represent", "indicate"), ("state", "status"), ("obtain", "get"), ("try", "attempt"), ("blow", "come"),
+    ("exclude", "without", "omit", "skip"), ("active", "running", "run", "runs"), ("fully", "completely", "entirely"),
+    ("share", "fraction", "proportion"),
+    ("deploy", "extend"), ("lost", "down"),
 )  # fmt: skip
 """Words that mean the same, though each may mean something else, too."""
 
+_LEAST_LETTERS = 5
+"""Of a word in which one letter is doubled for another one, more than which it has."""
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
 """Words of these that are the beginning of longer ones."""
 
@@ -84,6 +99,8 @@ def is_slip(one: str, other: str) -> bool:
     if min(len(one), len(other)) < 3 or abs(len(one) - len(other)) > 1:
         return False
     short, long = sorted((one, other), key=len)
+    if _DOUBLED.sub("", one) == _DOUBLED.sub("", other) and min(len(one), len(other)) > _LEAST_LETTERS:
+        return True
     if len(short) == len(long):
         differing = [index for index in range(len(short)) if short[index] != long[index]]
         if len(differing) == 2 and differing[1] == differing[0] + 1:
@@ -116,10 +133,18 @@ def is_negated(word: str, other: str) -> bool:
     return other in {f"{prefix}{word}" for prefix in ("un", "dis", "in", "non", "ab", "de")}
 
 
-@cache
 def excluding(word: str) -> frozenset[str]:
     """The words that exclude a word, all in one spelling."""
-    return frozenset(other for group in exclusive_groups() if word in group for other in group if other != word)
+    return _excluded().get(word, frozenset())
+
+
+@cache
+def _excluded() -> dict[str, frozenset[str]]:
+    found: dict[str, frozenset[str]] = {}
+    for group in exclusive_groups():
+        for word in group:
+            found[word] = found.get(word, frozenset()) | (group - {word})
+    return found
 
 
 @cache

@@ -10,6 +10,7 @@ import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
+from xml.sax.saxutils import escape
 
 import yaml
 
@@ -32,7 +33,10 @@ FOURTH = CORPUS / "fourth"
 """Pairs of a fourth one, in the proportions in which releases have them."""
 
 FIFTH = CORPUS / "fifth"
-"""Pairs of a fifth one, of which nothing was learnt: they are as they were at first sight."""
+"""Pairs of a fifth one, in such proportions, too."""
+
+IN_WORDS = CORPUS / "in_words"
+"""Pairs of texts alone: a file for each class of changes that is told apart, and mixed ones."""
 
 MOST_FALSE_ALARMS = 0.05
 _COMMAND = "31000"
@@ -76,6 +80,34 @@ class Judged(NamedTuple):
 def pairs_of(folder: Path) -> list[Pair]:
     """The pairs of the files of a folder."""
     return [_pair(each) for file in sorted(folder.glob("*.yaml")) for each in yaml.safe_load(file.read_text())]
+
+
+def pairs_in_words(file: Path) -> list[Pair]:
+    """The pairs of a file that has nothing but what each is about, its judgement and both texts."""
+    return [_in_words(f"{file.stem}-{number}", each) for number, each in enumerate(yaml.safe_load(file.read_text()), 1)]
+
+
+def _in_words(name: str, written: dict[str, Any]) -> Pair:
+    about, units = written["about"], written.get("units")
+    old, new = _fragment(about, written["old"], None), _fragment(about, written["new"], units)
+    return Pair(name, Weight(written["judgement"]), "", old, new)
+
+
+def _fragment(about: str, text: str | list[str], units: str | None) -> str:
+    """The XML of a text about a field, a parameter, a message, an entry, or several of them about entries."""
+    attribute = f' units="{units}"' if units else ""
+    texts = [escape(one) for one in ([text] if isinstance(text, str) else text)]
+    if about == "field":
+        return f'<field type="uint16_t" name="a"{attribute}>{texts[0]}</field>'
+    if about == "parameter":
+        return f'<param index="1" label="Number"{attribute}>{texts[0]}</param>'
+    if about == "message":
+        field = '<field type="uint8_t" name="a">A thing</field>'
+        return f'<message id="902" name="M"><description>{texts[0]}</description>{field}</message>'
+    return "".join(
+        f'<entry value="{number}" name="OF_{number}"><description>{one}</description></entry>'
+        for number, one in enumerate(texts)
+    )
 
 
 def _pair(written: dict[str, Any]) -> Pair:
@@ -148,3 +180,6 @@ if __name__ == "__main__":
     for folder in folders:
         print(f"== {folder.relative_to(CORPUS.parent)}")
         print("\n".join(told(list(judged(pairs_of(folder))), is_all="--all" in sys.argv)))
+    for file in () if "--tuned" in sys.argv else sorted(IN_WORDS.glob("*.yaml")):
+        print(f"== {file.relative_to(CORPUS.parent)}")
+        print("\n".join(told(list(judged(pairs_in_words(file))), is_all="--all" in sys.argv)))
