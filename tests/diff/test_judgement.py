@@ -38,11 +38,12 @@ def test_the_goals_of_the_corpus_hold(folder: Path) -> None:
     assert len(alarms) <= score.MOST_FALSE_ALARMS * harmless, alarms
 
 
-def test_what_texts_alone_tell_is_not_judged_worse_than_it_was() -> None:
-    """The third folder is about prose, of which the comparison understands a part; docs/diff.md has the figures."""
-    found = list(scoring().judged(scoring().pairs_of(CORPUS / "third")))
-    assert sum(each.is_missed for each in found) <= 1
-    assert sum(each.is_false_alarm for each in found) <= 1
+@pytest.mark.parametrize(("folder", "missed", "alarms"), [("third", 1, 1), ("sixth", 7, 16)])
+def test_what_texts_alone_tell_is_not_judged_worse_than_it_was(folder: str, missed: int, alarms: int) -> None:
+    """These folders are about prose, of which the comparison understands a part; docs/diff.md has the figures."""
+    found = list(scoring().judged(scoring().pairs_of(CORPUS / folder)))
+    assert sum(each.is_missed for each in found) <= missed
+    assert sum(each.is_false_alarm for each in found) <= alarms
     for each in found:
         told = [change for change in each.changes if is_reworded(change.old, change.new)]
         assert told or not each.is_missed, f"the head line does not say that {each.pair.name} is to be read"
