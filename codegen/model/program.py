@@ -56,6 +56,8 @@ RECEIVED = (
     "FILE_TRANSFER_PROTOCOL",
 )
 """The messages that the services receive, in the order in which links are given them."""
+SENT = ("PING", "PARAM_VALUE", "COMMAND_ACK", "MESSAGE_INTERVAL", "STATUSTEXT", "PARAM_ERROR")
+"""The messages that the services send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
 
 
 COMMAND_CANCEL = "COMMAND_CANCEL"

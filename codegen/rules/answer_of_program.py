@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.program import SENT
 from codegen.model.system import System
-from codegen.resolve.program.services import SENT
 
 RULE = Rule(
     "answer-of-program",

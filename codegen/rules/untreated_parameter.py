@@ -18,7 +18,7 @@ RULE = Rule(
 )
 
 _UNKNOWN_WHOLE = (1 << 31) - 1
-"""What stands for NaN in x and y of COMMAND_INT, whatever words say of it."""
+"""The number that stands for NaN in x and y of COMMAND_INT, whatever words say of it."""
 
 
 def check(system: System) -> Iterator[Diagnostic]:

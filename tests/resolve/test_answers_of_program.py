@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from edited_project import edited
 
+from codegen.model.program import SENT
 from codegen.model.system import System
-from codegen.resolve.program.services import SENT
 
 PROJECTS = Path(__file__).resolve().parents[1] / "projects"
 

@@ -7,7 +7,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.measure import read_rate, read_time
 from codegen.model.access import Access
 from codegen.model.dialect.dialect import Dialect
-from codegen.model.program import Program
+from codegen.model.program import SENT, Program
 from codegen.model.spec.command import CommandsSpec
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
@@ -22,7 +22,7 @@ from codegen.resolve.failsafes.priority import resolve_priority
 from codegen.resolve.program.absences import mission_results, resolve_absences
 from codegen.resolve.program.modes import resolve_modes
 from codegen.resolve.program.problems import program_problems
-from codegen.resolve.program.services import SENT, Uses, service_constants, service_messages
+from codegen.resolve.program.services import Uses, service_constants, service_messages
 
 BAD_PROGRAM = Rule(
     "bad-program",

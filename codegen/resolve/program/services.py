@@ -7,7 +7,7 @@ from codegen.frozen import dataclass
 from codegen.model.code.clock import SYSTEM_TIME
 from codegen.model.command import BUILT_IN, Needs
 from codegen.model.dialect.dialect import Dialect, WireMessage
-from codegen.model.program import COMMAND_CANCEL, RECEIVED, SET_MODE
+from codegen.model.program import COMMAND_CANCEL, RECEIVED, SENT, SET_MODE
 from codegen.model.spec.access import SETUP_SIGNING
 from codegen.model.spec.program import VehicleSpec
 
@@ -20,8 +20,6 @@ NO_SERVICE_MESSAGE = Rule(
 
 HEAD_ONLY = ("FILE_TRANSFER_PROTOCOL",)
 """Those of which the services read a beginning only."""
-SENT = ("PING", "PARAM_VALUE", "COMMAND_ACK", "MESSAGE_INTERVAL", "STATUSTEXT", "PARAM_ERROR")
-"""The messages that the services send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
 
 SERVICE_FIELDS = {
     "HEARTBEAT": "type",
