@@ -16,6 +16,7 @@ from codegen.deploy.connection import Connection
 from codegen.deploy.contents import Contents
 from codegen.deploy.imports import needed_imports
 from codegen.deploy.missing import UNKNOWN_BOARD, Importable, report_missing
+from codegen.deploy.transfer import importable
 from codegen.diagnostics import Report
 from codegen.source import Place
 
@@ -143,10 +144,28 @@ def test_modules_are_followed() -> None:
     ]
 
 
-def test_the_way_that_is_always_taken_counts() -> None:
-    """A module that a call imports, and another module whenever it is loaded."""
-    own = {"app.py": "def f():\n    import pump\nimport tank\n", "tank.py": "import pump\n", "pump.py": "import gone\n"}
+@pytest.mark.parametrize(
+    "lines", [("def f():\n    import pump\n", "import tank\n"), ("import tank\n", "def f():\n    import pump\n")]
+)
+def test_the_way_that_is_always_taken_counts(lines: tuple[str, ...]) -> None:
+    """A module that a call imports, and another module whenever it is loaded, in whatever order they are found."""
+    own = {"app.py": "".join(lines), "tank.py": "import pump\n", "pump.py": "import gone\n"}
     assert rules(own) == ["pump.py missing-import"]
+
+
+def test_all_folders_count_in_which_a_board_looks() -> None:
+    """Beside its own file system, which was looked through: a ROMFS. What goes from there is not there any more."""
+    folders = [
+        ["", ["app.py", "pump.mpy", "lib", "empty"]],
+        ["/flash/lib", ["lidar"]],
+        ["/rom", ["motor.mpy", "notes.txt"]],
+    ]
+    connection = cast(Any, SimpleNamespace(ask=lambda _call: ["/flash", *folders], run=lambda _call: LISTED))
+    found = ["app.py", "pump.mpy", "lib/", "lib/lidar/", "lib/lidar/__init__.mpy", "empty/"]
+    board = importable(connection, found, {"pump.mpy"})
+    assert board.is_known
+    assert {"app", "lidar", "motor", "machine"} <= board.names
+    assert not {"pump", "empty", "notes", "lib/lidar", "sonar"} & board.names
 
 
 def test_what_a_sensor_imports_is_a_warning() -> None:
