@@ -155,8 +155,7 @@ def _deploy(
 def looked_at(connection: "Connection", system: "System", report: "Report") -> "tuple[Board, Prepared | None]":
     """Say which board it is; return it with what a deploy would do there, None after a finding."""
     from codegen.cli.progress import working
-    from codegen.commands.deploy import board_files
-    from codegen.deploy.prepared import prepare
+    from codegen.commands.deploy import prepared_for
     from codegen.deploy.transfer import identified
 
     board = identified(connection)
@@ -164,8 +163,7 @@ def looked_at(connection: "Connection", system: "System", report: "Report") -> "
     if board.roms:
         print("it has a ROMFS, from which the program takes less heap: codegen deploy --image FILE", file=sys.stderr)
     with working("compiling, and looking what the board has"):
-        files = board_files(system, board, connection.port, report)
-        return board, None if report.has_errors else prepare(connection, board, system, files, report)
+        return board, prepared_for(connection, board, system, report)
 
 
 def _would_do(todo: "Plan", wifi: tuple[str, bytes] | None) -> list[str]:

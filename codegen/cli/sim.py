@@ -133,6 +133,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     if isinstance(prepared, Unusable):
         raise UsageError(prepared.why)
     _warn_of_stale(prepared.stale)
+    _tell_without(prepared.without)
     return prepared.simulation
 
 
@@ -178,6 +179,14 @@ def _warn_of_stale(modules: "Sequence[str]") -> None:
     if modules:
         names = ", ".join(modules[:3]) + (" ..." if len(modules) > 3 else "")
         print(f"codegen sim: warning: codegen build would change the firmware that runs now: {names}", file=sys.stderr)
+
+
+def _tell_without(path: str | None) -> None:
+    if path is not None:
+        from codegen.source import shown_path
+
+        told = f"there is no {shown_path(path)}: the generated vehicle runs, without code of yours"
+        print(f"codegen sim: warning: {told}", file=sys.stderr)
 
 
 def _check_files(arguments: argparse.Namespace) -> None:

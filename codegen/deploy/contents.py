@@ -1,15 +1,29 @@
 """Modules of the user that belong to a program: its code, its sources, and what these import of the project."""
 
-import ast
 import os
 from collections.abc import Iterable, Iterator, Mapping
 
 from codegen.deploy.findings import NAME_TWICE
+from codegen.deploy.imports import imports_of
 from codegen.deploy.plan import MAIN
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.load.files import DISK
 from codegen.model.system import System
 from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """The files of a board by path, compiled, and the texts of their modules: generated ones, and the user's own.
+
+    ``folder`` is that of the project, in which the user's own lie.
+    """
+
+    files: Mapping[str, str | bytes]
+    made: Mapping[str, str]
+    own: Mapping[str, str]
+    folder: str
 
 
 def own_modules(system: System, folder: str, generated: Iterable[str], report: Report) -> dict[str, str]:
@@ -33,9 +47,9 @@ def own_modules(system: System, folder: str, generated: Iterable[str], report: R
     return files
 
 
-def missing_modules(system: System, files: Mapping[str, object], on_board: Iterable[str]) -> list[tuple[Place, str]]:
-    """The modules of sources that are neither among ``files`` nor on the board, with the places that name them."""
-    there = {path.partition("/")[0].partition(".")[0] for path in (*files, *(_in_library(path) for path in on_board))}
+def missing_modules(system: System, names: Iterable[str]) -> list[tuple[Place, str]]:
+    """The modules of sources that are not among ``names``, which can be imported, with the places that name them."""
+    there = set(names)
     sources = system.sources.values()
     return [
         (each.polling.spec.at("class"), each.imported)
@@ -44,8 +58,14 @@ def missing_modules(system: System, files: Mapping[str, object], on_board: Itera
     ]
 
 
-def _in_library(path: str) -> str:
-    return path.removeprefix("lib/")
+def module_names(paths: Iterable[str]) -> frozenset[str]:
+    """The first names by which the modules at some ``paths`` are imported: of modules, and of folders."""
+    tops = ((path.partition("/")[0], "/" in path) for path in paths)
+    return frozenset(
+        top if is_folder else top.rpartition(".")[0] if top.endswith((".py", ".mpy")) else top
+        for top, is_folder in tops
+        if is_folder or "." not in top or top.endswith((".py", ".mpy"))
+    )
 
 
 def _first(system: System, has_main: bool) -> Iterator[str]:
@@ -75,15 +95,5 @@ def _files_of(name: str, folder: str) -> Iterator[str]:
 
 
 def _imported(text: str) -> list[str]:
-    """The first names of all that a module imports, anywhere in it; nothing of one that Python cannot read."""
-    try:
-        tree = ast.parse(text)
-    except SyntaxError:  # MicroPython's compiler says what is wrong with it
-        return []
-    names: list[str] = []
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            names += [alias.name.partition(".")[0] for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            names.append(node.module.partition(".")[0])
-    return list(dict.fromkeys(names))
+    """The first names of all that a module imports, anywhere in it."""
+    return list(dict.fromkeys(each.module.partition(".")[0] for each in imports_of(text)))

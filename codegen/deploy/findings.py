@@ -63,7 +63,10 @@ OTHER_ARCHITECTURE = Rule(
 )
 OTHER_BOARD = Rule(
     "other-board",
-    "The board that is connected is another one than specs/board.yaml names. Its pins may be other ones.",
+    "The board that is connected is another one than the program's board.yaml names: it has another chip, or is "
+    "another one of the boards that codegen knows, as a Pico without W; or its MicroPython lacks a module that the "
+    "firmware imports. One of another vendor with the same chip is no other board. Pins may be other ones, and Wi-Fi "
+    "may be missing.",
     Severity.WARNING,
 )
 HIDDEN_MODULE = Rule(
@@ -79,6 +82,25 @@ NO_MODULE = Rule(
     "no-module",
     "A source of specs/board.yaml is a class of your own, whose module is neither in the folder of the project nor on "
     "the board.",
+    Severity.WARNING,
+)
+NO_CODE = Rule(
+    "no-code",
+    "The module that code in vehicle.yaml names is neither in the folder of the project nor on the board. The "
+    "generated vehicle runs without it, which is right for a first try: nothing of yours steers it then.",
+    Severity.WARNING,
+)
+MISSING_IMPORT = Rule(
+    "missing-import",
+    "A module of yours imports one that is nowhere: it is not in the folder of the project, not generated, not on the "
+    "board, and not one that the board's MicroPython has. The program would run without your code. Where it can do "
+    "without the module, import it within try and except ImportError.",
+)
+UNCERTAIN_IMPORT = Rule(
+    "uncertain-import",
+    "A module of yours imports one that was found nowhere, and nobody knows whether it will be missed: the import is "
+    "in a call or a branch, or in a sensor, without which the program goes on; or what the board has cannot be known, "
+    "as with an image or a MicroPython that does not list its modules.",
     Severity.WARNING,
 )
 BAD_WIFI = Rule(

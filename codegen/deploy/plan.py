@@ -77,11 +77,14 @@ def plan(wanted: Mapping[str, str], found: Mapping[str, Found], owned: Owned) ->
     )
 
 
-def is_room(plan: Plan, sizes: Mapping[str, int], found: Mapping[str, Found], free: int, block: int) -> bool:
-    """Return whether the copies fit once the removals are done; ``sizes``, ``free`` and ``block`` are bytes."""
+def room_of(plan: Plan, sizes: Mapping[str, int], found: Mapping[str, Found], free: int, block: int) -> tuple[int, int]:
+    """Return the bytes that the copies take, and those that are free once the removals are done, in whole blocks.
+
+    ``sizes``, ``free`` and ``block`` are bytes.
+    """
     need = sum(_blocks(sizes[path], block) for path in plan.copies)
     freed = sum(_blocks(found[each.path].size, block) for each in plan.removals if each.kept is None)
-    return need + 4 * block <= free + freed  # folders and the manifest take some
+    return need + 4 * block, free + freed  # folders and the manifest take some
 
 
 def _blocks(size: int, block: int) -> int:

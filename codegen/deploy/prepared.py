@@ -1,26 +1,28 @@
 """Prepares a deploy without changing anything on the board."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from codegen.deploy.board import Board
 from codegen.deploy.connection import Connection
-from codegen.deploy.contents import missing_modules
+from codegen.deploy.contents import Contents
 from codegen.deploy.findings import (
     BOARD_FULL,
     BOARD_TOO_OLD,
     HIDDEN_MODULE,
-    NO_MODULE,
     OTHER_ARCHITECTURE,
     OTHER_BOARD,
 )
-from codegen.deploy.plan import Owned, Plan, is_room, plan
-from codegen.deploy.transfer import digests_of, found_files, owned_files
+from codegen.deploy.machine import is_other_board
+from codegen.deploy.missing import report_missing
+from codegen.deploy.plan import Owned, Plan, plan, room_of
+from codegen.deploy.transfer import digests_of, found_files, importable, owned_files
 from codegen.diagnostics import Report
 from codegen.emit.mpy import BYTECODE, emitted_version, has_machine_code
 from codegen.emit.short_names import TABLE, read_table
 from codegen.frozen import dataclass
+from codegen.model.board_model import BoardModelSpec
 from codegen.model.system import System
-from codegen.source import Place
+from codegen.source import Place, shown_path
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,32 +61,38 @@ def architecture_for(board: Board, port: str, report: Report) -> str | None:
 
 
 def prepare(
-    connection: Connection, board: Board, system: System, files: Mapping[str, str | bytes], report: Report
+    connection: Connection,
+    board: Board,
+    system: System,
+    contents: Contents,
+    shipped: Collection[BoardModelSpec],
+    report: Report,
 ) -> Prepared | None:
-    """Return what brings ``files``, by path, to the board; None after a finding that stops it."""
+    """Return what brings the ``contents`` to the board; None after a finding that stops it.
+
+    ``shipped`` are the boards that come with codegen.
+    """
     place = Place(connection.port)
     known = system.spec.board_model
-    if known is not None and known.mcu.lower() not in board.machine.lower():
-        message = f"the board is {board.machine}, and specs/board.yaml names {known.name} ({known.mcu})"
+    if known is not None and is_other_board(known, board.machine, shipped):
+        file = shown_path(system.spec.board.at("board").file)
+        message = f"the board is {board.machine}, and {file} names {known.name} ({known.mcu})"
         report.add(OTHER_BOARD, place, message, "is it the one that you mean?")
-    content = {path: text.encode() if isinstance(text, str) else text for path, text in files.items()}
+    content = {path: text.encode() if isinstance(text, str) else text for path, text in contents.files.items()}
     owned = owned_files(connection)
     digests = digests_of(content)
     found = found_files(connection, digests, owned)
-    for named, module in missing_modules(system, content, found):
-        report.add(
-            NO_MODULE,
-            named,
-            f"there is no {module}.py in the folder of the project, nor on the board",
-            hint=f"put {module}.py there, or mpremote cp {module}.py :",
-        )
     todo = plan(digests, found, owned)
+    gone = {each.path for each in todo.removals if each.path not in content}
+    report_missing(system, contents, importable(connection, found, gone), place, report)
     for folder in todo.hidden:
         hint = f"mpremote rm -r :{folder.removesuffix('/')}"
         report.add(HIDDEN_MODULE, place, f"the folder {folder} on the board hides the module of that name", hint)
     sizes = {path: len(each) for path, each in content.items()}
-    if not is_room(todo, sizes, found, board.free, board.block):
-        need = sum(sizes[path] for path in todo.copies)
-        message = f"{need // 1024 + 1} KB have to go to the board, and {board.free // 1024} KB are free there"
+    need, free = room_of(todo, sizes, found, board.free, board.block)
+    if need > free:
+        needed = f"{-(-need // 1024)} KB are needed on the board, in whole blocks of {board.block} bytes"
+        once = " once what is outdated is removed" if free > board.free else ""
+        message = f"{needed}, and {free // 1024} KB are free there{once}"
         report.add(BOARD_FULL, place, message, "mpremote rm removes what is not needed; nothing was changed")
     return None if report.has_errors else Prepared(content, todo, owned)

@@ -7,12 +7,15 @@ read back, main.py comes last.
 
 import json
 from base64 import b64encode
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from hashlib import sha256
 
 from codegen.deploy.board import Board, Found, board_of
+from codegen.deploy.built_in import ANYWHERE, built_in
 from codegen.deploy.connection import Connection
+from codegen.deploy.contents import module_names
 from codegen.deploy.findings import BOARD_REFUSED, BoardFaultError
+from codegen.deploy.missing import Importable
 from codegen.deploy.plan import MAIN, MANIFEST, PART, Owned, Plan, of_interest, plan
 
 _PIECE = 1536
@@ -42,6 +45,27 @@ def found_files(connection: Connection, wanted: Mapping[str, str], owned: Owned)
     """The files on the board by their paths, folders with a slash behind them."""
     rows = connection.ask(f"survey({of_interest(wanted.keys(), owned)!r})")
     return {path: Found(size, digest, is_made) for path, size, digest, is_made in rows}
+
+
+def importable(connection: Connection, found: Collection[str], gone: Collection[str]) -> Importable:
+    """Return what can be imported on the board once the files ``gone`` are, of those ``found``, by their paths."""
+    here, *folders = connection.ask("importable()")
+    looked_at = {_absolute(here, path) for path in found}
+    left = {_absolute(here, path) for path in found if not path.endswith("/") and path not in gone}
+    names: set[str] = set()
+    for folder, listed in folders:
+        for name in listed:
+            path = f"{_absolute(here, folder).rstrip('/')}/{name}"
+            is_elsewhere = not {path, f"{path}/"} & looked_at  # another file system, such as a ROMFS
+            if is_elsewhere or any(each == path or each.startswith(f"{path}/") for each in left):
+                names.add(name)
+    known = built_in(connection.run("built_in()"))
+    return Importable(module_names(names) | (ANYWHERE if known is None else known), is_known=known is not None)
+
+
+def _absolute(here: str, path: str) -> str:
+    """Return a path on the board, which is relative to the working folder or begins with a slash."""
+    return path if path.startswith("/") else f"{here.rstrip('/')}/{path}"
 
 
 def digests_of(files: Mapping[str, bytes]) -> dict[str, str]:

@@ -33,6 +33,14 @@ MPY_REFUSED = Rule(
     "mpy-refused",
     "mpy-cross refuses a generated module, mostly because it has no machine code for the architecture: try bytecode.",
 )
+CODE_REFUSED = Rule(
+    "code-refused",
+    "MicroPython's compiler cannot read a module of yours. Mostly something is mistyped in that line, or it is a part "
+    "of Python that MicroPython does not have, such as match, or assembler for another processor.",
+    remedy="mend that line: MicroPython has Python 3.4 and some of what came later",
+)
+_LINE = re.compile(r'File "[^"]*", line (\d+)')
+_LAST = re.compile(r"\w+(Error|Exception)\b.*")
 
 
 STARTED = "main.py"
@@ -45,12 +53,13 @@ def compiled(
     report: Report,
     unnumbered: Container[str] = (),
     beside: Iterable[str] = (),
+    folder: str = "",
 ) -> dict[str, str | bytes]:
     """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
 
     main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines,
     and short names for what is private to them: a further file says what these stand for. ``beside`` are the texts of
-    modules that run with them.
+    modules that run with them, ``folder`` is where the others among ``files`` lie, which are the user's own.
     """
     program = _mpy_cross()
     if program is None:
@@ -62,7 +71,7 @@ def compiled(
     name = entry("compiled", tool_digest(), tool, architecture, pickled((dict(files), own, tuple(beside))))
     known = cast("dict[str, str | bytes] | None", kept_object(name))
     if known is None:
-        known = _made(program, files, architecture, report, own, beside)
+        known = _made(program, files, architecture, report, own, beside, folder)
         if known:
             keep_object(name, known)
     return {} if report.has_errors else known
@@ -75,6 +84,7 @@ def _made(
     report: Report,
     unnumbered: Container[str],
     beside: Iterable[str],
+    folder: str,
 ) -> dict[str, str | bytes]:
     """The same, which takes some seconds; ``program`` is mpy-cross."""
     modules = {
@@ -106,9 +116,20 @@ def _made(
         )
         for path, (content, fault) in zip(wanted, outcomes, strict=True):
             if fault:
-                report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, "--mpy bytecode runs on every board")
+                _report_fault(path, fault, "" if path in prepared else folder, report)
             result[f"{path.removesuffix('.py')}.mpy"] = content
     return {} if report.has_errors else result
+
+
+def _report_fault(path: str, fault: str, folder: str, report: Report) -> None:
+    """Report what mpy-cross says of a generated module, or of one in the ``folder`` of the user."""
+    if not folder:
+        hint = "bytecode runs on every board: codegen build --mpy bytecode, or machine_code: false in codegen.yaml"
+        report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, hint)
+        return
+    line, said = _LINE.search(fault), _LAST.search(fault)
+    place = Place(os.path.join(folder, path), int(line[1]) if line else 1)
+    report.add(CODE_REFUSED, place, f"MicroPython's compiler refuses it: {said[0] if said else fault}")
 
 
 def emitted_version(report: Report) -> tuple[int, int] | None:

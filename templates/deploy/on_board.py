@@ -56,6 +56,24 @@ def survey(hashed):
                 print(json.dumps([path, size, about[0], about[1]]))
 
 
+def importable():
+    """Print the working folder, then each folder that modules are looked for in, with the names of what is there."""
+    print(json.dumps(os.getcwd()))
+    for folder in sys.path:
+        try:
+            print(json.dumps([folder, [entry[0] for entry in os.ilistdir(folder or os.getcwd())]]))
+        except OSError:  # .frozen is none, and others need not be there
+            pass
+
+
+def built_in():
+    """Print the names of the modules that this MicroPython has itself, in columns; not every build can."""
+    try:
+        help("modules")
+    except NameError:
+        pass
+
+
 def look(path):
     """Return the hash of a file as 64 hexadecimal digits, and whether it begins as what codegen generates."""
     digest = sha256()

@@ -195,7 +195,12 @@ def test_a_full_file_system_is_told_before_anything_is_changed(tmp_path: Path, r
     with powered(tmp_path / "small", told=PICO, blocks=16) as small:
         code, said = run("--port", small.port)
         assert code == 1
-        assert re.search(r"error board-full: \d+ KB have to go to the board, and \d+ KB are free there", said)
+        words = (
+            r"error board-full: (\d+) KB are needed on the board, in whole blocks of 4096 bytes, and (\d+) KB are free"
+        )
+        found = re.search(words, said)
+        assert found, said
+        assert int(found[1]) > int(found[2])
         assert on_board(small, "import os; print(os.listdir())") == "[]\n"
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
-from codegen.deploy.contents import missing_modules, own_modules
+from codegen.deploy.contents import missing_modules, module_names, own_modules
 from codegen.deploy.findings import NO_MODULE
 from codegen.diagnostics import Report
 from codegen.source import Place
@@ -35,6 +35,6 @@ def test_modules_are_followed_through_what_they_import(tmp_path: Path) -> None:
 def test_a_source_whose_module_is_nowhere() -> None:
     """A missing module is the finding no-module; one that mip has installed is there."""
     system = system_with("sonar", "lidar", "radar")
-    missing = missing_modules(system, {"sonar.mpy": b""}, ["lib/lidar.mpy", "main.py"])
+    missing = missing_modules(system, module_names(["sonar.mpy", "lidar/__init__.mpy", "main.py"]))
     assert missing == [(Place("/specs/board.yaml", 7, 3), "radar")]
     assert NO_MODULE.id == "no-module"

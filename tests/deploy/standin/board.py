@@ -3,7 +3,8 @@
 The unix port of MicroPython runs it: `board.py IMAGE SETTINGS`, the terminal being its stdin and stdout. IMAGE keeps
 the flash while the power is off. SETTINGS is JSON: `told`, what sys.implementation says in place of the host's own;
 `writes`, after how many blocks written the power goes; `path`, folders of the host whose modules it has besides;
-`deaf`, that it answers nothing.
+`deaf`, that it answers nothing; `modules`, what help("modules") lists, null where it lists none: by default what the
+host's own has, and network.
 `watchdog`: seconds after which the watchdog of an RP2350 that an earlier program started resets the board; it is
 stopped as there, or fed. `fed`: seconds of one that nothing stops.
 `roms`: how many partitions for a ROMFS it has.
@@ -228,14 +229,26 @@ def begun_anew():
     """The names of a board after a soft reset, which ends timers and no watchdog."""
     if WATCHDOG is not None:
         WATCHDOG.soft_reset()
-    return {"__name__": "__main__"}
+    return {"__name__": "__main__", "help": list_modules}
+
+
+def list_modules(_about):
+    """help("modules")."""
+    if SETTINGS.get("modules", "") is None:
+        say("object modules is of type str\r\n")
+        return
+    if "modules" in SETTINGS:
+        say("".join(name + "\r\n" for name in SETTINGS["modules"]) + "Plus any modules on the filesystem\r\n")
+        return
+    say("network\r\n")
+    help("modules")
 
 
 def serve():
     """The REPL, until the power goes."""
     is_raw = False
     code = bytearray()
-    names = {"__name__": "__main__"}
+    names = begun_anew()
     while True:
         byte = take()
         if SETTINGS.get("deaf"):
