@@ -43,8 +43,17 @@ REQUIREMENT_WITHOUT_CRITERIA = Rule(
 CRITERION_NUMBER = Rule(
     "criterion-number",
     "Acceptance criteria are numbered 1, 2, 3 and so on, because tables and tests cite them by number. The message "
-    "says which number is expected at the place.",
+    "says which number is expected at the place. Where a criterion is gone and the others keep their numbers, the next "
+    "one begins a list of its own, behind a heading or a comment: within a list a page counts on by itself, and would "
+    "show another number than the one that is cited.",
     remedy="number the criteria 1, 2, 3 and so on, and the tables that cite them alike",
+)
+CRITERION_TEXT = Rule(
+    "criterion-text",
+    "All that stands in the item of a criterion, further paragraphs, lists, code and quotations included, is its text, "
+    "if it is indented as the text of the item is. A criterion without any says nothing, and what follows one without "
+    "being in its item belongs to no criterion: neither the trace nor a reviewed text would know of it.",
+    remedy="indent it as the text of a criterion, or write it before the first one, or below a heading",
 )
 REQUIREMENT_DUPLICATE = Rule(
     "requirement-duplicate",
@@ -56,6 +65,9 @@ METADATA_SPELLING = Rule(
     "An entry of the section Metadata is spelt nearly like one that is read, but not the same, so it has no effect.",
     Severity.WARNING,
 )
+
+CRITERIA = "acceptance criteria"
+"""Title of the section with the criteria, in small letters."""
 
 _ID = r"[A-Z]+-[0-9a-z]+"
 _TITLE = pattern(rf"({_ID})\s*\|\s*(\S.*)")
@@ -146,6 +158,11 @@ def _items(document: Document, title: str) -> list[Item]:
     return [item for section in document.sections if section.title.casefold() == title for item in section.items]
 
 
+def _strays(document: Document) -> list[Place]:
+    """The places of text behind a criterion that is in no item."""
+    return [place for each in document.sections if each.title.casefold() == CRITERIA for place in each.stray]
+
+
 def _metadata(items: Iterable[Item], report: Report) -> Mapping[str, _Entry]:
     """The entries ``Name: value`` by their name in small letters."""
     entries: dict[str, _Entry] = {}
@@ -182,35 +199,44 @@ def _aliases(entry: _Entry | None, report: Report) -> tuple[str, ...]:
 def _host_limits(document: Document) -> Iterator[HostLimit]:
     """The items about criteria; what else the section says is for people."""
     for item in _items(document, "what a host cannot show"):
-        match = _LIMITED.fullmatch(item.text) if item.depth == 0 else None
+        match = _LIMITED.fullmatch(item.whole) if item.depth == 0 else None
         if match is not None:
             numbers = tuple(map(int, pattern(r"\d+").findall(match[1])))
             yield HostLimit(place=item.place, numbers=numbers, text=match[2])
 
 
 def _criteria(document: Document, identifier: str, place: Place, report: Report) -> tuple[Criterion, ...]:
-    """The numbered items of the outermost lists; an item without the expected number is reported.
+    """The numbered items of the outermost lists; an item with a wrong number is reported, and so is text in no item.
 
     A criterion keeps the number that is written, so that references to it hold; of two with one number the first stays.
     """
-    items = [item for item in _items(document, "acceptance criteria") if item.depth == 0]
+    items = [item for item in _items(document, CRITERIA) if item.depth == 0]
     prefix = identifier.partition("-")[0]
     if not items and prefix == "ADR":
         items = [item for item in _items(document, "decision") if item.depth == 0 and item.number is not None]
     if not items and prefix in _NEEDS_CRITERIA:
         hint = "add '## Acceptance Criteria' with '1. ...'"
         report.add(REQUIREMENT_WITHOUT_CRITERIA, place, f"{identifier} has no acceptance criteria", hint)
+    for stray in _strays(document):
+        report.add(CRITERION_TEXT, stray, "this belongs to no criterion")
     criteria: dict[int, Criterion] = {}
     expected = 1
     for item in items:
         if item.number is None:
-            report.add(CRITERION_NUMBER, item.place, "the criterion is a bullet", f"number it: {expected}.")
+            hint = f"number it: {expected}."
+            if criteria:
+                hint += f" Or indent it as the text of criterion {expected - 1} is, if it belongs to that"
+            report.add(CRITERION_NUMBER, item.place, "the criterion is a bullet", hint)
             continue
-        if item.number != expected:
+        is_gap = item.number > expected
+        if item.number < expected or (is_gap and not item.begins_list):
             message = f"the criterion is numbered {item.number} where {expected} is expected"
-            report.add(CRITERION_NUMBER, item.place, message)
-        depends_on = dependencies_of(item.text, identifier, item.place, report)
-        criterion = Criterion(place=item.place, number=item.number, text=item.text, depends_on=depends_on)
+            hint = f"where {expected} is gone, write <!-- {expected} is gone --> above, on a line that is not indented"
+            report.add(CRITERION_NUMBER, item.place, message, hint if is_gap else None)
+        if not item.whole:
+            report.add(CRITERION_TEXT, item.place, f"criterion {item.number} has no text", "write what is asked for")
+        depends_on = dependencies_of(item.whole, identifier, item.place, report)
+        criterion = Criterion(place=item.place, number=item.number, text=item.whole, depends_on=depends_on)
         criteria.setdefault(item.number, criterion)
         expected = item.number + 1
     return tuple(criteria.values())
