@@ -124,7 +124,7 @@ def test_a_dialect_s_change_is_waived(run: Run) -> None:
     code, _, err = run(waivers.replace(f"rule: {found[0]['rule']}", "rule: field-unit-changed"))
     assert code == 1
     assert "error waiver-unknown-rule: there is no rule field-unit-changed" in err
-    code, _, err = run(waivers.replace(f"rule: {found[0]['rule']}", "rule: claim-size"), "--fail-on", "never")
+    code, _, err = run(waivers.replace(f"rule: {found[0]['rule']}", "rule: claim-message-size"), "--fail-on", "never")
     assert (code, "waiver-" in err) == (0, False), "it is one of codegen check"
 
 
