@@ -79,6 +79,65 @@ def test_every_form(tmp_path: Path) -> None:
     ]
 
 
+CLASSES = """
+import unittest
+from unittest import TestCase
+import other
+
+
+@mark.requirement("A-1.1")
+class Base:
+    pytestmark = mark.requirement("A-1.2")
+
+    @mark.requirement("A-1.3")
+    def test_inherited(self): ...
+
+    @mark.requirement("A-1.4")
+    def test_overridden(self): ...
+
+    class TestInner:
+        @mark.requirement("A-1.5")
+        def test_deep(self): ...
+
+
+class TestOne(Base):
+    def test_overridden(self): ...
+
+
+class Group(unittest.TestCase):
+    @mark.requirement("A-1.6")
+    def test_of_unittest(self): ...
+
+
+class Further(Group, TestCase):
+    @mark.requirement("A-1.7")
+    def test_more(self): ...
+
+
+class TestLoop(TestLoop, other.Base):
+    @mark.requirement("A-1.8")
+    def test_loop(self): ...
+"""
+
+
+def test_classes_inherit_tests_and_those_of_unittest_have_any_name(tmp_path: Path) -> None:
+    """Pytest collects them so: under the name of the class that inherits, with the marks of its bases."""
+    assert found(CLASSES, tmp_path) == [
+        ("TestOne::test_overridden", "A-1.1"),
+        ("TestOne::test_overridden", "A-1.2"),
+        ("TestOne::test_inherited", "A-1.1"),
+        ("TestOne::test_inherited", "A-1.2"),
+        ("TestOne::test_inherited", "A-1.3"),
+        ("TestOne::TestInner::test_deep", "A-1.1"),
+        ("TestOne::TestInner::test_deep", "A-1.2"),
+        ("TestOne::TestInner::test_deep", "A-1.5"),
+        ("Group::test_of_unittest", "A-1.6"),
+        ("Further::test_more", "A-1.7"),
+        ("Further::test_of_unittest", "A-1.6"),
+        ("TestLoop::test_loop", "A-1.8"),
+    ]
+
+
 @pytest.mark.parametrize(
     "data",
     [b"@x.requirement('A')\ndef test_(:\n", b"x.requirement(\xff)", b"x.requirement(\0)", b"x.requirement(" * 500],

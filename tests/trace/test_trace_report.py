@@ -207,7 +207,7 @@ def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixtur
     assert failed != written
     (project.folder / "1.xml").write_text(failed)
     assert project.run(*results) == 1
-    assert "error trace-uncovered: FR-1.2 is shown by no test: 2 passed, 1 failed" in capsys.readouterr().out
+    assert "error trace-uncovered: FR-1.2 has failed: 2 passed, 1 failed" in capsys.readouterr().out
 
 
 def test_markdown_is_no_longer_than_a_comment() -> None:
