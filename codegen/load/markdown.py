@@ -46,7 +46,8 @@ class Section:
     """A heading of level 1 or 2 with the list items below it, those below deeper headings included.
 
     ``stray`` are the places of text that follows an item and belongs to none, the first one behind each item; what
-    stands below a heading introduces the items behind it, and is not among them.
+    stands below a heading introduces the items behind it, and is not among them. ``deeper`` are the headings of other
+    levels in it, with their places.
     """
 
     title: str
@@ -54,6 +55,7 @@ class Section:
     place: Place
     items: tuple[Item, ...]
     stray: tuple[Place, ...] = ()
+    deeper: tuple[tuple[str, Place], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +98,14 @@ class _Reader:
         read = _Items(self._place)
         for index in range(start + 3, end):
             read.take(self._tokens[index], in_heading=self._tokens[index - 1].type == "heading_open")
-        return Section(title, int(heading.tag[1]), self._place(heading), tuple(read.items), tuple(read.stray))
+        return Section(
+            title,
+            int(heading.tag[1]),
+            self._place(heading),
+            items=tuple(read.items),
+            stray=tuple(read.stray),
+            deeper=tuple(read.deeper),
+        )
 
     def _place(self, token: "Token") -> Place:
         line = token.map[0] if token.map else 0
@@ -119,6 +128,7 @@ class _Items:
     def __init__(self, place_of: "Callable[[Token], Place]") -> None:
         self.items: list[Item] = []
         self.stray: list[Place] = []
+        self.deeper: list[tuple[str, Place]] = []
         self._place_of = place_of
         self._opened: list[_Opened] = []
         self._quotes = 0
@@ -168,6 +178,8 @@ class _Items:
             each.pieces.append(text)
         if self._opened and is_paragraph and not self._quotes:
             self._opened[-1].paragraphs.append(text)
+        elif in_heading and not self._quotes:
+            self.deeper.append((text, self._place_of(token)))
         elif not self._opened and text and self._follows_item and not in_heading:
             self.stray.append(self._place_of(token))
             self._follows_item = False  # what comes right behind it is the same fault

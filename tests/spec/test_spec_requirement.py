@@ -114,6 +114,18 @@ BROKEN = [
     (document(""), [("requirement-without-criteria", 1, 1)]),
     (document("", "# NFR-1 | Title"), [("requirement-without-criteria", 1, 1)]),
     (document(f"{CRITERIA}Words only.\n"), [("requirement-without-criteria", 1, 1)]),
+    (document("", "# REQ-2 | Title"), [("document-without-criteria", 1, 1)]),
+    (document("## Acceptance Criterias\n\n1. a\n", "# REQ-2 | Title"), [("section-spelling", 7, 1)]),
+    (
+        document("## Acceptance Criterion:\n\n1. a\n"),
+        [("requirement-without-criteria", 1, 1), ("section-spelling", 7, 1)],
+    ),
+    (document("## Words\n\n### Acceptance criteria\n\n1. a\n", "# REQ-2 | T"), [("section-spelling", 9, 1)]),
+    (document("## Decisions\n\n1. a\n", "# ADR-2 | Title"), [("section-spelling", 7, 1)]),
+    (
+        document(f"{CRITERIA}1. a\n\n## Link\n\n- FR-2\n\n## What the host cannot show\n"),
+        [("section-spelling", 11, 1), ("section-spelling", 15, 1)],
+    ),
     (document(f"{CRITERIA}- a\n- b\n"), [("criterion-number", 9, 1), ("criterion-number", 10, 1)]),
     (document(f"{CRITERIA}0. a\n1. b\n"), [("criterion-number", 9, 1)]),
     (document(f"{CRITERIA}1. a\n1. b\n"), [("criterion-number", 10, 1)]),
@@ -136,6 +148,15 @@ BROKEN = [
 def test_each_mistake_has_its_rule_and_place(text: str, expected: list[tuple[str, int, int]]) -> None:
     """The numbers compared are the written ones; Markdown itself would count on from the first."""
     assert decoded(text)[1] == expected
+
+
+@pytest.mark.parametrize(
+    "heading", ["### Links", "## Lines", "## Decisions", "## Acceptance", "> ## Metadat", "- ## Link"]
+)
+def test_headings_that_mean_something_else(heading: str) -> None:
+    """Below another heading a section may have any name, if the document has the one that is read."""
+    body = f"## Links\n\n- FR-2\n\n{CRITERIA}1. a\n\n## Words\n\n{heading}\n\n- b\n"
+    assert decoded(document(body))[1] == []
 
 
 INSIDE = [

@@ -1,9 +1,12 @@
 """Marks of tests with their criteria: every form that pytest knows, read without running anything."""
 
+import shutil
 from pathlib import Path
 
 import pytest
+from trace_project import Project
 
+from codegen.cli import main
 from codegen.decode.marked_tests import read_marked_tests
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
@@ -182,3 +185,24 @@ def test_which_files_are_looked_at(tmp_path: Path) -> None:
     report = Report()
     assert [Path(path).name for path in files_of_tests(folders, DISK, report)] == ["test_b.py", "test_a.py"]
     assert list(report) == []
+
+
+@pytest.mark.parametrize("command", ["check", "trace"])
+def test_a_folder_that_the_project_names_and_that_is_not_there(
+    command: str, project: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A misspelt one has no tests, and nothing else would say so; the default may be missing."""
+    settings = Path(project.file)
+    settings.write_text(settings.read_text() + "tests: [../nope, ../tests, ../tests/test_beat.py]\n")
+    main([command, "--project", project.file])
+    said = capsys.readouterr().out
+    line = len(settings.read_text().splitlines())
+    found = [each for each in said.splitlines() if "no-folder-of-tests" in each]
+    assert found == [
+        f"specs/codegen.yaml:{line}:{column}: warning no-folder-of-tests: there is no folder {name}"
+        for column, name in ((9, "../nope"), (28, "../tests/test_beat.py"))
+    ]
+    settings.write_text(settings.read_text().replace("tests: [", "# tests: ["))
+    shutil.rmtree(project.tests.parent)
+    main([command, "--project", project.file])
+    assert "no-folder-of-tests" not in capsys.readouterr().out
