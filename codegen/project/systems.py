@@ -28,6 +28,7 @@ NO_FOLDER_OF_TESTS = Rule(
     "no-folder-of-tests",
     "codegen.yaml names a folder with tests written by hand that is not there, so codegen trace finds none of them.",
     Severity.WARNING,
+    remedy="write the path of a folder, relative to codegen.yaml, or take it out of the list",
 )
 
 
@@ -89,8 +90,7 @@ def _check_folders_of_tests(spec: Spec, files: Files, report: Report) -> None:
     for index, name in enumerate(project.tests if "tests" in project.places else ()):
         path, place = os.path.normpath(os.path.join(spec.folder, name)), project.at(f"tests[{index}]")
         if not files.is_refused(path, place, Report()) and not files.is_folder(path):
-            hint = "write the path of a folder, relative to codegen.yaml, or take it out of the list"
-            report.add(NO_FOLDER_OF_TESTS, place, f"there is no folder {name}", hint)
+            report.add(NO_FOLDER_OF_TESTS, place, f"there is no folder {name}")
 
 
 def read_scenarios(
