@@ -5,6 +5,7 @@ Only texts are found; what a test computes its marks from, results in JUnit's fo
 
 import ast
 import os
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
@@ -58,6 +59,9 @@ def marked_tests(data: bytes, path: str, report: Report) -> list[MarkedTest]:
         return []
     try:
         module = ast.parse(text)
+        with warnings.catch_warnings():  # what Python warns of when it compiles is for who runs the tests
+            warnings.simplefilter("ignore")
+            compile(module, path, "exec", dont_inherit=True)  # finds what no syntax tree shows, such as a double name
     except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
         place = Place(path, getattr(problem, "lineno", 1) or 1, getattr(problem, "offset", 1) or 1)
         report.add(TEST_SYNTAX, place, f"what its tests show is not known: {getattr(problem, 'msg', problem)}")

@@ -143,7 +143,14 @@ def test_classes_inherit_tests_and_those_of_unittest_have_any_name(tmp_path: Pat
 
 @pytest.mark.parametrize(
     "data",
-    [b"@x.requirement('A')\ndef test_(:\n", b"x.requirement(\xff)", b"x.requirement(\0)", b"x.requirement(" * 500],
+    [
+        b"@x.requirement('A')\ndef test_(:\n",
+        b"@x.requirement('A')\ndef test_(a, a): ...",
+        b"return x.requirement(1)",
+        b"x.requirement(\xff)",
+        b"x.requirement(\0)",
+        b"x.requirement(" * 500,
+    ],
 )
 def test_a_file_that_is_no_python_is_a_warning(data: bytes, tmp_path: Path) -> None:
     path = tmp_path / "test_it.py"
