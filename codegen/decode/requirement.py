@@ -56,9 +56,16 @@ CRITERION_NUMBER = Rule(
 )
 CRITERION_TEXT = Rule(
     "criterion-text",
-    "All that stands in the item of a criterion, further paragraphs, lists, code and quotations included, is its text, "
-    "if it is indented as the text of the item is. A criterion without any says nothing, and what follows one without "
-    "being in its item belongs to no criterion: neither the trace nor a reviewed text would know of it.",
+    "A criterion has no text, so it asks for nothing. Its text is all that stands in its item, further paragraphs, "
+    "lists, code and quotations included.",
+    remedy="write what is asked for, or remove the criterion",
+)
+TEXT_OUTSIDE_CRITERIA = Rule(
+    "text-outside-criteria",
+    "Text follows a criterion and is not in its item, as it is not indented as the text of the item is. It belongs to "
+    "no criterion: the trace does not show it, and no criterion is suspect when it changes. What introduces criteria "
+    "stands before the first one or below a heading, and so may what has nothing to do with them.",
+    Severity.WARNING,
     remedy="indent it as the text of a criterion, or write it before the first one, or below a heading",
 )
 REQUIREMENT_DUPLICATE = Rule(
@@ -265,7 +272,7 @@ def _criteria(
         hint = "add '## Acceptance Criteria' with '1. ...', or call it ADR-... if it decides and asks for nothing"
         report.add(DOCUMENT_WITHOUT_CRITERIA, place, f"{identifier} has no acceptance criteria", hint)
     for stray in _strays(document):
-        report.add(CRITERION_TEXT, stray, "this belongs to no criterion")
+        report.add(TEXT_OUTSIDE_CRITERIA, stray, "this belongs to no criterion")
     criteria: dict[int, Criterion] = {}
     expected = 1
     for item in items:
@@ -281,7 +288,7 @@ def _criteria(
             hint = f"where {expected} is gone, write <!-- {expected} is gone --> above, on a line that is not indented"
             report.add(CRITERION_NUMBER, item.place, message, hint if is_gap else None)
         if not item.whole:
-            report.add(CRITERION_TEXT, item.place, f"criterion {item.number} has no text", "write what is asked for")
+            report.add(CRITERION_TEXT, item.place, f"criterion {item.number} has no text")
         depends_on = dependencies_of(item.whole, identifier, item.place, report)
         criterion = Criterion(place=item.place, number=item.number, text=item.whole, depends_on=depends_on)
         criteria.setdefault(item.number, criterion)

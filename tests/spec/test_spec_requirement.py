@@ -132,14 +132,14 @@ BROKEN = [
     (document(f"{CRITERIA}1. a\n2. b\n4. c\n5. d\n"), [("criterion-number", 11, 1)]),
     (document(f"{CRITERIA}1. a\n- b\n"), [("criterion-number", 10, 1)]),
     (document(f"{CRITERIA}1. a\n\n### More\n\n  1. b\n"), [("criterion-number", 13, 3)]),
-    (document(f"{CRITERIA}1. a\n\nExcept on Sundays.\n\n2. b\n"), [("criterion-text", 11, 1)]),
-    (document(f"{CRITERIA}1. a\n\nAll of this.\n\n    v = 1\n"), [("criterion-text", 11, 1)]),
-    (document(f"{CRITERIA}1. a\n\n  > 7 m\n"), [("criterion-text", 11, 3)]),
+    (document(f"{CRITERIA}1. a\n\nExcept on Sundays.\n\n2. b\n"), [("text-outside-criteria", 11, 1)]),
+    (document(f"{CRITERIA}1. a\n\nAll of this.\n\n    v = 1\n"), [("text-outside-criteria", 11, 1)]),
+    (document(f"{CRITERIA}1. a\n\n  > 7 m\n"), [("text-outside-criteria", 11, 3)]),
     (
         document(f"{CRITERIA}1. a\n\n```text\nv = 1\n```\n\n2. b\n\n|a|\n|-|\n"),
-        [("criterion-text", 11, 1), ("criterion-text", 17, 1)],
+        [("text-outside-criteria", 11, 1), ("text-outside-criteria", 17, 1)],
     ),
-    (document(f"{CRITERIA}1. a\n\n<p>Not on Sundays</p>\n"), [("criterion-text", 11, 1)]),
+    (document(f"{CRITERIA}1. a\n\n<p>Not on Sundays</p>\n"), [("text-outside-criteria", 11, 1)]),
     (document(f"{CRITERIA}1.\n2. <!-- b -->\n"), [("criterion-text", 9, 1), ("criterion-text", 10, 1)]),
 ]
 

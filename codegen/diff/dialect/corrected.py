@@ -1,4 +1,4 @@
-"""What a dialect itself says below a correction: the corrected attribute hides that it has become something else."""
+"""Attributes of a dialect below a correction, which hides that they have become something else."""
 
 from collections.abc import Iterator
 from dataclasses import replace
