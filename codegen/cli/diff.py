@@ -116,7 +116,7 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
         found = waived(graded(found, waivers, files, told), waivers, files, head, told)
         for finding in told:
             print(finding_text(finding), file=sys.stderr)
-        print_review(found, arguments.format, head.files.on_disk)
+        print_review(found, arguments.format, head.files.on_disk, list(told))
         if found.faults and not arguments.allow_errors:
             because = f"{found.fault_line} (--allow-errors compares all the same)"
             whatever = ", whatever --fail-on says" if "never" in kinds else ""

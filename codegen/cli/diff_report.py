@@ -1,7 +1,7 @@
 """Printing a review in each of its formats."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from codegen.cli.findings import findings_text, wants_colour
@@ -11,11 +11,15 @@ from codegen.findings.text import finding_text
 from codegen.source import Place
 
 
-def print_review(found: Review, form: str, on_disk: Callable[[str], str]) -> None:
+def print_review(found: Review, form: str, on_disk: Callable[[str], str], told: Sequence[Diagnostic] = ()) -> None:
     """Print the report; for people nothing where nothing changed.
 
-    ``on_disk`` returns of a path of either side that of the file of which it is a version.
+    ``on_disk`` returns of a path of either side that of the file of which it is a version. ``told`` is what is wrong
+    with waivers and severities: a report that is not read beside stderr has it, too.
     """
+    if form in ("json", "html", "markdown"):
+        notes = (f"{each.place.shown()}: {each.rule.id}: {each.message}" for each in told)
+        found = replace(found, notes=(*found.notes, *notes))
     if form == "json":
         from codegen.diff.report.as_json import review_json
 
@@ -31,6 +35,7 @@ def print_review(found: Review, form: str, on_disk: Callable[[str], str]) -> Non
     elif form in ("github", "sarif", "junit", "gitlab"):
         findings = [_in_work_tree(fault, on_disk) for fault in fault_findings(found)]
         findings += [_in_work_tree(as_finding(group), on_disk) for group in found.groups]
+        findings += told
         text = findings_text(findings, form)
         if text:
             print(text)

@@ -115,7 +115,7 @@ def run(arguments: argparse.Namespace) -> int:
         return accept(arguments, project, systems)
     from codegen.cli.trace_report import report_trace
 
-    return report_trace(arguments, project, systems)
+    return report_trace(arguments, project, systems, reading)
 
 
 def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:

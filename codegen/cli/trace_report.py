@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.cli.progress import working
 from codegen.commands.trace import Refused, chosen_criteria, read_trace, read_trace_lock, shared_modules
-from codegen.diagnostics import Report
+from codegen.diagnostics import Diagnostic, Report
 from codegen.emit.file import write_file
 from codegen.model.system import System
-from codegen.project.systems import project_folder
+from codegen.project.systems import NO_FOLDER_OF_TESTS, project_folder
 from codegen.source import shown_path
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import trace_findings
@@ -21,9 +21,14 @@ from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
 
 
-def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
-    """Print or write the report, then the findings where there is room for them; return the exit code."""
+def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System], reading: Report) -> int:
+    """Print or write the report, then the findings where there is room for them; return the exit code.
+
+    ``reading`` is what was found when the specification was read: of documents and of folders of tests it is told here,
+    too, since what is not read there is missing from the trace.
+    """
     report = Report()
+    report.extend(each for each in reading if each.rule is NO_FOLDER_OF_TESTS or _is_of_document(each))
     with working("reading documents and tests"):
         trace = read_trace(systems, report, shared=shared_modules(systems))
     lock = read_trace_lock(project, report)
@@ -59,6 +64,10 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     if arguments.format == "text" or arguments.out is not None:
         print_findings(report)
     return report.exit_code
+
+
+def _is_of_document(finding: Diagnostic) -> bool:
+    return finding.place.file.lower().endswith((".md", ".markdown"))
 
 
 def _text(form: str, view: TraceView, report: Report, *, is_tree: bool, changed: str | None) -> str:

@@ -19,6 +19,8 @@ MAX_BYTES = 200_000_000
 """Largest file of results that is read, in bytes: they hold what failed tests have printed."""
 
 _BAD = ("failure", "error")
+_UNCOLLECTED = "collection failure"
+"""Message of the error that pytest writes for a module that it could not import, as a case without a class."""
 
 
 def decode_junit(path: str, files: Files, report: Report) -> tuple[TestResult, ...] | None:
@@ -53,12 +55,15 @@ def _result(case: XmlElement, path: str) -> TestResult:
         if child.tag == "properties"
         for one in child.children
     ]
+    name = case.attributes.get("name", "")
+    said = [child.attributes.get("message") for child in case.children if child.tag == "error"]
     return TestResult(
         module=case.attributes.get("classname", ""),
-        name=case.attributes.get("name", ""),
+        name=name,
         outcome=outcome,
         shows=tuple(dict.fromkeys(value for name, value in properties if name == "requirement")),
         inputs=next((value for name, value in properties if name == "codegen-inputs"), None),
         place=place_of(case, path),
         specification=next((value for name, value in properties if name == SPECIFICATION_PROPERTY), None),
+        uncollected=name if _UNCOLLECTED in said else "",
     )

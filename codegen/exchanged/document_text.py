@@ -57,14 +57,24 @@ def _lines(document: Arranged, status: str, source: str, width: int) -> Iterator
         yield from ("", "## Links", "", f"- Refers to: {facts['refers_to']}")
     if document.criteria:
         yield from ("", "## Acceptance Criteria", "")
+        before = 0
         for each in document.criteria:
+            if each.number > before + 1:  # a list of its own, or pages would count on from the one before
+                yield from ("", _gap(document.id, before + 1, each.number - 1), "")
             yield from _item(f"{each.number}. ", _marked(each), width)
+            before = each.number
     yield from _bench(document.criteria, width)
     yield from ("", "## Source", "")
     yield from _item("- ", f"Imported from `{source}`, where it is called `{document.source}`.", width)
     for each in document.criteria:
         if each.source != f"{document.id}.{each.number}":
             yield from _item("- ", f"Criterion {each.number} is called `{each.source}` there.", width)
+
+
+def _gap(document: str, first: int, last: int) -> str:
+    """A comment for the numbers that no criterion has."""
+    names = f"{document}.{first} is" if first == last else f"{document}.{first} to {document}.{last} are"
+    return f"<!-- {names} not in the file -->"
 
 
 def _bench(criteria: tuple[ArrangedCriterion, ...], width: int) -> Iterator[str]:

@@ -41,6 +41,7 @@ class TestResult:
     ``module`` is the dotted name of the test's module, and of its class, as pytest writes it; ``name`` has the
     parameters in brackets. ``shows`` are the criteria that it was marked with, ``inputs`` the hash of the specification
     that a generated test was made of, ``specification`` that of what a test written by hand was run with.
+    ``uncollected`` is the dotted name of a module of which pytest could not collect the tests: there is no test then.
     """
 
     __test__: ClassVar[bool] = False  # pytest takes classes of such names for tests
@@ -52,3 +53,4 @@ class TestResult:
     inputs: str | None
     place: Place
     specification: str | None = None
+    uncollected: str = ""

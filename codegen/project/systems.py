@@ -11,7 +11,7 @@ from codegen.decode.reach import within
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.load.files import DISK, Files
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.program_folders import ProgramFolders, is_one_of_several, program_folders
@@ -23,6 +23,13 @@ from codegen.resolve.scenarios.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import check_system
 from codegen.source import Place
+
+NO_FOLDER_OF_TESTS = Rule(
+    "no-folder-of-tests",
+    "codegen.yaml names a folder with tests written by hand that is not there, so codegen trace finds none of them.",
+    Severity.WARNING,
+    remedy="write the path of a folder, relative to codegen.yaml, or take it out of the list",
+)
 
 
 def read_system(project_file: str, report: Report, files: Files = DISK) -> System | None:
@@ -67,12 +74,23 @@ def _checked(spec: Spec | None, dialect: Dialect | None, files: Files, report: R
     """The system of a specification, checked; ``dialect`` is the one that its base has read already."""
     if spec is None:
         return None
+    if not spec.program:
+        _check_folders_of_tests(spec, files, report)
     dialect = dialect or read_dialect(spec, files, report)
     if dialect is None:
         return None
     system = resolve_system(with_adc_channels(spec, report), dialect, report)
     report.extend(check_system(system))
     return system
+
+
+def _check_folders_of_tests(spec: Spec, files: Files, report: Report) -> None:
+    """Report the folders that ``tests`` names and that are none; a project that names none may do without."""
+    project = spec.project
+    for index, name in enumerate(project.tests if "tests" in project.places else ()):
+        path, place = os.path.normpath(os.path.join(spec.folder, name)), project.at(f"tests[{index}]")
+        if not files.is_refused(path, place, Report()) and not files.is_folder(path):
+            report.add(NO_FOLDER_OF_TESTS, place, f"there is no folder {name}")
 
 
 def read_scenarios(

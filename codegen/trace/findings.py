@@ -63,6 +63,14 @@ UNRELATED_RESULTS = Rule(
     "A file of results says nothing about this project: it knows none of its tests, and names none of its criteria.",
     Severity.WARNING,
 )
+UNCOLLECTED_RESULTS = Rule(
+    "results-uncollected",
+    "A file of results is of a run in which pytest could not collect the tests of a module, as it could not be read or "
+    "imported: each of its tests has failed, and pytest may have run none of the others. Run the tests again once "
+    "the module can be imported.",
+    Severity.WARNING,
+    remedy="mend what the error says, and run the tests again",
+)
 OUTDATED_RESULTS = Rule(
     "results-outdated",
     "A file of results has some of tests written by hand that were run with another specification than the one that "
@@ -175,7 +183,8 @@ def unmet_text(name: str, verdict: Verdict) -> str:
 def _why(each: Coverage) -> str:
     if each.verdict is Verdict.NO_TEST:
         return f"has no test{_of_the_whole(each)}"
-    return f"is shown by no test: {counted_text(each.counts or Counts())}"
+    counts = counted_text(each.counts or Counts())
+    return f"has failed: {counts}" if each.verdict is Verdict.FAILED else f"is shown by no test: {counts}"
 
 
 def _of_the_whole(each: Coverage) -> str:
@@ -222,9 +231,13 @@ def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnos
 def told_of_hand_written(
     path: str, found: Iterable[TestResult], results: Results, trace: Trace
 ) -> Iterator[Diagnostic]:
-    """Yield what is wrong with the results of tests by hand in a file: of another
-    specification, or not said of which.
+    """Yield what is wrong with the results in a file: modules that could not be collected, and results of tests by hand
+    that are of another specification, or do not say of which.
     """
+    found = tuple(found)
+    for each in found:
+        if each.uncollected:
+            yield Diagnostic(each.place, UNCOLLECTED_RESULTS, f"the tests of {each.uncollected} could not be collected")
     own = hand_written_results(found, trace)
     outdated = sum(results.is_stale(each) for each in own)
     undated = sum(each.specification is None for each in own)

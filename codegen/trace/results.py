@@ -43,6 +43,7 @@ class Counts:
 class Results:
     """The results of one or several files, by module and by the name of the test without its parameters.
 
+    ``uncollected`` are the modules that could not even be imported: each of their tests ended with an error.
     ``current`` are the hashes of the suites as they are generated now, ``specification`` is that of all of them for
     tests written by hand.
     """
@@ -50,6 +51,7 @@ class Results:
     modules: Mapping[str, Mapping[str, Sequence[TestResult]]]
     current: Collection[str]
     specification: str
+    uncollected: Collection[str] = ()
 
     def is_stale(self, result: TestResult) -> bool:
         """Return whether a result is of another specification; what does not say of which counts as of this one."""
@@ -61,13 +63,19 @@ class Results:
 def results_of(found: Iterable[TestResult], tests: Iterable[Test], specification: str) -> Results:
     """The results in order to be looked up for tests."""
     modules: dict[str, dict[str, list[TestResult]]] = defaultdict(lambda: defaultdict(list))
+    uncollected = set()
     for result in found:
-        modules[result.module][result.name.partition("[")[0]].append(result)
-    return Results(modules, {test.inputs for test in tests if test.inputs}, specification)
+        if result.uncollected:
+            uncollected.add(result.uncollected)
+        else:
+            modules[result.module][result.name.partition("[")[0]].append(result)
+    return Results(modules, {test.inputs for test in tests if test.inputs}, specification, uncollected)
 
 
 def counts_of(test: Test, results: Results) -> Counts:
-    """Return how the cases of a test went."""
+    """Return how the cases of a test went; of a module that could not be collected all have failed."""
+    if any(_is_module(module, _dotted(test.file)) for module in results.uncollected):
+        return Counts(failed=max(1, len(test.cases)))
     by_case: dict[str, list[TestResult]] = {}
     for result in _about(test, results):
         by_case.setdefault(_case(result), []).append(result)
@@ -90,8 +98,8 @@ def with_links_of(trace: Trace, results: Results) -> Trace:
                 for name in result.shows if result.inputs is None else ():
                     criterion = trace.called(name) or name
                     if not any(_is_in(module, test) for test in known[function, criterion]):
-                        file = f"{module.replace('.', '/')}.py"
-                        further = Test(file, function, criterion, place=result.place, written=name)
+                        file, owner = _file_and_class(module)
+                        further = Test(file, f"{owner}{function}", criterion, place=result.place, written=name)
                         found.setdefault((module, function, criterion), further)
     if not found:
         return trace
@@ -99,7 +107,13 @@ def with_links_of(trace: Trace, results: Results) -> Trace:
 
 
 def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
-    """Return whether results say nothing about a project: none is of a test that is known, none names a criterion."""
+    """Return whether results say nothing about a project: none is of a test that is known, none names a criterion.
+
+    Of a run that ended while tests were collected nothing is known.
+    """
+    found = tuple(found)
+    if any(result.uncollected for result in found):
+        return False
     known: dict[str, list[Test]] = defaultdict(list)
     for test in trace.tests:
         known[test.function.rpartition("::")[2]].append(test)
@@ -152,5 +166,27 @@ def _is_in(module: str, test: Test) -> bool:
     folder of its settings, not of ours.
     """
     owner, _, _ = test.function.rpartition("::")
-    own = test.file.removesuffix(".py").replace("/", ".") + (f".{owner.replace('::', '.')}" if owner else "")
+    return _is_module(module, _dotted(test.file) + (f".{owner.replace('::', '.')}" if owner else ""))
+
+
+def _is_module(module: str, own: str) -> bool:
     return module == own or (bool(module) and (own.endswith(f".{module}") or module.endswith(f".{own}")))
+
+
+def _dotted(file: str) -> str:
+    """``tests.test_beat`` of ``tests/test_beat.py``."""
+    return file.removesuffix(".py").replace("/", ".")
+
+
+def _file_and_class(module: str) -> tuple[str, str]:
+    """The file of a dotted name, ``tests/test_beat.py``, and ``TestMode::`` where classes stand behind the module.
+
+    Files of tests are called test_... or ..._test; where none is, classes are what begins with a capital letter.
+    """
+    parts = module.split(".")
+    files = [index for index, part in enumerate(parts) if part.startswith("test_") or part.endswith("_test")]
+    if files:
+        end = files[-1] + 1
+    else:
+        end = next((index for index, part in enumerate(parts) if part[:1].isupper() and index), len(parts))
+    return f"{'/'.join(parts[:end])}.py", "".join(f"{part}::" for part in parts[end:])

@@ -149,6 +149,36 @@ def test_a_corrected_value_is_no_longer_implied(read: Read) -> None:
     assert not result.dialect.enums["STATE"].entry("STATE_B").is_implicit
 
 
+def of_entry(entry: str, value: str) -> Correction:
+    return correction(enum="STATE", entry=entry, set={"value": value}, place=Place("/c.yaml", ord(entry[-1]), 1))
+
+
+@pytest.mark.parametrize(
+    ("values", "lines"),
+    [
+        ({"A": "2", "B": "1"}, []),
+        ({"B": "1", "A": "2"}, []),
+        ({"A": "2", "B": "3", "C": "1"}, []),
+        ({"A": "2", "B": "0x2"}, ["A"]),  # what stays is no exchange
+        ({"A": "2", "B": "two"}, ["B"]),
+        ({"A": "7", "B": "7"}, ["B"]),
+        ({"A": "2", "C": "1"}, ["A"]),
+        ({"A": "2", "B": "4"}, ["B"]),
+    ],
+)
+def test_entries_may_exchange_their_values(values: dict[str, str], lines: list[str], read: Read) -> None:
+    """What counts is the enum in which all are corrected; a number that two would have is an error, once."""
+    more = '<entry name="STATE_C" value="3"/><entry name="STATE_D" value="4"/></enum>\n<enum name="FLAGS"'
+    xml = XML.replace('</enum>\n<enum name="FLAGS"', more)
+    corrections = tuple(of_entry(f"STATE_{name}", value) for name, value in values.items())
+    result = read(xml, corrections=corrections)
+    found = [chr(one.place.line) for one in result.report if one.rule.id == "correction-value"]
+    assert found == lines
+    if not lines:
+        entries = {each.name[-1]: each.value for each in result.dialect.enums["STATE"].entries}
+        assert entries == {"A": 1, "B": 2, "C": 3, "D": 4} | {name: int(value) for name, value in values.items()}
+
+
 def test_corrections_are_applied_in_their_order(read: Read) -> None:
     """The later one wins."""
     result = read(XML, corrections=(of_field("volts", units="mV"), of_field("volts", units="cV")))

@@ -45,6 +45,18 @@ def setting(kind: str, severity: str, **more: str) -> str:
     return f"  - {{{stated}}}\n"
 
 
+@pytest.mark.parametrize("kind", ["enum-entry-added", "field-units-changed"])
+@pytest.mark.parametrize(
+    ("fail_on", "code"),
+    [("breaking", 1), ("person", 1), ("silent", 1), ("trace", 1), ("message-removed", 1), ("any", 1), ("never", 0)],
+)
+def test_what_is_set_to_be_an_error_fails_whatever_is_asked_for(kind: str, fail_on: str, code: int, run: Run) -> None:
+    """It makes the comparison fail, says docs/reference.md; a harmless change as well as one that breaks somebody."""
+    settings = f"severities:\n{setting('any', 'off')}{setting(kind, 'error')}"
+    assert run(settings, "--fail-on", fail_on)[0] == code
+    assert run(settings.replace('"error"', '"warning"'), "--fail-on", "trace")[0] == 0
+
+
 def test_severities_hold_for_kinds_subjects_files_and_versions(run: Run) -> None:
     """The headline, the exit code and the report follow them alike."""
     code, out, err = run("severities: []\n")
@@ -103,6 +115,17 @@ def test_a_dialect_s_change_is_waived(run: Run) -> None:
     code, _, err = run(waivers.replace(found[0]["fingerprint"], "0" * 12))
     assert code == 1
     assert "waiver-unused" in err
+    code, _, err = run(waivers.replace("2999-", "2001-"))
+    assert code == 1
+    assert err.count("warning waiver-expired: ") == 2
+    for form in ("json", "markdown", "html", "github", "sarif", "junit", "gitlab"):
+        report = run(waivers.replace("2999-", "2001-"), "--format", form)[1]
+        assert "W0 ended on " in report, form
+    code, _, err = run(waivers.replace(f"rule: {found[0]['rule']}", "rule: field-unit-changed"))
+    assert code == 1
+    assert "error waiver-unknown-rule: there is no rule field-unit-changed" in err
+    code, _, err = run(waivers.replace(f"rule: {found[0]['rule']}", "rule: claim-message-size"), "--fail-on", "never")
+    assert (code, "waiver-" in err) == (0, False), "it is one of codegen check"
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 import pytest
+from markdown_it import MarkdownIt
 
 from codegen.cli import main
 from codegen.decode.requirement import decode_requirement
@@ -450,6 +451,24 @@ def test_numbers_that_names_have_are_kept(write: Write, capsys: pytest.CaptureFi
     below = [{"id": name, "title": name, "content": f"It is {name}.", "parent_needs": ["FR-1"]} for name in names]
     assert main(["import", write("n.json", needs({"id": "FR-1", "title": "T"}, *below))]) == 0
     assert criteria(capsys.readouterr().out) == {"FR-1": [f"It is FR-1.{number}." for number in range(1, 11)]}
+
+
+def test_gaps_in_numbers_are_kept(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    """A number that was deleted in the other tool is not used again; a page shows what is cited."""
+    names = ["FR-1.2", "FR-1.3", "FR-1.5", "FR-1.9"]
+    below = [{"id": name, "title": name, "content": f"It is {name}.", "parent_needs": ["FR-1"]} for name in names]
+    assert main(["import", write("n.json", needs({"id": "FR-1", "title": "T"}, *below))]) == 0
+    text = capsys.readouterr().out
+    report = Report()
+    requirement = decode_requirement(parse_markdown(text, "/d.md"), report)
+    assert list(report) == []
+    assert requirement is not None
+    assert [(each.number, each.text) for each in requirement.criteria] == [
+        (int(name[-1]), f"It is {name}.") for name in names
+    ]
+    page = MarkdownIt("commonmark").render(text)
+    assert re.findall(r'<ol(?: start="(\d+)")?>', page) == ["2", "5", "9"]
+    assert "<!-- FR-1.6 to FR-1.8 are not in the file -->" in text
 
 
 def test_a_document_that_reads_otherwise_is_not_written() -> None:

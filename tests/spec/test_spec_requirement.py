@@ -31,13 +31,13 @@ GOOD = """\
 
 Some words first.
 
+> 7. a quotation
+
 1. [ ] The message is *sent* at
    `2 Hz`.
 2. [x] Unknown values:
    - current
    - charge
-
-> 7. a quotation
 
 ### For receivers
 
@@ -70,8 +70,8 @@ def test_a_document_is_read_with_its_places() -> None:
     assert requirement.aliases == ("FR-zxxlp", "FR-0a")
     assert requirement.links == ("ADR-97ebh", "FR-00069", "NFR-00060")
     assert [(c.number, c.text, c.place) for c in requirement.criteria] == [
-        (1, "The message is sent at 2 Hz.", Place(FILE, 20, 1)),
-        (2, "Unknown values:", Place(FILE, 22, 1)),
+        (1, "The message is sent at 2 Hz.", Place(FILE, 22, 1)),
+        (2, "Unknown values: - current - charge", Place(FILE, 24, 1)),
         (3, "It is ~shown~.", Place(FILE, 30, 2)),
     ]
     assert requirement.place == Place(FILE, 1, 1)
@@ -82,7 +82,7 @@ def test_a_document_is_read_with_its_places() -> None:
 def test_line_ends_do_not_shift_the_lines() -> None:
     requirement, _ = decoded(GOOD.replace("\n", "\r\n"))
     assert requirement is not None
-    assert [c.place.line for c in requirement.criteria] == [20, 22, 30]
+    assert [c.place.line for c in requirement.criteria] == [22, 24, 30]
 
 
 def test_a_decision_lends_its_numbered_items_as_criteria() -> None:
@@ -114,12 +114,33 @@ BROKEN = [
     (document(""), [("requirement-without-criteria", 1, 1)]),
     (document("", "# NFR-1 | Title"), [("requirement-without-criteria", 1, 1)]),
     (document(f"{CRITERIA}Words only.\n"), [("requirement-without-criteria", 1, 1)]),
+    (document("", "# REQ-2 | Title"), [("document-without-criteria", 1, 1)]),
+    (document("## Acceptance Criterias\n\n1. a\n", "# REQ-2 | Title"), [("section-spelling", 7, 1)]),
+    (
+        document("## Acceptance Criterion:\n\n1. a\n"),
+        [("requirement-without-criteria", 1, 1), ("section-spelling", 7, 1)],
+    ),
+    (document("## Words\n\n### Acceptance criteria\n\n1. a\n", "# REQ-2 | T"), [("section-spelling", 9, 1)]),
+    (document("## Decisions\n\n1. a\n", "# ADR-2 | Title"), [("section-spelling", 7, 1)]),
+    (
+        document(f"{CRITERIA}1. a\n\n## Link\n\n- FR-2\n\n## What the host cannot show\n"),
+        [("section-spelling", 11, 1), ("section-spelling", 15, 1)],
+    ),
     (document(f"{CRITERIA}- a\n- b\n"), [("criterion-number", 9, 1), ("criterion-number", 10, 1)]),
     (document(f"{CRITERIA}0. a\n1. b\n"), [("criterion-number", 9, 1)]),
     (document(f"{CRITERIA}1. a\n1. b\n"), [("criterion-number", 10, 1)]),
     (document(f"{CRITERIA}1. a\n2. b\n4. c\n5. d\n"), [("criterion-number", 11, 1)]),
-    (document(f"{CRITERIA}1. a\n\nText.\n\n  3. b\n"), [("criterion-number", 13, 3)]),
     (document(f"{CRITERIA}1. a\n- b\n"), [("criterion-number", 10, 1)]),
+    (document(f"{CRITERIA}1. a\n\n### More\n\n  1. b\n"), [("criterion-number", 13, 3)]),
+    (document(f"{CRITERIA}1. a\n\nExcept on Sundays.\n\n2. b\n"), [("text-outside-criteria", 11, 1)]),
+    (document(f"{CRITERIA}1. a\n\nAll of this.\n\n    v = 1\n"), [("text-outside-criteria", 11, 1)]),
+    (document(f"{CRITERIA}1. a\n\n  > 7 m\n"), [("text-outside-criteria", 11, 3)]),
+    (
+        document(f"{CRITERIA}1. a\n\n```text\nv = 1\n```\n\n2. b\n\n|a|\n|-|\n"),
+        [("text-outside-criteria", 11, 1), ("text-outside-criteria", 17, 1)],
+    ),
+    (document(f"{CRITERIA}1. a\n\n<p>Not on Sundays</p>\n"), [("text-outside-criteria", 11, 1)]),
+    (document(f"{CRITERIA}1.\n2. <!-- b -->\n"), [("criterion-text", 9, 1), ("criterion-text", 10, 1)]),
 ]
 
 
@@ -127,6 +148,63 @@ BROKEN = [
 def test_each_mistake_has_its_rule_and_place(text: str, expected: list[tuple[str, int, int]]) -> None:
     """The numbers compared are the written ones; Markdown itself would count on from the first."""
     assert decoded(text)[1] == expected
+
+
+@pytest.mark.parametrize(
+    "heading", ["### Links", "## Lines", "## Decisions", "## Acceptance", "> ## Metadat", "- ## Link"]
+)
+def test_headings_that_mean_something_else(heading: str) -> None:
+    """Below another heading a section may have any name, if the document has the one that is read."""
+    body = f"## Links\n\n- FR-2\n\n{CRITERIA}1. a\n\n## Words\n\n{heading}\n\n- b\n"
+    assert decoded(document(body))[1] == []
+
+
+INSIDE = [
+    (
+        "The limits are:\n   - below 1.5 m: stop\n   * below 3 m: warn",
+        "The limits are: - below 1.5 m: stop - below 3 m: warn",
+    ),
+    ("The formula is:\n\n   ```text\n   v = a *  b\n   ```\n", "The formula is: v = a * b"),
+    ("The formula is:\n\n       v = *a*\n", "The formula is: v = *a*"),
+    ("Steps:\n   1. open\n   2) close\n      - wide", "Steps: 1. open 2. close - wide"),
+    ("A quote:\n   > the depth is\n   > `5 m`\n   >\n   > - [ ] or 6", "A quote: the depth is 5 m - or 6"),
+    ("One.\n\n   Except on *Sundays*.", "One. Except on Sundays."),
+    ("One.\nExcept on Sundays.", "One. Except on Sundays."),
+    ("One.\n\n   <p>Not &lt; <b>2</b></p><!-- looked at -->\n", "One. Not < 2"),
+    ("[x] - [ ] One.\n   - [x] Two.", "- [ ] One. - Two."),
+    ("- [ ] One.\n   - [x] Two.", "- One. - Two."),
+    ("At most:\n\n   | a | b |\n   |---|---|\n   | 1 | 2 |", "At most: | a | b | |---|---| | 1 | 2 |"),
+]
+
+
+@pytest.mark.parametrize(("written", "text"), INSIDE)
+def test_all_that_is_in_an_item_is_the_text_of_its_criterion(written: str, text: str) -> None:
+    """By CommonMark: a limit in a list inside is as much asked for as one in the first paragraph."""
+    body = f"{CRITERIA}Words, then:\n\n1. {written}\n\n<!-- a comment -->\n\n2. b\n\n### Notes\n\nNot a criterion.\n"
+    requirement, findings = decoded(document(body))
+    assert findings == []
+    assert requirement is not None
+    assert [each.text for each in requirement.criteria] == [text, "b"]
+
+
+def test_what_lists_inside_say_of_other_criteria_and_of_the_bench_counts() -> None:
+    """A dependency in a list inside, the items of a limit."""
+    limits = "## What a host cannot show\n\n- Criterion 2: it is\n  - loud\n"
+    body = f"{CRITERIA}1. a\n2. b\n   - (depends on criterion 1)\n\n{limits}"
+    requirement, findings = decoded(document(body))
+    assert findings == []
+    assert requirement is not None
+    assert requirement.criteria[1].depends_on == ("FR-00001.1",)
+    assert [limit.text for limit in requirement.host_limits] == ["it is - loud"]
+
+
+@pytest.mark.parametrize("between", ["<!-- 2 and 3 are gone -->", "### Later"])
+def test_a_gap_begins_a_list_of_its_own(between: str) -> None:
+    """Numbers are not used again, and pages show what is written only where a list begins with it."""
+    requirement, findings = decoded(document(f"{CRITERIA}1. a\n\n{between}\n\n4. b\n5. c\n"))
+    assert findings == []
+    assert requirement is not None
+    assert [(each.number, each.text) for each in requirement.criteria] == [(1, "a"), (4, "b"), (5, "c")]
 
 
 def test_criteria_keep_their_written_numbers() -> None:

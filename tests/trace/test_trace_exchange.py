@@ -147,7 +147,8 @@ def test_control_characters_do_not_break_xml() -> None:
 def test_it_goes_round(form: str, name: str, told: Project, capsys: pytest.CaptureFixture[str]) -> None:
     """Export, import, export: the same objects and links, but for the lines that documents have now."""
     document = told.document.read_text().replace("## Acceptance", "## Links\n\n- FR-9, ADR-1\n\n## Acceptance")
-    told.document.write_text(document)
+    inside = "is heard at:\n   - 10 m\n     1. at *noon*\n\n   ```text\n   v = a * b_\n   ```\n\n   > - 7 in all\n"
+    told.document.write_text(document.replace("is heard at 10 m.", inside))
     first = exported(told, form, capsys)
     (told.folder / name).write_text(first)
     assert main(["import", name, "--out", "made"]) == 0

@@ -51,6 +51,42 @@ def test_what_changes_it(old: str, new: str, project: Project) -> None:
     assert set(found.values()) == {"REVIEWED"}
 
 
+INSIDE = """2. The limits are:
+   - below 1.5 m: stop
+     1. at once
+
+   ```text
+   v = a * b
+   ```
+
+   > at 5 m
+
+   Or at 6 m."""
+
+
+CHANGED = [
+    ("1.5 m", "9.5 m"),
+    (": stop", ": go"),
+    ("at once", "later"),
+    ("a * b", "a + b"),
+    ("at 5 m", "at 7 m"),
+    ("6 m", "8 m"),
+]
+
+
+@pytest.mark.parametrize(("old", "new"), CHANGED)
+def test_all_that_is_in_the_item_counts(old: str, new: str, project: Project) -> None:
+    """Lists, steps, code, quotations and further paragraphs: the figures of a limit stand there."""
+    project.change("2. Its `custom_mode` is **7**, which\n   nobody reads.", INSIDE)
+    project.run("accept", "--all", "--reason", "first")
+    project.change("   - below", "   * below")
+    assert set(review(project).values()) == {"REVIEWED"}
+    project.change(old, new)
+    found = review(project)
+    assert found.pop("FR-1.2") == "CHANGED"
+    assert set(found.values()) == {"REVIEWED"}
+
+
 def test_a_change_is_a_finding_until_it_is_accepted(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
     """With the rows that cite it, and with the line that accepts it; everything else of the lock stays as it is."""
     project.run("accept", "--all", "--reason", "first")

@@ -1,9 +1,12 @@
 """Marks of tests with their criteria: every form that pytest knows, read without running anything."""
 
+import shutil
 from pathlib import Path
 
 import pytest
+from trace_project import Project
 
+from codegen.cli import main
 from codegen.decode.marked_tests import read_marked_tests
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
@@ -79,9 +82,75 @@ def test_every_form(tmp_path: Path) -> None:
     ]
 
 
+CLASSES = """
+import unittest
+from unittest import TestCase
+import other
+
+
+@mark.requirement("A-1.1")
+class Base:
+    pytestmark = mark.requirement("A-1.2")
+
+    @mark.requirement("A-1.3")
+    def test_inherited(self): ...
+
+    @mark.requirement("A-1.4")
+    def test_overridden(self): ...
+
+    class TestInner:
+        @mark.requirement("A-1.5")
+        def test_deep(self): ...
+
+
+class TestOne(Base):
+    def test_overridden(self): ...
+
+
+class Group(unittest.TestCase):
+    @mark.requirement("A-1.6")
+    def test_of_unittest(self): ...
+
+
+class Further(Group, TestCase):
+    @mark.requirement("A-1.7")
+    def test_more(self): ...
+
+
+class TestLoop(TestLoop, other.Base):
+    @mark.requirement("A-1.8")
+    def test_loop(self): ...
+"""
+
+
+def test_classes_inherit_tests_and_those_of_unittest_have_any_name(tmp_path: Path) -> None:
+    """Pytest collects them so: under the name of the class that inherits, with the marks of its bases."""
+    assert found(CLASSES, tmp_path) == [
+        ("TestOne::test_overridden", "A-1.1"),
+        ("TestOne::test_overridden", "A-1.2"),
+        ("TestOne::test_inherited", "A-1.1"),
+        ("TestOne::test_inherited", "A-1.2"),
+        ("TestOne::test_inherited", "A-1.3"),
+        ("TestOne::TestInner::test_deep", "A-1.1"),
+        ("TestOne::TestInner::test_deep", "A-1.2"),
+        ("TestOne::TestInner::test_deep", "A-1.5"),
+        ("Group::test_of_unittest", "A-1.6"),
+        ("Further::test_more", "A-1.7"),
+        ("Further::test_of_unittest", "A-1.6"),
+        ("TestLoop::test_loop", "A-1.8"),
+    ]
+
+
 @pytest.mark.parametrize(
     "data",
-    [b"@x.requirement('A')\ndef test_(:\n", b"x.requirement(\xff)", b"x.requirement(\0)", b"x.requirement(" * 500],
+    [
+        b"@x.requirement('A')\ndef test_(:\n",
+        b"@x.requirement('A')\ndef test_(a, a): ...",
+        b"return x.requirement(1)",
+        b"x.requirement(\xff)",
+        b"x.requirement(\0)",
+        b"x.requirement(" * 500,
+    ],
 )
 def test_a_file_that_is_no_python_is_a_warning(data: bytes, tmp_path: Path) -> None:
     path = tmp_path / "test_it.py"
@@ -123,3 +192,24 @@ def test_which_files_are_looked_at(tmp_path: Path) -> None:
     report = Report()
     assert [Path(path).name for path in files_of_tests(folders, DISK, report)] == ["test_b.py", "test_a.py"]
     assert list(report) == []
+
+
+@pytest.mark.parametrize("command", ["check", "trace"])
+def test_a_folder_that_the_project_names_and_that_is_not_there(
+    command: str, project: Project, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A misspelt one has no tests, and nothing else would say so; the default may be missing."""
+    settings = Path(project.file)
+    settings.write_text(settings.read_text() + "tests: [../nope, ../tests, ../tests/test_beat.py]\n")
+    main([command, "--project", project.file])
+    said = capsys.readouterr().out
+    line = len(settings.read_text().splitlines())
+    found = [each for each in said.splitlines() if "no-folder-of-tests" in each]
+    assert found == [
+        f"specs/codegen.yaml:{line}:{column}: warning no-folder-of-tests: there is no folder {name}"
+        for column, name in ((9, "../nope"), (28, "../tests/test_beat.py"))
+    ]
+    settings.write_text(settings.read_text().replace("tests: [", "# tests: ["))
+    shutil.rmtree(project.tests.parent)
+    main([command, "--project", project.file])
+    assert "no-folder-of-tests" not in capsys.readouterr().out

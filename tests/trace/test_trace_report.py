@@ -207,7 +207,7 @@ def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixtur
     assert failed != written
     (project.folder / "1.xml").write_text(failed)
     assert project.run(*results) == 1
-    assert "error trace-uncovered: FR-1.2 is shown by no test: 2 passed, 1 failed" in capsys.readouterr().out
+    assert "error trace-uncovered: FR-1.2 has failed: 2 passed, 1 failed" in capsys.readouterr().out
 
 
 def test_markdown_is_no_longer_than_a_comment() -> None:
@@ -219,3 +219,19 @@ def test_markdown_is_no_longer_than_a_comment() -> None:
     kept = cut.count(row)
     assert cut.endswith(f"{700 - kept} further criteria do not fit into a comment: a page has all.\n")
     assert fitting(cut, "criteria", "") == cut
+
+
+def test_documents_of_which_nothing_is_traced_are_told(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """Of what is not read nothing else would be seen: a heading that is misspelt, a document without criteria."""
+    text = project.document.read_text().replace("FR-1 |", "REQ-2 |").replace("- Aliases: FR-old\n", "")
+    (project.document.parent / "REQ-2.md").write_text(text.replace("## Acceptance Criteria", "## Acceptance Criterias"))
+    (project.document.parent / "REQ-3.md").write_text(
+        "# REQ-3 | T\n\n## Metadata\n\n- Status: Draft\n\n## Criteria\n\n1. a\n"
+    )
+    project.run()
+    said = capsys.readouterr().out
+    spelling = "warning section-spelling: what stands below Acceptance Criterias is not read"
+    assert f"specs/requirements/REQ-2.md:7:1: {spelling}\n  hint: did you mean ## Acceptance Criteria?" in said
+    assert (
+        "specs/requirements/REQ-3.md:1:1: warning document-without-criteria: REQ-3 has no acceptance criteria" in said
+    )

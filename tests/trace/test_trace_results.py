@@ -1,6 +1,9 @@
 """Results meet tests: what passed, what counts for nothing, what is of another specification or another project."""
 
+import subprocess
+import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from trace_project import Project
@@ -122,6 +125,52 @@ def test_links_that_only_results_know(project: Project, junit: Junit) -> None:
     """A test whose marks are computed, or that lies where nobody looked."""
     path = junit("r.xml", ("elsewhere.test_far", "test_far[a]", "passed", ("FR-1.4",), None))
     assert verdicts(project, path)["FR-1.4"] == (Verdict.PASSED, Counts(passed=1))
+
+
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [
+        ("tests.a.test_x.TestOne", "tests/a/test_x.py::TestOne::test_far"),
+        ("tests.a.test_x.TestOne.TestInner", "tests/a/test_x.py::TestOne::TestInner::test_far"),
+        ("test_lib.beat_test.Mine", "test_lib/beat_test.py::Mine::test_far"),
+        ("checks.beats.Mine", "checks/beats.py::Mine::test_far"),
+        ("checks.beats", "checks/beats.py::test_far"),
+        ("Checks", "Checks.py::test_far"),
+    ],
+)
+def test_a_test_that_only_results_know_is_in_a_file_and_a_class(
+    module: str, name: str, project: Project, junit: Junit
+) -> None:
+    """A class is no folder: inherited tests and those of unittest are named as pytest names them."""
+    found = decode_junit(junit("r.xml", (module, "test_far[a]", "passed", ("FR-1.4",), None)), DISK, Report()) or ()
+    trace, systems = project.trace()
+    linked = with_links_of(trace, results_of(found, trace.tests, inputs_of(systems)))
+    assert [test.name for test in linked.tests_of["FR-1.4"]] == [name]
+
+
+def test_what_could_not_be_collected_has_failed(
+    project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As pytest writes a module that it cannot import: it is about the project, and its tests ended with an error."""
+    path = Path(junit("r.xml", ("", "tests.test_beat", "error", (), None), ("", "tests.test_far", "error", (), None)))
+    path.write_text(path.read_text().replace('message="m"', 'message="collection failure"'))
+    assert verdicts(project, str(path))["FR-1.3"] == (Verdict.FAILED, Counts(failed=1))
+    assert project.run("--results", str(path)) == 1
+    said = capsys.readouterr().out
+    assert "error trace-uncovered: FR-1.3 has failed: 1 failed" in said
+    for module in ("test_beat", "test_far"):
+        assert f"warning results-uncollected: the tests of tests.{module} could not be collected" in said
+    assert "results-unrelated" not in said
+
+
+def test_pytest_writes_what_could_not_be_collected(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """The words of the pytest that is installed."""
+    project.tests.write_text("import no_such_module\n\n" + project.tests.read_text())
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--junit-xml=r.xml", "tests"]
+    assert subprocess.run(command, cwd=project.folder, capture_output=True, check=False).returncode == 2
+    assert project.run("FR-1.3", "--results", "r.xml") == 1
+    assert "results-uncollected: the tests of tests.test_beat could not" in capsys.readouterr().out
+    assert verdicts(project, str(project.folder / "r.xml"))["FR-1.3"][0] is Verdict.FAILED
 
 
 @pytest.mark.parametrize("module", ["test_beat", "tests.test_beat", "work.here.tests.test_beat"])

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diff.change import BOTH, Change, Notice, changed
 from codegen.diff.dialect import wire_rules as rules
+from codegen.diff.dialect.corrected import below_corrections
 from codegen.diff.dialect.enums import enum_changes
 from codegen.diff.dialect.fields import bytes_text, field_changes, names_of_both
 from codegen.diff.dialect.hearing import between, by_id, heard, taken_for
@@ -16,7 +17,7 @@ from codegen.source import Place
 
 
 def dialect_changes(old: Dialect, new: Dialect) -> tuple[Change, ...]:
-    """Every change: of messages in the order of their ids, then of enums."""
+    """Every change: of messages in the order of their ids, then of enums, then of what corrections hide."""
     if old is new:
         return ()
     found: list[Change] = []
@@ -28,6 +29,7 @@ def dialect_changes(old: Dialect, new: Dialect) -> tuple[Change, ...]:
         found.append(changed(rules.DIALECT_VERSION, new.name, before, after, places, effect, messages=names))
     found += _messages(old.messages, new.messages, Vocabulary(old.enums, new.enums))
     found += enum_changes(old.enums, new.enums, _users(old, new))
+    found += below_corrections(old, new)
     return tuple(found)
 
 

@@ -229,6 +229,12 @@ ENTRY_TRAITS = _meaning(
     "A command is said to have a location or a destination, or no longer: ground stations then encode and show its "
     "parameters differently.",
 )
+CORRECTED = _meaning(
+    "corrected-attribute-changed",
+    "An attribute of the dialect that a correction sets has become another one, and the correction still holds: what "
+    "is sent stays as it was, although the dialect says something else than when the correction was made. A person has "
+    "to judge whether it is still right.",
+)
 
 LIFECYCLE = _text(
     "lifecycle-changed",

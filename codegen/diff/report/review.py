@@ -103,10 +103,13 @@ def _with_waiver(group: Group, waived: str | None) -> Group:
 
 
 def fails(found: Review, fail_on: Sequence[str]) -> bool:
-    """Return whether something that counts is of a kind that ``fail_on`` names:
-    FailOn, an area, or the id of a rule.
+    """Return whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule.
+
+    What somebody set to be an error fails whatever is named, except ``never``.
     """
     for group in found.counting:
+        if group.severity is Severity.ERROR and FailOn.NEVER.value not in fail_on:
+            return True
         rules = {each.first.rule for each in (group, *group.following)}
         kinds = {FailOn.ANY.value, *(rule.area.value for rule in rules), *(rule.id for rule in rules)}
         if not group.is_lowered:
@@ -119,7 +122,7 @@ def fails(found: Review, fail_on: Sequence[str]) -> bool:
 def _grave_kinds(group: Group) -> Iterator[str]:
     """The kinds by which a group fails unless somebody set it to be no error."""
     change = group.first
-    if change.is_breaking or change.is_lost or group.is_raised:
+    if change.is_breaking or change.is_lost:
         yield FailOn.BREAKING.value
     if change.is_silent:
         yield FailOn.SILENT.value

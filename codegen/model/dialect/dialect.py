@@ -168,8 +168,8 @@ class Standing(Enum):
 class AttributeCorrection(NamedTuple):
     """A correction of one attribute: its new text, and the one ``before`` (None: there was none).
 
-    It is an attribute of the field ``part`` of the message ``owner``, or of the parameter with the number ``part`` of a
-    command.
+    It is an attribute of the field ``part`` of the message ``owner``, of the message itself (``part`` is empty), of the
+    entry ``part`` of an enum, or of the parameter with the number ``part`` of a command.
 
     ``grounds`` are the reason that a project gives, with its ``source``; of a correction that comes with codegen the
     words of the dialect, which stand in the element at ``stated``. ``refusal`` is the reason of one, and its place.
@@ -335,7 +335,7 @@ class Dialect:
     ``messages`` by name in order of id, ``enums`` by name, ``files`` every XML file that was read (absolute paths,
     each once), ``version`` the value of ``uint8_t_mavlink_version`` fields. ``overlays`` are those of ``files`` that
     the project adds, ``known`` the messages of other dialects that share a name or an id with a message of these.
-    ``corrections`` are all of fields and of parameters, those of the project and those that come with codegen.
+    ``corrections`` are all that were applied, refused or outdated, of the project and those that come with codegen.
     ``digest`` is a hash of everything that it was made of; without one that is not known.
     """
 

@@ -59,7 +59,8 @@ class Corrected:
     """Definitions while corrections are applied to them, and after that.
 
     ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated;
-    ``of_attributes``: what the corrections changed in fields and in parameters of commands.
+    ``of_attributes``: what the corrections changed in messages, fields, entries and parameters of commands;
+    ``moving``: the enums and entries that corrections give another value which has not been applied yet.
     """
 
     messages: dict[str, MessageDefinition]
@@ -67,6 +68,7 @@ class Corrected:
     added: Set[str]
     sentinel_places: dict[tuple[str, str], Place] = field(default_factory=dict)
     of_attributes: list[AttributeCorrection] = field(default_factory=list)
+    moving: set[tuple[str, str]] = field(default_factory=set)
 
 
 def correct_message(correction: "Correction", result: Corrected, report: Report) -> None:
@@ -75,8 +77,11 @@ def correct_message(correction: "Correction", result: Corrected, report: Report)
     if message is None:
         return
     for attribute, text in correction.set.items():
-        change = _message_change(correction, message, attribute, " ".join(text.split()), result.added, report)
+        written = " ".join(text.split())
+        change = _message_change(correction, message, attribute, written, result.added, report)
         if change is not None:
+            before = _message_text(message, attribute)
+            result.of_attributes.append(as_stated(correction, (message.name, ""), attribute, written, before))
             message = replace(message, **change)
     result.messages[message.name] = message
 
@@ -153,7 +158,7 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
             )
         elif value == entry.value:
             report.add(OBSOLETE_CORRECTION, place, f"the dialect already has the value {text} for {entry.name}")
-        elif holder := next((other for other in enum.entries if other.value == value), None):
+        elif holder := _holder(enum, value, result):
             related = [(holder.place, "the other entry")]
             report.add(
                 CORRECTION_VALUE,
@@ -163,9 +168,28 @@ def correct_entry(correction: "Correction", result: Corrected, report: Report) -
                 hint="take a number that no other entry has, or correct that one, too",
             )
         else:
+            result.moving.discard((enum.name, entry.name))
+            before = str(entry.value)
+            result.of_attributes.append(as_stated(correction, (enum.name, entry.name), attribute, str(value), before))
             new = entry._replace(value=value, is_implicit=False)
             entries = tuple(new if other is entry else other for other in enum.entries)
             result.enums[enum.name] = replace(enum, entries=entries)
+
+
+def note_moving(corrections: "Iterable[Correction]", result: Corrected) -> None:
+    """Note which entries will have another value than they have, so that two can exchange theirs."""
+    for correction in corrections:
+        enum = result.enums.get(correction.enum or "")
+        entry = enum.entry(correction.entry or "") if enum else None
+        text = None if correction.param else correction.set.get("value")
+        if enum is not None and entry is not None and text is not None and entry_value(text) != entry.value:
+            result.moving.add((enum.name, entry.name))
+
+
+def _holder(enum: EnumDefinition, value: int, result: Corrected) -> EnumEntry | None:
+    """The entry that has a value and keeps it."""
+    staying = (each for each in enum.entries if (enum.name, each.name) not in result.moving)
+    return next((each for each in staying if each.value == value), None)
 
 
 def entry_to_correct(
@@ -215,6 +239,13 @@ def _message_change(
             _cannot(correction, message.name, attribute, ("id", "description", "wip"), report)
             return None
     return change if _is_accepted(correction, message.name, attribute, text, is_possible, is_new, report) else None
+
+
+def _message_text(message: MessageDefinition, attribute: str) -> str | None:
+    """Return what a message states under one of the attributes that can be corrected; None for nothing."""
+    if attribute == "wip":
+        return "true" if message.lifecycle.wip else None
+    return (message.written_id or str(message.id)) if attribute == "id" else message.description or None
 
 
 def _text(text: str) -> str:

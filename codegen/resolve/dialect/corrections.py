@@ -12,6 +12,7 @@ from codegen.resolve.dialect.corrected import (
     correct_entry,
     correct_field,
     correct_message,
+    note_moving,
 )
 from codegen.resolve.dialect.corrected_parameter import correct_parameter
 from codegen.resolve.dialect.patterns import expanded
@@ -63,6 +64,7 @@ def apply_corrections(
         result.of_attributes.append(of_attribute)
         if of_attribute.standing is Standing.APPLIED:
             correct_as_shipped(of_attribute, result)
+    note_moving(corrections, result)
     for correction in corrections:
         written = (correction.message, correction.field, correction.fields, correction.enum, correction.entry)
         match tuple(name is not None for name in written):
