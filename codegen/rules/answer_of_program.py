@@ -11,6 +11,7 @@ RULE = Rule(
     "The program sends this message itself, as an answer or a text. Streamed or on request it would say what nobody "
     "has asked: an acknowledgement of a command that was not given, a parameter that the list does not have.",
     Severity.ERROR,
+    remedy="leave the table out",
 )
 _INSTEAD = {"STATUSTEXT": "code says texts with self.texts.say(severity, text); leave the table out"}
 
@@ -21,4 +22,4 @@ def check(system: System) -> Iterator[Diagnostic]:
         if message.wire.name in SENT:
             name = message.wire.name
             text = f"the program sends {name} itself"
-            yield Diagnostic(message.population.place, RULE, text, _INSTEAD.get(name, "leave the table out"))
+            yield Diagnostic(message.population.place, RULE, text, _INSTEAD.get(name))

@@ -33,7 +33,8 @@ def test_the_program_answers_with_it(name: str, tmp_path: Path) -> None:
     told = [each for each in found if each.rule.id == "answer-of-program"]
     assert [each.message for each in told] == [f"the program sends {name} itself"], found
     assert told[0].place.file.endswith("own.yaml")
-    assert told[0].hint is not None
+    assert told[0].advice is not None
+    assert "leave the table out" in told[0].advice
 
 
 def test_no_other_message_is(tmp_path: Path) -> None:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: ab1ded31316e26dc
+# Inputs: c632180b06044471
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from time import ticks_ms
@@ -10,6 +10,7 @@ from program_bench import (
     TURN_MS_US,
     GroundStation,
     Port,
+    id_of,
     main,
     messages,
     mock_time,
@@ -25,10 +26,8 @@ import dialect
 ONBOARD_CONTROLLER = 18  # MAV_TYPE_ONBOARD_CONTROLLER of MAVLink's minimal.xml
 STEP_US = 10000
 LONG_US = 3 * SECOND_US // 2  # enough for every announcement, one in a pass
-
-
-def _id(frame):
-    return frame[7] | frame[8] << 8 | frame[9] << 16
+OFTEN_HZ = 0.1  # what is streamed more often than that is put to rest
+REST_US = 600 * SECOND_US
 
 
 def _expected(craft):
@@ -42,8 +41,8 @@ def _expected(craft):
 
 def _announced(port, since=0):
     """Return the ids of what is sent on connection among the frames of a port, in their order."""
-    known = [number for number, facts in MESSAGES.items() if facts["on_connection"] or facts["watched"]]
-    return sorted(_id(frame) for frame in port.frames[since:] if _id(frame) in known)
+    known = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
+    return sorted(id_of(frame) for frame in port.frames[since:] if id_of(frame) in known)
 
 
 def _craft(**arguments):
@@ -51,7 +50,16 @@ def _craft(**arguments):
     needs([facts for facts in MESSAGES.values() if facts["on_connection"]], "a message that is sent on connection")
     craft = new_craft(**arguments)
     needs(_expected(craft), "a message that is sent on connection by default")
+    for number in MESSAGES:
+        _rest(craft, number, REST_US)
     return craft
+
+
+def _rest(craft, number, interval_us):
+    """Let a message that is streamed often be streamed at most once in an interval."""
+    if (MESSAGES[number]["rate"] or 0) > OFTEN_HZ:
+        for connection in craft.connections:
+            connection.streams.set_interval(number, interval_us)
 
 
 def _beat(station, kind=dialect.MAV_TYPE_GCS):
@@ -223,6 +231,7 @@ def told_of_a_change():
         component, attribute = facts["watched"]
         ports = [Port(), Port()]
         craft = new_craft(ports=ports)
+        _rest(craft, number, REST_US)
         _quiet(craft, ports)
         for place, owner in enumerate(_owners(craft, component)):
             for value in (5, 6, None):
@@ -234,7 +243,7 @@ def told_of_a_change():
                     port.frames = []
                 run_passes(craft, 20)
                 for port in ports:
-                    found = [_id(frame) for frame in port.frames].count(number)
+                    found = [id_of(frame) for frame in port.frames].count(number)
                     assert found == (facts["pages"] if is_told else 0), (number, place, value, found)
 
 
@@ -253,13 +262,15 @@ def told_of_all_when_their_turn_comes():
         if not facts["rate"] or not is_chosen(craft, number):
             continue
         several = max(several, len(reporting(craft, number)))
+        interval_us = int(SECOND_US / min(facts["rate"], OFTEN_HZ))
+        _rest(craft, number, interval_us)
         _quiet(craft, [port])
         port.room = 0
         setattr(owners[-1], attribute, 5)
-        run(craft, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
+        run(craft, interval_us + SECOND_US, STEP_US)
         port.room = None
         run_passes(craft, 60)
-        found = [_id(frame) for frame in port.frames].count(number)
+        found = [id_of(frame) for frame in port.frames].count(number)
         assert found == len(reporting(craft, number)) * facts["pages"], (number, found)
     needs(several > 1, "several instances that are announced")
 
@@ -348,7 +359,7 @@ def told_besides():
     run(craft, 120 * SECOND_US, STEP_US)
     for number in found:
         turn = len(reporting(craft, number)) * MESSAGES[number]["pages"] if is_chosen(craft, number) else 0
-        count = [_id(frame) for frame in port.frames].count(number)
+        count = [id_of(frame) for frame in port.frames].count(number)
         assert abs(count - 120 * MESSAGES[number]["rate"] * turn) <= turn, (number, count)
 
 

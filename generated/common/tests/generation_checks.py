@@ -1,18 +1,14 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: fe39d379bdc85755
+# Inputs: fddac9a6ec58a2b4
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
-from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_craft, run, run_passes
+from program_bench import SECOND_US, GroundStation, Port, id_of, main, messages, needs, new_craft, run, run_passes
 from program_facts import GENERATIONS, LINKS_US, MESSAGES, SENT, SHORTEST_US
 
 import dialect
 
 STEP_US = 10000  # between passes while frames are counted: more often than any stream
 SECONDS = 60
-
-
-def _id(frame):
-    return frame[7] | frame[8] << 8 | frame[9] << 16
 
 
 def _generations():
@@ -60,7 +56,7 @@ def reported(craft, facts):
 def _ids_in(craft, port, duration_us, step_us=None):
     port.frames = []
     run(craft, duration_us, step_us)
-    return [_id(frame) for frame in port.frames]
+    return [id_of(frame) for frame in port.frames]
 
 
 def only_the_default_is_streamed():
@@ -120,7 +116,7 @@ def the_other_one_is_sent_on_request():
             port.frames = []
             station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
             run_passes(craft, 100)
-            found = [_id(frame) for frame in port.frames]
+            found = [id_of(frame) for frame in port.frames]
             assert found.count(messages.CommandAck.ID) == 1
             assert found.count(number) == len(reporting(craft, number)) * MESSAGES[number]["pages"], (number, found)
 
@@ -178,7 +174,7 @@ def no_choice_costs_more_than_it_says():
             for number in _with_choice(each, choice):
                 facts = MESSAGES[number]
                 on = reporting(craft, number)
-                sizes = [len(frame) for frame in port.frames if _id(frame) == number]
+                sizes = [len(frame) for frame in port.frames if id_of(frame) == number]
                 if not on:
                     assert sizes == []
                     continue

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: b637b821fdd07a80
+# Inputs: 5238b94a623c4e60
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -9,6 +9,7 @@ from program_bench import (
     Sink,
     fitted,
     good_count,
+    id_of,
     machine,
     main,
     mock_time,
@@ -163,7 +164,7 @@ def _sent_in(craft, duration_us):
     run(craft, duration_us)
     sent = {}
     for frame in craft.port.frames:
-        number = frame[7] | frame[8] << 8 | frame[9] << 16
+        number = id_of(frame)
         sent[number] = sent.get(number, 0) + 1
     return sent
 

@@ -1,16 +1,18 @@
 # Generated from templates/tests/program/reply_checks.py: do not edit.
-# Inputs: fa71f1b869142f57
+# Inputs: 4c7f4928e652e609
 """Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
     GOES_OUT,
     SECOND_US,
     GroundStation,
+    id_of,
     main,
     messages,
     mock_time,
     needs,
     new_craft,
+    payload_of,
     run,
     run_passes,
 )
@@ -155,9 +157,9 @@ def absences_say_what_is_true():
         craft.port.frames = []
         station.link.send(message)
         run_passes(craft, 4)
-        found = [frame for frame in craft.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == answer]
+        found = [frame for frame in craft.port.frames if id_of(frame) == answer]
         assert len(found) == 1, (question, found)
-        payload = found[0][10:-2] + bytes(20)
+        payload = payload_of(found[0]) + bytes(20)
         assert {place: payload[place] for place in expected} == expected, (question, asked, payload)
 
 
@@ -177,7 +179,9 @@ def answers_are_for_who_asks():
             station.send(messages.ParamSet, param_id="NO_SUCH", param_value=1)
         run_passes(craft, 12)
         found = [each for each in station.received() if "target_system" in each.names()]
-        assert len(found) >= 3, found
+        if VERSION == 1:  # it does not carry the targets of COMMAND_ACK, which are extensions, nor those of TIMESYNC
+            found = [each for each in found if isinstance(each, messages.Ping)]
+        assert len(found) >= (3 if VERSION == 2 else 1), found
         for each in found:
             assert (each.target_system, each.target_component) == (system, component), each
     assert craft.connections[0].faults == 0, craft.said()

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: 86f344548cd5bfbf
+# Inputs: 5a027d014c9344ab
 """Checks of returns, such as of a pack that is exchanged: each counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
@@ -11,6 +11,7 @@ from program_bench import (
     Sink,
     analog,
     good_count,
+    id_of,
     machine,
     main,
     mock_time,
@@ -225,16 +226,12 @@ def _info_is_sent(measured, numbers, choice):
     run(craft, SECOND_US)
     craft.port.frames = []
     run(craft, SECOND_US // 2)
-    before = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
+    before = [id_of(frame) for frame in craft.port.frames if id_of(frame) in numbers]
     inputs[0].source = good_count(measured)
     craft.port.frames = []
     run(craft, SECOND_US // 2)
-    after = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
+    after = [id_of(frame) for frame in craft.port.frames if id_of(frame) in numbers]
     assert (before, sorted(after)) == ([], sorted(numbers)), (before, after)
-
-
-def _id(frame):
-    return frame[7] | frame[8] << 8 | frame[9] << 16
 
 
 def one_that_is_gone_allocates_nothing():

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_bench.py: do not edit.
-# Inputs: c848ff339272fef8
+# Inputs: 719607abdff40563
 """A vehicle of which one failsafe is looked at, condition by condition, and what else of it holds meanwhile."""
 
 from program_bench import mock_time, needs, new_craft
@@ -7,6 +7,7 @@ from program_facts import CHECKS_US, FORCE_ARM, PARAMETERS, WATCHED
 
 LEVEL, ATTRIBUTE, SENSE, LIMIT, FACTOR, IS_OFF_AT_ZERO, AFTER, AFTER_MS, SLACK, LOW, HIGH = range(11)
 THRESHOLDS = ("below", "above")
+SOME_PASSES = 4  # in which a HEARTBEAT that has come is taken
 
 
 class Bench:
@@ -56,7 +57,11 @@ class Bench:
     def delay(self, condition):
         """Return after how many passes a condition has held for long enough: the first of them begins it."""
         if condition[AFTER]:
-            setattr(self.craft.parameters, condition[AFTER], max(1, _parameter(condition[AFTER])["minimum"]))
+            parameter = _parameter(condition[AFTER])
+            enough = -(-SOME_PASSES * self.period_us // (condition[AFTER_MS] * 1000))
+            setattr(
+                self.craft.parameters, condition[AFTER], min(max(enough, parameter["minimum"]), parameter["maximum"])
+            )
         return self.due(condition)
 
     def due(self, condition):
