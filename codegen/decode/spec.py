@@ -3,6 +3,7 @@
 The specification of a further program is that of its base, but for the files that lie in the program's own folder.
 """
 
+import codecs
 import hashlib
 import os
 from typing import TypeVar
@@ -93,8 +94,8 @@ def decode_program(program: ListedProgram, files: Files, report: Report) -> Spec
 
 
 def _hash(data: bytes) -> str:
-    """The sha256 of a text, whatever its line ends are: git may check it out with others."""
-    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+    """The sha256 of a text, whatever its line ends are, with a byte order mark or without: editors and git choose."""
+    return hashlib.sha256(data.removeprefix(codecs.BOM_UTF8).replace(b"\r\n", b"\n")).hexdigest()
 
 
 class _SpecReader:
