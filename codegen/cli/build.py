@@ -76,7 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
         compiled = Report()
         with working(f"compiling the firmware for {arguments.mpy}"):
             boards = compile_systems(systems, arguments.mpy, compiled)
-        code = emit(boards, board_folder(system, arguments.mpy), arguments, compiled)
+        code = emit(boards, board_folder(system, arguments.mpy), arguments, compiled, ("",))
     if not code and not (arguments.check or arguments.diff or arguments.dry_run):
         print("".join(f"{line}\n" for line in what_is_made(systems)), end="", file=sys.stderr)
     if arguments.depfile is None or code:

@@ -59,7 +59,7 @@ def emit(
     folder: str,
     arguments: argparse.Namespace,
     report: "Report",
-    vacated: frozenset[str] = frozenset(),
+    vacated: tuple[str, ...] = (),
 ) -> int:
     """Do with ``rendered`` what the options ask for, print the findings, and return the exit code.
 
@@ -95,7 +95,7 @@ def _plan(
     folder: str,
     arguments: argparse.Namespace,
     report: "Report",
-    vacated: frozenset[str],
+    vacated: tuple[str, ...],
 ) -> "Plan | None":
     """The comparison with the disk; None if the folder cannot be used, which is then reported."""
     from codegen.emit.findings import report_refusals, report_stale, report_strays

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
     from watchfiles import Change
 
+    from codegen.model.spec.spec import Project
+
 ENDINGS = (".yaml", ".yml", ".xml", ".md")
 """Files of a specification."""
 WAKE_MS = 500
@@ -96,15 +98,24 @@ class Following:
 
 def _until_project_changes(project: str, following: Following) -> None:
     """Build and check with each change until the project file changed, which may name other files now."""
-    from watchfiles import watch
+    from watchfiles import Change, watch
 
     from codegen.source import shown_path
 
     files, folder, beside = named_files(project), os.path.dirname(project), following.folders
+    roots = {folder, *program_folders(project)}
+    seen = {each for root in roots for each in specification_folders(root)}
 
-    def is_watched(_change: "Change", path: str) -> bool:
-        is_specified = path in files or (path.startswith(folder + os.sep) and is_specification(path))
-        return is_specified or any(is_code(path, each) for each in beside)
+    def is_watched(change: "Change", path: str) -> bool:
+        is_below = any(path.startswith(root + os.sep) for root in roots)
+        is_specified = path in files or (is_below and is_specification(path))
+        # Of a folder that is moved, the system tells nothing about what lies in it.
+        if change is Change.added and is_below and os.path.isdir(path):
+            come = specification_folders(path)
+            seen.update(come)
+            return bool(come)
+        has_gone = change is Change.deleted and path in seen
+        return is_specified or has_gone or any(is_code(path, each) for each in beside)
 
     folders = [*_folders(folder, files), *beside]
     found = watch(*folders, watch_filter=is_watched, debounce=300, rust_timeout=WAKE_MS, yield_on_timeout=True)
@@ -112,6 +123,7 @@ def _until_project_changes(project: str, following: Following) -> None:
     while project not in {path for _, path in changes}:
         if _build_and_check(project):
             following.begin()
+        seen.update(each for root in roots for each in specification_folders(root))
         print(f"watching {shown_path(folder)}; Ctrl-C ends it", file=sys.stderr, flush=True)
         changes = next(each for each in found if each)
         print(f"{', '.join(sorted({shown_path(path) for _, path in changes}))} changed", file=sys.stderr, flush=True)
@@ -119,12 +131,7 @@ def _until_project_changes(project: str, following: Following) -> None:
 
 def named_files(project: str) -> frozenset[str]:
     """The absolute paths of the project file, and of the files that it names wherever they lie."""
-    from codegen.decode.record_file import decode_record_file
-    from codegen.diagnostics import Report
-    from codegen.load.files import DISK
-    from codegen.model.spec.spec import Project
-
-    found = decode_record_file(project, Project, DISK, Report())
+    found = _stated(project)
     if found is None:
         return frozenset({project})
     names = [found.dialect, *found.overlays, *found.known, *found.corrections, *found.programs.values()]
@@ -133,10 +140,39 @@ def named_files(project: str) -> frozenset[str]:
     return frozenset({project, *(path for path in paths if path.endswith(ENDINGS))})
 
 
+def program_folders(project: str) -> set[str]:
+    """The absolute paths of the folders of further programs, wherever they lie."""
+    found, folder = _stated(project), os.path.dirname(project)
+    paths = () if found is None else found.programs.values()
+    return {os.path.dirname(os.path.normpath(os.path.join(folder, path))) for path in paths}
+
+
+def _stated(project: str) -> "Project | None":
+    """Return what a project file says; None where it has errors."""
+    from codegen.decode.record_file import decode_record_file
+    from codegen.diagnostics import Report
+    from codegen.load.files import DISK
+    from codegen.model.spec.spec import Project
+
+    return decode_record_file(project, Project, DISK, Report())
+
+
 def is_specification(path: str) -> bool:
     """Return whether a path seems to be a file of a specification, and none that an editor keeps while it writes."""
     name = os.path.basename(path)
     return name.endswith(ENDINGS) and not name.startswith((".", "#", "~"))
+
+
+def specification_folders(folder: str) -> set[str]:
+    """The absolute paths of ``folder`` and of those below it that have files of a specification, at any depth."""
+    found: set[str] = set()
+    for where, _, names in os.walk(folder):
+        if any(is_specification(name) for name in names):
+            part = where
+            while part not in found and part.startswith(folder):
+                found.add(part)
+                part = os.path.dirname(part)
+    return found
 
 
 def is_code(path: str, folder: str) -> bool:

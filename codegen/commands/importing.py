@@ -9,7 +9,7 @@ from codegen.emit.file import write_file
 from codegen.frozen import dataclass
 from codegen.importing.comparison import Compared, Verdict, compare
 from codegen.importing.document import document_id, find_fields
-from codegen.importing.existing import ExistingTable, populated, sender, table_of, table_of_project
+from codegen.importing.existing import ExistingTable, senders, table_of, table_of_project
 from codegen.importing.merging import merge
 from codegen.importing.of_system import mentioned_stream, schema_path, sources_of
 from codegen.importing.proposal import (
@@ -120,8 +120,7 @@ def imported(
     if table is None and wanted.needs_table:
         return NoTable(found.message.name)
     for_each = wanted.for_each or (table.spec.for_each if table else None)
-    system = sender(found.message.name, systems) or (systems[0] if systems else None)
-    sources = sources_of(dialect, system, for_each)
+    sources = sources_of(dialect, _program(found.message, path, table_path, systems), for_each)
     proposal = propose(found.lists, found.message, sources, report)
     for fields in found.lists:
         check_declarations(fields, found.message, report)
@@ -145,8 +144,15 @@ def _table_path(wanted: Wanted, message: WireMessage, systems: Sequence[System])
     """Return the absolute path of the table that there is: the one that is named, or that of the project."""
     if wanted.table is not None:
         return os.path.abspath(wanted.table) if os.path.lexists(wanted.table) else None
-    known = populated(message.name, systems, os.path.abspath(wanted.document))
-    return known[0].population.place.file if known else None
+    known = senders(message.name, systems, os.path.abspath(wanted.document))
+    return known[0].tables[0].population.place.file if known else None
+
+
+def _program(message: WireMessage, document: str, table: str | None, systems: Sequence[System]) -> System | None:
+    """Return the program that a table is of: its own, else the first that the document is about, else the main one."""
+    programs = [sender.system for sender in senders(message.name, systems, document)]
+    own = (each for each in systems if any(one.population.place.file == table for one in each.tables(message.name)))
+    return next(iter((*own, *programs, *systems)), None)
 
 
 def _existing(path: str, message: WireMessage, systems: Sequence[System], report: Report) -> ExistingTable | None:

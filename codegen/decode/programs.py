@@ -9,7 +9,7 @@ from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
 from codegen.load.files import Files
-from codegen.model.program_folders import COMMON, SHARED_PARTS
+from codegen.model.program_folders import COMMON, SHARED_PARTS, SPECIFICATION_FOLDERS
 from codegen.model.spec.spec import ProgramProject, Project
 from codegen.pattern import pattern
 from codegen.source import Place, shown_path
@@ -30,8 +30,6 @@ _OTHER_NAME = "choose another name"
 _DEVICES = "con|prn|aux|nul|com[0-9]|lpt[0-9]"
 OUTPUT_FOLDERS = (*SHARED_PARTS, "docs", "schemas", "receiver", COMMON)
 """The folders of the output that a program cannot be called like."""
-SPECIFICATION_FOLDERS = ("messages", "receives", "dialects", "requirements")
-"""The folders beside a project file in which files of the specification lie."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,11 +3,12 @@
 The specification of a further program is that of its base, but for the files that lie in the program's own folder.
 """
 
+import codecs
 import hashlib
 import os
 from typing import TypeVar
 
-from codegen.decode.board_model import FOLDER, OWN, board_model_path
+from codegen.decode.board_model import FOLDER, board_model_path
 from codegen.decode.decoded import decoded
 from codegen.decode.driver_modules import driver_module, user_modules
 from codegen.decode.overlays import Overlays
@@ -15,8 +16,8 @@ from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.record_file import decode_record_file, decode_record_text
 from codegen.decode.requirement import check_unique, decode_requirement
-from codegen.decode.unread import DRIVERS, READ_BY_OTHERS, hint_for_unread
-from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.decode.unread import DRIVERS, report_unread
+from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.files import Files
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text
@@ -46,8 +47,8 @@ from codegen.source import Place, Written, shown_path
 
 NO_MESSAGES = Rule(
     "no-messages",
-    "The folder messages beside codegen.yaml has no YAML file. A station knows a program by its HEARTBEAT. Write "
-    "one population table for each message. A codec needs none: codegen codec.",
+    "The folder messages beside codegen.yaml has no YAML file, or a further program lists no message. A station knows "
+    "a program by its HEARTBEAT. Write one population table for each message. A codec needs none: codegen codec.",
 )
 INCOMPLETE_PROJECT = Rule(
     "incomplete-project",
@@ -66,14 +67,6 @@ NO_TABLE = Rule(
     "base. Write the table, or correct the name.",
     remedy="write a table for it in messages, or take it out of the list",
 )
-UNREAD_FILE = Rule(
-    "unread-file",
-    "A YAML file lies where the files of the specification lie, but nothing reads it: its name is misspelt, or "
-    "codegen.yaml does not name it.",
-    Severity.WARNING,
-    remedy="rename it to what it is meant to be, name it in codegen.yaml, or remove it",
-)
-
 FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
 PROGRAM_FILE = "vehicle.yaml"
@@ -101,8 +94,8 @@ def decode_program(program: ListedProgram, files: Files, report: Report) -> Spec
 
 
 def _hash(data: bytes) -> str:
-    """The sha256 of a text, whatever its line ends are: git may check it out with others."""
-    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+    """The sha256 of a text, whatever its line ends are, with a byte order mark or without: editors and git choose."""
+    return hashlib.sha256(data.removeprefix(codecs.BOM_UTF8).replace(b"\r\n", b"\n")).hexdigest()
 
 
 class _SpecReader:
@@ -153,7 +146,10 @@ class _SpecReader:
         receiver = self._receiver()
         if project is not None:
             self._add_hashes(project)
-            self._report_unread()
+            beside, in_program = (*FIXED_FILES, *OPTIONAL_FILES), self._program is not None
+            report_unread(
+                self._folder, self._hashes, beside, files=self._files, report=self._report, in_program=in_program
+            )
         if project is None or state is None or board is None or parameters is None or streams is None:
             return None
         if vehicle is None and self._used(PROGRAM_FILE) in self._hashes:
@@ -311,7 +307,12 @@ class _SpecReader:
     def _chosen(self, tables: tuple[PopulationSpec, ...], program: ListedProgram) -> tuple[PopulationSpec, ...]:
         """The tables of the messages that a program has; the others count as not read."""
         own = program.own
-        if own is None or not own.messages:
+        if own is None or own.messages is None:
+            return tables
+        if not own.messages:
+            message = f"{program.name} lists no message, so nothing would be sent"
+            way = "list its messages, or leave out messages: without it all tables are used"
+            self._report.add(NO_MESSAGES, own.at("messages"), message, way)
             return tables
         known = {table.name: table for table in tables}
         is_complete = not self._has_broken_table  # what is broken has been reported
@@ -364,17 +365,6 @@ class _SpecReader:
             data = self._files.read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
             if data is not None:
                 self._hashes[self._path(name)] = _hash(data)
-
-    def _report_unread(self) -> None:
-        for folder in ("", "messages", "receives", "dialects", "requirements", OWN, DRIVERS):
-            for path in self._listed(folder, (".yaml", ".yml")):
-                name = os.path.basename(path)
-                by_others = () if self._program else READ_BY_OTHERS
-                if path in self._hashes or (not folder and name in (*FIXED_FILES, *OPTIONAL_FILES, *by_others)):
-                    continue
-                absent = [fixed for fixed in FIXED_FILES + OPTIONAL_FILES if self._own(fixed) not in self._hashes]
-                hint = hint_for_unread(folder, name, absent, in_program=self._program is not None)
-                self._report.add(UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", hint)
 
     def _path(self, name: str) -> str:
         """The path of a file that the project names: below the base, where that is stated."""

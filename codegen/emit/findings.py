@@ -16,8 +16,9 @@ FOREIGN_FILE = Rule(
 )
 NO_LONGER_GENERATED = Rule(
     "no-longer-generated",
-    "An earlier build wrote this file, and nothing in the specification asks for it any more. "
-    "build --clean removes it; one that was edited by hand only together with --force.",
+    "An earlier build wrote this file, and nothing in the specification asks for it any more. A module or a test that "
+    "nobody has edited is removed by each build; what else there is by build --clean, and what was edited by hand only "
+    "together with --force.",
     Severity.WARNING,
 )
 STRAY_FILE = Rule(
@@ -66,6 +67,8 @@ def report_stale(plan: Plan, report: Report) -> None:
     """Report, as errors, every file that the folder has otherwise than the specification generates it."""
     for file in plan.those(*_STALE):
         message, hint = _STALE[file.change]
+        if file in plan.removals:
+            hint = "run the command without --check, which removes it"
         report.add(STALE_OUTPUT, plan.place(file.path), message, hint)
 
 

@@ -48,7 +48,8 @@ class Plan:
 
     ``files`` are in the order of their paths and end with the manifest, unless it is unchanged. ``strays`` are paths
     that neither the manifest nor the rendering knows; ``leftovers`` are unfinished files of an interrupted build.
-    ``manifest`` is the one on the disk. ``vacated`` are paths of which nothing may be left, as plan_output() has them.
+    ``manifest`` is the one on the disk. ``vacated`` are the beginnings of paths of which nothing may be left, as
+    plan_output() has them.
     """
 
     folder: str
@@ -58,7 +59,7 @@ class Plan:
     leftovers: tuple[str, ...]
     force: bool
     clean: bool
-    vacated: frozenset[str] = frozenset()
+    vacated: tuple[str, ...] = ()
 
     def place(self, path: str) -> Place:
         """The place of a file as diagnostics show it."""
@@ -87,12 +88,12 @@ def plan_output(
     *,
     force: bool = False,
     clean: bool = False,
-    vacated: frozenset[str] = frozenset(),
+    vacated: tuple[str, ...] = (),
 ) -> Plan | None:
     """Compare ``rendered`` (relative posix path -> text, or bytes) with ``folder``; None if the folder cannot be used.
 
-    ``vacated`` are paths that something has moved away from, or may have: what an earlier build has left there would be
-    taken for a file of the program, and is removed without ``clean``, too.
+    ``vacated`` are the beginnings of paths, such as ``firmware/``, at which everything is taken for a part of the
+    program: what an earlier build has left there, and nobody has edited, is removed without ``clean``, too.
 
     Whatever is in the way is reported, all of it; nothing is written here. ValueError for paths that no target may
     render: absolute, with ``..``, the manifest's own, or one that is the folder of another.
@@ -172,8 +173,8 @@ def _content(folder: str, path: str, report: Report, *, is_wanted: bool = True) 
     return None, is_wanted
 
 
-def _is_removed(file: PlannedFile, force: bool, clean: bool, vacated: frozenset[str]) -> bool:
-    if not (clean or file.path in vacated):
+def _is_removed(file: PlannedFile, force: bool, clean: bool, vacated: tuple[str, ...]) -> bool:
+    if not (clean or file.path.startswith(vacated)):
         return False
     return file.change is Change.ORPHAN or (file.change is Change.EDITED_ORPHAN and force)
 

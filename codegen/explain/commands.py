@@ -15,7 +15,7 @@ Story = tuple[str, str, list[tuple[str, str]]]
 
 
 def command_story(topic: str, system: System) -> Story | None:
-    """The story of a command of the dialect, which the vehicle may or may not answer, or of a mode; None of neither."""
+    """The story of a command that the vehicle answers, or of a mode; None of neither."""
     program = system.program
     for mode in program.modes if program else ():
         if topic == mode.name:
@@ -30,7 +30,14 @@ def command_story(topic: str, system: System) -> Story | None:
     for built_in in program.built_in if program else ():
         if built_in.name == topic:
             return _built_in(built_in, entry)
-    return _unknown(entry, system.dialect)
+    return None
+
+
+def unanswered_command_story(topic: str, system: System) -> Story | None:
+    """The story of a command of the dialect that the vehicle does not answer; None where there is none of the name."""
+    enum = system.dialect.enums.get("MAV_CMD")
+    entry = enum.entry(topic) if enum else None
+    return None if entry is None else _unknown(entry, system.dialect)
 
 
 def command_topics(system: System) -> list[str]:

@@ -7,11 +7,11 @@ from textwrap import fill
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.explain.commands import command_story, command_topics
 from codegen.explain.corrections import correction_facts
+from codegen.explain.dialect import attributes, dialect_story
 from codegen.explain.receptions import explained_received_field, explained_reception
 from codegen.explain.text import cited, columns, facts
 from codegen.findings.catalogue import rule_catalogue
 from codegen.model.answers.account import FLAGS
-from codegen.model.dialect.dialect import WireField, WireMessage
 from codegen.model.quantities.reach import reach_words, reaches
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.units.unit import decimal
@@ -22,7 +22,8 @@ from codegen.summaries.parameters import uses
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
-    "explain was asked for something that is no message, field, parameter, quantity or rule of this project.",
+    "explain was asked for something that is no message, field, parameter, quantity or rule of this project, or that "
+    "errors in the specification leave nothing to tell of.",
     unreadable=True,
     remedy="name a message, a field as MESSAGE.field, a parameter, a quantity or a rule",
 )
@@ -52,18 +53,29 @@ def explain_rule(topic: str) -> str | None:
 
 
 def explain(topic: str, system: System | None, report: Report) -> str | None:
-    """The text for ``topic``; None, with a finding, if nothing is called so. Rules need no system."""
-    story = explain_rule(topic)
-    if topic == LOOP and system is not None:
+    """The text for ``topic``; None, with a finding, if there is nothing to tell. Rules need no system."""
+    if system is None:
+        return explain_rule(topic)
+    story = own_story(topic, system)
+    if story is None and not system.tables(topic.partition(".")[0].upper()):
+        story = dialect_story(topic, system)
+    if story is None:
+        place, topics = system.spec.project.place, _topics(system)
+        if topic in topics:  # its table is there, and what that says of it has errors
+            text = f"nothing can be told of {topic}: the specification has errors"
+            report.add(UNKNOWN_TOPIC, place, text, "mend these first")
+        else:
+            report.add(UNKNOWN_TOPIC, place, f"nothing is called {topic}", did_you_mean(topic, topics))
+    return story
+
+
+def own_story(topic: str, system: System) -> str | None:
+    """The text for a rule, or what a program has itself; None for what only its dialect knows, and for nothing."""
+    if topic == LOOP:
         from codegen.explain.loop import loop_story  # noqa: PLC0415  nothing else needs what was measured
 
         return loop_story(system)
-    if story is None and system is not None:
-        story = _explain_part(topic, system)
-        if story is None:
-            place = system.spec.project.place
-            report.add(UNKNOWN_TOPIC, place, f"nothing is called {topic}", did_you_mean(topic, _topics(system)))
-    return story
+    return explain_rule(topic) or _explain_part(topic, system)
 
 
 def _explain_part(topic: str, system: System) -> str | None:
@@ -78,8 +90,7 @@ def _explain_part(topic: str, system: System) -> str | None:
         ]
         return "\n".join(filter(None, stories)) or None
     if name.upper() in system.dialect.messages:
-        wire = system.dialect.messages[name.upper()]
-        return _unpopulated(wire) if not field else _unpopulated_field(wire, field, system)
+        return None
     if name in system.requirements:
         return _requirement(topic, system)
     if topic in system.streams:
@@ -199,7 +210,7 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
             ("type", row.type),
             ("unit", row.unit),
             ("enum", wire.definition.enum or ""),
-            *_attributes(wire),
+            *attributes(wire),
             ("source", row.source),
             ("conversion", row.conversion),
             ("limits", row.limits),
@@ -212,58 +223,6 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
         ]
         parts += facts(told)
     return "\n".join(parts) + "\n"
-
-
-def _attributes(field: WireField) -> list[tuple[str, str]]:
-    """Return what the dialect states beside unit, enum and sentinel."""
-    stated = field.definition
-    is_limited = stated.minimum is not None or stated.maximum is not None
-    return [
-        ("range", f"{stated.minimum or ''}..{stated.maximum or ''}" if is_limited else ""),
-        ("increment", stated.increment or ""),
-        ("default", stated.default or ""),
-        ("printed as", stated.print_format or ""),
-        ("display", "bits" if stated.is_bitmask else ""),
-        ("instance", "tells apart what the messages are about" if stated.is_instance else ""),
-    ]
-
-
-def _unpopulated_field(message: WireMessage, name: str, system: System) -> str | None:
-    """A field that no table populates: what the dialect states, corrections included."""
-    field = message.field(name)
-    if field is None:
-        return None
-    length = f"[{field.count}]" if field.is_array else ""
-    told = [
-        ("offset", f"{field.offset}, {field.size} bytes"),
-        ("type", field.type.name + length),
-        ("unit", field.unit_text),
-        ("enum", field.definition.enum or ""),
-        *_attributes(field),
-        ("unknown", f"{field.sentinel.written}  ({field.sentinel.place.shown()})" if field.sentinel else "no sentinel"),
-        *correction_facts(system.dialect, message.name, name),
-        ("declared at", field.definition.place.shown()),
-    ]
-    parts = [f"{message.name}.{name}; no table populates it", fill(field.definition.description, 100), ""]
-    return "\n".join([*parts, *facts(told)]) + "\n"
-
-
-def _unpopulated(wire: WireMessage) -> str:
-    head = f"{wire.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes"
-    lines = [
-        f"{head}, {wire.length} with extensions; no table populates it",
-        fill(wire.definition.description, 100),
-        "",
-    ]
-    for field in wire.fields:
-        length = f"[{field.count}]" if field.is_array else ""
-        unit = field.unit_text
-        sentinel = f"unknown {field.sentinel.written}" if field.sentinel else ""
-        facts = (
-            f"{field.offset:>4} {field.size:>4}  {field.name:<32} {field.type.name + length:<14} {unit:<8} {sentinel}"
-        )
-        lines.append(facts.rstrip())
-    return "\n".join(lines) + "\n"
 
 
 def _parameter(parameter: Parameter, system: System) -> str:

@@ -1,11 +1,12 @@
 """Finds drift between tables in the project's own documents and its population tables, or the dialect."""
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.importing.columns import Role
 from codegen.importing.comparison import Compared, Verdict, compare, place_of
-from codegen.importing.existing import populated, sender
+from codegen.importing.existing import senders
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import check_declarations, propose
 from codegen.importing.stated import FieldList, StatedFields
@@ -27,8 +28,8 @@ DOCUMENT_ROW_MISSING = Rule(
 def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnostic]:
     """The findings about one document of a project, whose programs are ``systems``, the main one first.
 
-    A message belongs to the first program that populates it. Of those that none does only the columns of types, units
-    and sentinels are looked at.
+    A document has to be true of each program that it is about. Of messages that none of them populates only the columns
+    of types, units and sentinels are looked at.
     """
     report = Report()
     dialect = systems[0].dialect
@@ -41,11 +42,20 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
         for fields in found:
             check_declarations(fields, dialect.messages[name], report)
         answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
-        system = sender(name, systems)
-        if answered and system is not None:
-            tables = populated(name, systems, answered[0].place.file)
-            report.extend(_fewest(_differences(answered, table, system) for table in tables))
+        if answered:
+            report.extend(_of_programs(name, answered, systems))
     yield from report
+
+
+def _of_programs(name: str, answered: Sequence[FieldList], systems: Sequence[System]) -> Iterator[Diagnostic]:
+    """Return what the lists say of a message otherwise than the programs; what is found for several is told once."""
+    told = set()
+    for sender in senders(name, systems, answered[0].place.file):
+        for finding in _fewest(_differences(answered, table, sender.system) for table in sender.tables):
+            said = finding.place, finding.rule.id, finding.message, finding.related
+            if said not in told:
+                told.add(said)
+                yield finding
 
 
 def _fewest(found: Iterable[list[Diagnostic]]) -> list[Diagnostic]:
@@ -62,19 +72,31 @@ def _differences(lists: Sequence[FieldList], message: PopulatedMessage, system: 
     proposal = propose(lists, message.wire, sources, report)
     covered = max(coverage(fields, message.wire) for fields in lists)
     is_whole = 2 * covered > len(message.wire.fields)
+    table, way = _called(message, system)
     for row in compare(proposal, answers_of(message), sources):
         if row.verdict is Verdict.DIFFERENT and row.document is not None:
-            report.extend([_difference(row)])
+            report.extend([_difference(row, table, way)])
         elif row.verdict is Verdict.ONLY_TABLE and is_whole and not all(one.by_others for one in row.table):
-            text = f"the table leaves out {row.target.name}, which the population table answers"
+            text = f"the table leaves out {row.target.name}, which {table} answers"
             related = [(place, "it is answered here")] if (place := place_of(row)) else []
             report.add(DOCUMENT_ROW_MISSING, proposal.place, text, f"add a row: {row.tabled}", related)
     return list(report)
 
 
-def _difference(row: Compared) -> Diagnostic:
+def _called(message: PopulatedMessage, system: System) -> tuple[str, str]:
+    """Return how a table is called, and what else than a correction there is to do: of one of a further program."""
+    spec = system.spec
+    if not spec.program or not message.population.place.file.startswith(spec.own_folder + os.sep):
+        return "the population table", ""
+    folder = os.path.basename(spec.own_folder)
+    way = f", or let the table of {spec.program} cite a document of its own in {folder}/requirements"
+    return f"the population table of {spec.program}", way
+
+
+def _difference(row: Compared, table: str, way: str) -> Diagnostic:
     assert row.document is not None
-    message = f"{row.target.name} is {row.stated} here, but {row.tabled} in the population table"
+    message = f"{row.target.name} is {row.stated} here, but {row.tabled} in {table}"
     place = place_of(row)
     related = ((place, "the population table answers here"),) if place else ()
-    return Diagnostic(row.document.place, DOCUMENT_DRIFT, message, "correct the one that is out of date", related)
+    hint = f"correct the one that is out of date{way}"
+    return Diagnostic(row.document.place, DOCUMENT_DRIFT, message, hint, related)

@@ -54,17 +54,34 @@ def _others(table: PopulationSpec, answers: Sequence[TableAnswer], message: Wire
         yield TableAnswer(target, FieldAnswer(place=table.at("others"), unknown=True), fixed, by_others=True)
 
 
-def sender(name: str, systems: Sequence[System]) -> System | None:
-    """The first of the programs that sends a message called ``name``."""
-    return next((system for system in systems if system.tables(name)), None)
+@dataclass(frozen=True, slots=True)
+class Sender:
+    """A program that sends a message, and those of its tables of it that a document may be about."""
+
+    system: System
+    tables: tuple[PopulatedMessage, ...]
 
 
-def populated(name: str, systems: Sequence[System], document: str) -> tuple[PopulatedMessage, ...]:
-    """The tables of a message in that program: of several those that the document with this path asks for, if any."""
-    system = sender(name, systems)
-    tables = system.tables(name) if system else ()
-    asked = tuple(table for table in tables if table.citation.requirement.place.file == document)
-    return asked or tables
+def senders(name: str, systems: Sequence[System], document: str) -> tuple[Sender, ...]:
+    """The programs whose tables of a message the document with this path is about, in the order of the programs.
+
+    A document that is in the specification of some of them is about these: one in the folder of a further program is
+    about that program alone, one that such a program has replaced is not about it. Of the tables those are meant that
+    cite the document, where any does: a program with a table that cites another one has said what is true of it.
+    """
+    readers = tuple(system for system in systems if _reads(system, document)) or tuple(systems)
+    found = tuple(Sender(system, tables) for system in readers if (tables := system.tables(name)))
+    asked = tuple(
+        Sender(each.system, tables)
+        for each in found
+        if (tables := tuple(table for table in each.tables if table.citation.requirement.place.file == document))
+    )
+    return asked or found
+
+
+def _reads(system: System, document: str) -> bool:
+    """Return whether a document is one of the requirements in the specification of a program."""
+    return any(requirement.place.file == document for requirement in system.spec.requirements)
 
 
 def table_of_project(text: str, message: PopulatedMessage) -> ExistingTable:

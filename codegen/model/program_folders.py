@@ -12,6 +12,9 @@ from codegen.model.spec.spec import Spec
 COMMON = "common"
 """The folder of the output in which the files lie that all programs of a project have alike."""
 
+SPECIFICATION_FOLDERS = ("messages", "receives", "dialects", "requirements")
+"""The folders beside a project file in which files of the specification lie."""
+
 SHARED_PARTS = ("firmware", "mocks", "tests")
 """The folders of a program that it may share files of; its pages and its receiver are complete in its own folder."""
 

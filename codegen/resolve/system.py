@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect.dialect import Dialect
+from codegen.model.program_folders import SPECIFICATION_FOLDERS
 from codegen.model.spec.population import Clock
 from codegen.model.spec.spec import Spec
 from codegen.model.system import System
@@ -26,12 +27,13 @@ from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 from codegen.resolve.quantities.state import resolve_components
 from codegen.resolve.receptions.receives import resolve_reception
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
-from codegen.source import Place
+from codegen.source import Place, shown_path
 
 BAD_PROJECT = Rule(
     "bad-project",
     "codegen.yaml sets a value that cannot be: system and component id are 1 to 255, and those of the parameters that "
-    "set them, the protocol is 1 or 2, and the output goes to a folder of its own in the project.",
+    "set them, the protocol is 1 or 2, and the output goes to a folder of its own in the project, with none of the "
+    "specification in it, and not to one of git.",
 )
 
 
@@ -116,6 +118,8 @@ def _check_output(spec: Spec, report: Report) -> None:
     if os.path.commonpath([output, spec.folder]) == output:
         message = f"the output folder {project.output} is, or contains, the folder of the specification"
         report.add(BAD_PROJECT, project.at("output"), message, "give the output a folder of its own: ../generated")
+    if not spec.program:
+        _check_output_folder(output, spec, report)
     allowed = (os.path.dirname(spec.folder), *(os.path.join(spec.folder, each) for each in project.outside))
     if not any(os.path.commonpath([output, os.path.normpath(each)]) == os.path.normpath(each) for each in allowed):
         message = f"the output folder {project.output} lies outside of the project"
@@ -125,6 +129,32 @@ def _check_output(spec: Spec, report: Report) -> None:
         report.add(
             BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2", hint="protocol: 2"
         )
+
+
+def _check_output_folder(output: str, spec: Spec, report: Report) -> None:
+    """Report an output folder (an absolute path) in which, or around which, files of others lie."""
+    written, place = spec.project.output, spec.project.at("output")
+    own = "give the output a folder of its own: ../generated"
+    programs = (os.path.dirname(os.path.join(spec.folder, path)) for path in spec.project.programs.values())
+    for folder in (
+        *(os.path.join(spec.folder, name) for name in SPECIFICATION_FOLDERS),
+        *map(os.path.normpath, programs),
+    ):
+        if not _is_in(spec.folder, output) and (_is_in(output, folder) or _is_in(folder, output)):
+            message = (
+                f"the output folder {written} is, lies in or contains {shown_path(folder)}, from which codegen reads"
+            )
+            report.add(BAD_PROJECT, place, message, own)
+            break
+    if ".git" in os.path.relpath(output, spec.folder).split(os.sep):
+        report.add(BAD_PROJECT, place, f"the output folder {written} is, or lies in, a folder of git", own)
+    if "\\" in written:
+        message = f"the output folder {written} has a backslash, which is a letter of a name where codegen may run"
+        report.add(BAD_PROJECT, place, message, f"output: {written.replace(chr(92), '/')}")
+
+
+def _is_in(path: str, folder: str) -> bool:
+    return os.path.commonpath([path, folder]) == folder
 
 
 def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) -> tuple[int, Parameter | None]:

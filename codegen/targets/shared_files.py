@@ -18,12 +18,13 @@ class Output:
     """The files of an output folder, by path.
 
     ``shared`` has, for each file that programs share, the path that it would have in each of them -> the one that it
-    has. ``vacated`` are paths of files that an earlier build may have written there, when something else was the same.
+    has. ``vacated`` are the folders, each with a slash at its end, in which nothing of an earlier build may be left:
+    what lies there is imported, or run, because it is there.
     """
 
     files: Mapping[str, str]
     shared: Mapping[str, str]
-    vacated: frozenset[str]
+    vacated: tuple[str, ...]
 
 
 def laid_out(programs: Mapping[str, Mapping[str, str]]) -> Output:
@@ -39,11 +40,10 @@ def laid_out(programs: Mapping[str, Mapping[str, str]]) -> Output:
         if path not in common
     }
     shared = {os.path.join(name, path): os.path.join(COMMON, path) for name in programs for path in common}
-    paths = {path for files in programs.values() for path in files if path not in common}
     return Output(
         files=own | {os.path.join(COMMON, path): text for path, text in common.items()},
         shared=shared,
-        vacated=frozenset([*shared, *(os.path.join(COMMON, path) for path in paths)]),
+        vacated=tuple(os.path.join(name, part, "") for name in (*programs, COMMON) for part in SHARED_PARTS),
     )
 
 

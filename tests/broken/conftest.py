@@ -26,4 +26,4 @@ def tmp_path(place_of_projects: Path) -> Path:
 @pytest.fixture
 def without_output(monkeypatch: pytest.MonkeyPatch) -> None:
     """A build finds what it finds, and writes no file of a project that has no error: that takes most of its time."""
-    monkeypatch.setattr(build, "render_systems", lambda _systems: Output({}, {}, frozenset()))
+    monkeypatch.setattr(build, "render_systems", lambda _systems: Output({}, {}, ()))

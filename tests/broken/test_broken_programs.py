@@ -112,6 +112,20 @@ def test_a_table_that_the_program_does_not_list_is_told(
     assert "hint: the program does not list its message" in printed
 
 
+def test_an_empty_list_of_messages_is_an_error(specification: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It would be a program that sends nothing, and meant all tables, as if there were no list."""
+    path = specification / "smart_battery" / "codegen.yaml"
+    text = path.read_text()
+    start = text.index("messages: [")
+    path.write_text(text[:start] + "messages: []\n")
+    line = text[:start].count("\n") + 1
+    assert main(["check"]) == 1
+    printed = capsys.readouterr().out
+    told = f"specs/smart_battery/codegen.yaml:{line}:11: error no-messages: smart_battery lists no message"
+    assert told in printed
+    assert "hint: list its messages, or leave out messages: without it all tables are used" in printed
+
+
 @pytest.mark.parametrize(("default", "warned"), [("2", 0), ("10", 0), ("10.1", 1)])
 def test_a_rate_in_tenths_of_a_hertz_is_in_hertz(
     specification: Path, capsys: pytest.CaptureFixture[str], default: str, warned: int

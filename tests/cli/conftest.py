@@ -43,7 +43,7 @@ class Pipeline:
             raise self.fault
         for rule, line, message in self.findings:
             report.add(rule, Place(project_file, line), message)
-        return (SimpleNamespace(),) if self.is_readable else ()
+        return (SimpleNamespace(spec=SimpleNamespace(program="")),) if self.is_readable else ()
 
     def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
         """There are no scenarios."""
@@ -52,7 +52,7 @@ class Pipeline:
         """There is no lock file."""
 
     def render_systems(self, _systems: object) -> Output:
-        return Output(self.files, {}, frozenset())
+        return Output(self.files, {}, ())
 
     def files_read(self, _systems: object) -> set[str]:
         return set()

@@ -83,6 +83,42 @@ def change(path: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new))
 
 
+def test_a_folder_that_is_moved_is_a_change(project: Path, watching: Watching) -> None:
+    """The system tells of the folder alone, and not of the files in it: that of a program, or of all tables."""
+    watching.until_it_waits()
+    sail = project / "specs" / "sail"
+    sail.mkdir()
+    (sail / "codegen.yaml").write_text("base: ..\nproject: sail\n")
+    watching.until_it_waits()
+    with (project / "specs" / "codegen.yaml").open("a") as file:
+        file.write("programs: {sail: sail/codegen.yaml}\n")
+    watching.until_it_waits()
+    sail.rename(project / "elsewhere")
+    said = watching.until_it_waits()
+    assert "specs/sail changed\n" in said
+    assert "specs/sail/codegen.yaml does not exist" in said
+    (project / "elsewhere").rename(sail)
+    said = watching.until_it_waits()
+    assert "specs/sail changed\n" in said
+    assert "error" not in said
+    messages = project / "specs" / "messages"
+    messages.rename(project / "specs" / "away")
+    assert "error no-messages" in watching.until_it_waits()
+
+
+def test_the_folder_of_a_program_that_lies_elsewhere_is_watched(project: Path, watching: Watching) -> None:
+    """All of it, and not its project file alone."""
+    watching.until_it_waits()
+    sail = project / "boards" / "sail"
+    (sail / "messages").mkdir(parents=True)
+    (sail / "codegen.yaml").write_text("base: ../../specs\nproject: sail\n")
+    with (project / "specs" / "codegen.yaml").open("a") as file:
+        file.write("programs: {sail: ../boards/sail/codegen.yaml}\n")
+    watching.until_it_waits()
+    (sail / "messages" / "level.yaml").write_text("message: LEVEL\n")
+    assert "boards/sail/messages/level.yaml changed" in watching.until_it_waits()
+
+
 def test_each_change_is_built_and_checked(project: Path, watching: Watching) -> None:
     """A wrong one is told, a right one written; what another dialect file holds counts once the project names it."""
     assert " files written" in watching.until_it_waits()

@@ -259,11 +259,11 @@ def test_a_further_program_is_told_with_what_it_sends(systems: tuple[System, ...
     """One that comes, goes, or is called otherwise: who reads only the report learns what it is for."""
     main, battery = systems
     said = f"a further program, which sends {', '.join(message.name for message in battery.messages)}"
-    for old, new, sides in (
-        ((main,), (main, battery), (None, said)),
-        ((main, battery), (main,), (said, None)),
+    for old, new, rule, sides in (
+        ((main,), (main, battery), "program-added", (None, said)),
+        ((main, battery), (main,), "program-removed", (said, None)),
     ):
-        found = [change for change in compare_systems(old, new).changes if change.rule.id == "program-changed"]
+        found = [change for change in compare_systems(old, new).changes if change.rule.id == rule]
         assert [(change.subject, change.old, change.new) for change in found] == [("smart_battery", *sides)]
     assert "BATTERY_STATUS" in said
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -43,7 +44,7 @@ def output(tmp_path: Path) -> Path:
 def build(output: Path) -> Builder:
     """Builds ``rendered`` into the output folder."""
 
-    def run(rendered: Mapping[str, str], **flags: bool) -> Build:
+    def run(rendered: Mapping[str, str], **flags: Any) -> Build:
         report = Report()
         outcome = None
         plan = plan_output(rendered, str(output), report, **flags)

@@ -92,6 +92,23 @@ def test_an_orphan_that_was_edited_is_removed_only_by_force(output: Path, build:
     assert tree() == {"a.py": b"1\n"}
 
 
+def test_what_is_run_because_it_is_there_goes_with_what_it_was_for(output: Path, build: Any, tree: Tree) -> None:
+    """Without --clean; not what was edited by hand, nor what codegen did not write."""
+    old = {f"{folder}/{name}.py": "1\n" for folder in ("tests", "docs") for name in ("a", "whole", "edited")}
+    build(old)
+    (output / "tests" / "edited.py").write_text("mine\n")
+    (output / "tests" / "own.py").write_text("mine\n")
+    kept = {path: text for path, text in old.items() if path.endswith("/a.py")}
+    built = build(kept, vacated=("tests/",))
+    assert built.outcome.removed == 1
+    assert [path for rule, path in built.rules if rule == "no-longer-generated"] == [
+        "docs/edited.py",
+        "docs/whole.py",
+        "tests/edited.py",
+    ]
+    assert tree().keys() == old.keys() - {"tests/whole.py"} | {"tests/own.py"}
+
+
 def test_an_orphan_that_is_generated_again_is_no_foreign_file(build: Any) -> None:
     build({"a.py": "1\n", "b.py": "1\n"})
     build({"a.py": "1\n"})

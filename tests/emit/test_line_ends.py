@@ -1,5 +1,6 @@
 """A checkout of git under Windows, with CRLF, is the same specification and the same output."""
 
+import codecs
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,17 @@ def test_a_checkout_with_crlf_is_neither_edited_nor_stale(boat: Path) -> None:
     assert codegen(boat, "build").returncode == 0
     state.write_bytes(content + b"# mine\r\n")
     assert "edited-by-hand" in codegen(boat, "build").stdout
+
+
+def test_a_byte_order_mark_makes_nothing_stale(boat: Path) -> None:
+    """Some editors of Windows write one at the beginning of each text: of YAML, of documents, and of dialects."""
+    paths = [path for path in (*(boat / "specs").rglob("*"), boat / "own.xml") if path.suffix in TEXT]
+    assert {path.suffix for path in paths} == {".yaml", ".md", ".xml"}
+    for path in paths:
+        path.write_bytes(codecs.BOM_UTF8 + path.read_bytes())
+    checked = codegen(boat, "build", "--check")
+    assert (checked.returncode, checked.stdout) == (0, "")
+    assert codegen(boat, "check").returncode == 0
 
 
 def test_compiled_files_are_compared_to_the_byte(boat: Path) -> None:

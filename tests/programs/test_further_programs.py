@@ -125,6 +125,64 @@ def test_explain_tells_what_differs(project: Path) -> None:
     assert "In the program" not in run(project, "explain", "AUTOPILOT_VERSION.uid").stdout
 
 
+def test_explain_tells_only_of_programs_that_have_it(project: Path) -> None:
+    """A message or a command that one program has: no story of the dialect in place of those that lack it."""
+    specs = project / "specs"
+    rover = run(project, "explain", "SYS_STATUS").stdout
+    assert rover.startswith("SYS_STATUS (1)")
+    assert "In the program" not in rover
+    assert rover.endswith("\n\nNo table of smart_battery populates or takes it.\n")
+    field = run(project, "explain", "SYS_STATUS.load").stdout
+    assert field.endswith("\n\nNo table of smart_battery populates or takes it.\n")
+    (specs / "smart_battery" / "commands.yaml").write_text(
+        "commands: {MAV_CMD_USER_1: {doc: Blinks., method: blink, requirement: FR-00074.1}}\n"
+    )
+    battery = run(project, "explain", "MAV_CMD_USER_1").stdout
+    assert battery.startswith("In the program smart_battery:\nMAV_CMD_USER_1 (31010)\nBlinks.\n")
+    assert battery.endswith("\n\nNot answered by pico-trail.\n")
+    assert "UNSUPPORTED" not in battery
+    assert "no table populates it" in run(project, "explain", "VFR_HUD").stdout
+
+
+def test_explain_tells_what_several_programs_have_alike_once(tmp_path: Path) -> None:
+    """Whatever another one between them has otherwise."""
+    assert run(tmp_path, "init", "--from", "boat").returncode == 0
+    specs = tmp_path / "specs"
+    with (specs / "codegen.yaml").open("a") as file:
+        file.write("programs: {one: one/codegen.yaml, two: two/codegen.yaml, three: three/codegen.yaml}\n")
+    parameters = (specs / "parameters.yaml").read_text()
+    start = parameters.index("default: ")
+    other = parameters[:start] + parameters[start:].replace("default: 5", "default: 4", 1)
+    assert other != parameters
+    for name in ("one", "two", "three"):
+        (specs / name).mkdir()
+        (specs / name / "codegen.yaml").write_text(f"base: ..\nproject: {name}\n")
+        if name != "two":
+            (specs / name / "parameters.yaml").write_text(other)
+    told = run(tmp_path, "explain", "SR0_POSITION").stdout
+    assert told.count("SR0_POSITION\n") == 3, told
+    shared = run(tmp_path, "explain", "attitude.roll").stdout
+    assert "In the program" not in shared
+
+
+def test_explain_of_what_has_errors_tells_these(project: Path) -> None:
+    """Not that nothing is called so, nor that it may be meant what was asked for."""
+    table = project / "specs" / "messages" / "sys_status.yaml"
+    text = table.read_text()
+    assert "{state: battery.voltage" in text
+    table.write_text(text.replace("{state: battery.voltage", "{state: battery.voltag"))
+    done = run(project, "explain", "SYS_STATUS.voltage_battery")
+    assert done.returncode == 2
+    assert "nothing can be told of SYS_STATUS.voltage_battery: the specification has errors" in done.stdout
+    assert "error unknown-quantity: " in done.stdout
+    assert "did you mean SYS_STATUS.voltage_battery" not in done.stdout
+    table.write_text("message: SYS_STATUS\nfields: [\n")
+    lost = run(project, "explain", "SYS_STATUS").stdout
+    assert lost.endswith(
+        "The specification has errors, and what they concern may be missing here: codegen check tells them.\n"
+    )
+
+
 def test_compiled_modules_of_a_program_lie_below_its_name(project: Path) -> None:
     """build/ARCH for the rover, build/ARCH/smart_battery for the battery."""
     done = run(project, "build", "--mpy", "armv6m")

@@ -1,6 +1,7 @@
 """What the programs of a project have alike lies once, in the common folder; what only some have does not."""
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,17 @@ from codegen.targets.shared_files import laid_out
 ROOT = Path(__file__).resolve().parents[2]
 FRAMES = "firmware/frames_viper.py"
 """What a program without machine code does not have."""
+COMMANDS = """commands:
+  MAV_CMD_USER_1:
+    doc: Runs the bilge pump.
+    method: pump
+    params: {1: {name: duration, unit: s, min: 0, max: 60}}
+"""
+RECEIVED = """receive: GPS_RAW_INT
+requirement: FR-1.2
+fields:
+  satellites_visible: {state: gps.satellites}
+"""
 
 
 def test_what_all_programs_have_alike_is_common() -> None:
@@ -45,8 +57,8 @@ def test_a_project_with_one_program_has_no_common_folder() -> None:
     files = {"firmware/words.py": "w", "docs/a.html": "a"}
     found = laid_out({"": files})
     assert (found.files, found.shared) == (files, {})
-    assert "common/firmware/words.py" in found.vacated
-    assert found.vacated.isdisjoint(files)
+    assert "common/firmware/words.py".startswith(found.vacated)
+    assert not "docs/a.html".startswith(found.vacated)
 
 
 def test_headers_of_a_common_file_name_all_sources() -> None:
@@ -125,9 +137,9 @@ def test_a_file_that_moves_leaves_nothing_behind(built: Path) -> None:
         f"{output}/", ""
     )
     done = run(built, "build")
-    told = [line for line in done.stdout.splitlines() if "no-longer-generated" in line]
-    assert {line.partition("_viper.py")[0].rpartition("/")[0] for line in told} == {"generated/smart_battery/firmware"}
+    assert (done.returncode, done.stdout) == (0, "")
     after = texts(output)
+    assert not any(path.startswith("smart_battery/firmware/") and path.endswith("_viper.py") for path in after)
     assert FRAMES in after
     assert {f"common/{FRAMES}", f"smart_battery/{FRAMES}"}.isdisjoint(after)
     settings.write_text(stated)
@@ -152,6 +164,33 @@ def test_what_was_edited_by_hand_is_not_removed(built: Path) -> None:
     assert edited.exists()
     assert run(built, "build", "--clean", "--force").returncode == 0
     assert not edited.exists()
+
+
+def test_a_part_of_the_specification_that_goes_leaves_no_module_and_no_check(tmp_path: Path) -> None:
+    """Of the project's own program and of a further one: the suite would run them, and the firmware import them."""
+    assert run(tmp_path, "init", "--from", "boat").returncode == 0
+    specs, output = tmp_path / "specs", tmp_path / "generated"
+    with (specs / "codegen.yaml").open("a") as file:
+        file.write("programs: {sail: sail/codegen.yaml}\n")
+    (specs / "sail" / "receives").mkdir(parents=True)
+    (specs / "sail" / "codegen.yaml").write_text("base: ..\nproject: sail\n")
+    assert run(tmp_path, "build").returncode == 0
+    before = texts(output)
+    (specs / "commands.yaml").write_text(COMMANDS)
+    (specs / "sail" / "receives" / "gps_raw_int.yaml").write_text(RECEIVED)
+    done = run(tmp_path, "build", "--mpy", "bytecode")
+    assert done.returncode == 0, done.stdout
+    boards = tmp_path / "build" / "bytecode"
+    more = texts(output).keys() - before.keys()
+    assert {path.rpartition("/")[2] for path in more} >= {"own_commands.py", "command_checks.py", "command_facts.py"}
+    assert (boards / "own_commands.mpy").exists()
+    (specs / "commands.yaml").unlink()
+    shutil.rmtree(specs / "sail" / "receives")
+    assert run(tmp_path, "build", "--check").returncode == 1
+    done = run(tmp_path, "build", "--mpy", "bytecode")
+    assert (done.returncode, done.stdout) == (0, "")
+    assert texts(output) == before
+    assert not (boards / "own_commands.mpy").exists()
 
 
 def test_a_project_that_loses_its_further_program_loses_the_common_folder(built: Path) -> None:

@@ -14,7 +14,7 @@ from codegen.diagnostics import Report
 from codegen.diff.change import Change
 from codegen.diff.system.system import compare_systems
 from codegen.explain.story import explain
-from codegen.importing.existing import populated
+from codegen.importing.existing import senders
 from codegen.model.system import System
 from codegen.project.systems import read_systems
 
@@ -140,9 +140,11 @@ def test_the_trace_has_rows_by_table(system: System) -> None:
 def test_a_document_is_compared_with_the_table_that_cites_it(system: System) -> None:
     """Or with all of them, of which the nearest one counts."""
     cited = system.messages[1].citation.requirement.place.file
-    assert [table.name for table in populated("GPS_RAW_INT", (system,), cited)] == ["bow", "stern"]
-    assert [table.name for table in populated("HEARTBEAT", (system,), "elsewhere.md")] == ["HEARTBEAT"]
-    assert populated("ATTITUDE", (system,), cited) == ()
+    (gps,) = senders("GPS_RAW_INT", (system,), cited)
+    (heartbeat,) = senders("HEARTBEAT", (system,), "elsewhere.md")
+    assert [table.name for table in gps.tables] == ["bow", "stern"]
+    assert [table.name for table in heartbeat.tables] == ["HEARTBEAT"]
+    assert senders("ATTITUDE", (system,), cited) == ()
 
 
 def test_a_program_lists_its_tables_by_name(folder: Path) -> None:

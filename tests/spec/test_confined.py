@@ -224,3 +224,39 @@ def test_no_stamp_is_looked_for_outside(project: Path, monkeypatch: pytest.Monke
     edit(project / "specs" / "codegen.yaml", "output: ../../made\n")
     monkeypatch.setattr("codegen.emit.stamp._kept", lambda folder: pytest.fail(f"{folder} was looked into"))
     assert main(["build"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("output", "told"),
+    [
+        ("../.git", "is, or lies in, a folder of git"),
+        ("../.git/hooks", "is, or lies in, a folder of git"),
+        ("messages", "is, lies in or contains specs/messages, from which codegen reads"),
+        ("requirements/made", "is, lies in or contains specs/requirements, from which codegen reads"),
+        ("sail", "is, lies in or contains specs/sail, from which codegen reads"),
+        ("sail/made", "is, lies in or contains specs/sail, from which codegen reads"),
+        ("more", "is, lies in or contains specs/more/buoy, from which codegen reads"),
+        ("..\\generated2", "has a backslash"),
+    ],
+)
+def test_output_among_other_files(output: str, told: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Nothing is written to folders of git, of the specification and of further programs, nor by a wrong name."""
+    specs = project / "specs"
+    edit(
+        specs / "codegen.yaml",
+        f"output: {output}\nprograms: {{sail: sail/codegen.yaml, buoy: more/buoy/codegen.yaml}}\n",
+    )
+    for folder, base in (("sail", ".."), ("more/buoy", "../..")):
+        (specs / folder).mkdir(parents=True)
+        (specs / folder / "codegen.yaml").write_text(f"base: {base}\nproject: further\n")
+    before = sorted(specs.rglob("*"))
+    assert main(["build"]) == 1
+    lines = [line for line in capsys.readouterr().out.splitlines() if "bad-project" in line]
+    assert [told in line for line in lines] == [True], lines
+    assert sorted(specs.rglob("*")) == before
+    assert not (project / ".git").exists()
+
+
+def test_output_beside_the_folders_of_the_specification(project: Path) -> None:
+    edit(project / "specs" / "codegen.yaml", "output: made\n")
+    assert main(["build"]) == 0

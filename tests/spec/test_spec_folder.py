@@ -106,6 +106,44 @@ def test_yaml_that_nothing_reads_is_a_warning(folder: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("messages/c.YAML", "population tables end in .yaml"),
+        ("messages/c.Yml", "population tables end in .yaml"),
+        ("messages/sub/c.yaml", "only what lies in messages itself is read: move it to messages/c.yaml"),
+        ("messages/sub/deep/c.yml", "only what lies in messages itself is read: move it to messages/c.yaml"),
+        ("receives/c.YML", "tables of received messages end in .yaml"),
+        ("receives/sub/c.yaml", "only what lies in receives itself is read: move it to receives/c.yaml"),
+        ("requirements/FR-2.MD", "requirement documents end in .md"),
+        ("requirements/FR-2.markdown", "requirement documents end in .md"),
+        ("requirements/sub/FR-2.md", "only what lies in requirements itself is read: move it to requirements/FR-2.md"),
+        ("dialects/more.YAML", "name it under corrections in codegen.yaml"),
+        ("drivers/probe.YAML", "name it in board.yaml: driver: probe"),
+        ("boards/own.YML", "name it in board.yaml: board: own"),
+        ("commands.YAML", "did you mean commands.yaml?"),
+    ],
+)
+def test_what_has_another_ending_or_lies_in_a_folder_below_is_a_warning(folder: Path, name: str, hint: str) -> None:
+    """Each file that nothing reads is one, however it is called: what it says would be missing without a word."""
+    (folder / name).parent.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text("a: 1\n")
+    report = Report()
+    assert decode_spec(str(folder / "codegen.yaml"), DISK, report) is not None
+    found = [(one.rule.id, one.place, one.hint) for one in report]
+    assert found == [("unread-file", Place(str(folder / name)), hint)]
+
+
+def test_folders_of_pictures_and_links_in_a_circle_are_left_alone(folder: Path) -> None:
+    for name in ("requirements/images/boat.png", "messages/.idea/a.yaml", "messages/notes.txt"):
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text("a: 1\n")
+    (folder / "messages" / "again").symlink_to(folder / "messages" / ".idea")
+    (folder / "requirements" / "images" / "up").symlink_to(folder / "requirements" / "images")
+    (folder / "messages" / ".idea" / "a.yaml").unlink()
+    assert read(folder)[1] == []
+
+
 def test_a_project_without_tables_is_an_error(folder: Path) -> None:
     for path in (folder / "messages").iterdir():
         path.unlink()

@@ -208,6 +208,17 @@ ACCESS = _inside(
 )
 FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
 PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
+PROGRAM_ADDED = _inside("program-added", "The project has a further program more.")
+PROGRAM_REMOVED = _inside(
+    "program-removed",
+    "A further program is gone: the component that it was is silent, and hears nobody.",
+    Victim.OLD_STATION,
+)
+PROGRAM_RENAMED = _inside(
+    "program-renamed",
+    "A further program has another name, and with it the folder of its output: commands that name it (--program), "
+    "paths and scenarios use the new one. What it sends does not change.",
+)
 RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")
 
 TOLD = frozenset(

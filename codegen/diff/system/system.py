@@ -4,14 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from fractions import Fraction
 
-from codegen.diff.change import Change, changed
+from codegen.diff.change import Change
 from codegen.diff.dialect.dialect import dialect_changes
 from codegen.diff.dialect.hearing import dropped, heard_in
 from codegen.diff.dialect.used import used_of
 from codegen.diff.judging.softening import softened
 from codegen.diff.own_places import at_own_places
 from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
-from codegen.diff.system.behaviour_rules import PROGRAM
 from codegen.diff.system.board import board_subjects
 from codegen.diff.system.carrying import carried_on, fed_by_facts, written_otherwise
 from codegen.diff.system.commanded_otherwise import renamed
@@ -19,6 +18,7 @@ from codegen.diff.system.drivers import driver_changes
 from codegen.diff.system.heard_otherwise import heard_otherwise
 from codegen.diff.system.population import population_changes
 from codegen.diff.system.program import program_subjects
+from codegen.diff.system.programs import added, paired, removed
 from codegen.diff.system.reception import reception_subjects
 from codegen.diff.system.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
 from codegen.diff.system.state import parameter_subjects, state_subjects
@@ -55,14 +55,15 @@ def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
 
 def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
     """Two versions of a project with its further programs; the first system of each is the project's own."""
+    pairs = paired(old, new)
     used = used_of((*old, *new))
     dialects = old[0].dialect, new[0].dialect
     of_dialect = at_own_places(dialect_changes(*dialects), *dialects, old, new)
-    found: list[Change] = []
+    found: list[Change] = [*pairs.renamed]
     elsewhere: list[Change] = []
     for change in (renamed(change, old[0], new[0]) for change in of_dialect):
         (found if used.is_concerned(change) else elsewhere).append(change)
-    before = {system.spec.program: system for system in old}
+    before = pairs.known
     after = {system.spec.program: system for system in new}
     said_before = {name: _subjects(system) for name, system in before.items()}
     said_after = {name: _subjects(system) for name, system in after.items()}
@@ -72,7 +73,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     for name, system in after.items():
         known = before.get(name)
         if known is None:
-            found.append(changed(PROGRAM, name, None, _program(system), (None, system.spec.project.place)))
+            found.append(added(system))
             continue
         own_edits.update(written_otherwise(known, system))
         compared = compare_bandwidth(known, system)
@@ -85,11 +86,10 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
         ]
         judged = heard_in(heard_otherwise(own, known, system), notices)
         found += [_named(change, name) for change in judged]
-    for name, system in before.items():
-        if name not in after:
-            found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
+    found += [removed(system) for system in pairs.gone]
     found += requirement_changes(old[0], new[0])
-    found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
+    said_once = (*said_before.values(), *(_subjects(system) for system in pairs.gone))
+    found += coverage_changes(old[0], new[0], _cited(old, said_once), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
     carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
@@ -102,11 +102,6 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
     """Return whether a part answers to the same document as before, which has another id."""
     return change.rule is CITATION and as_called_now(change.old or "", ids) == change.new
-
-
-def _program(system: System) -> str:
-    names = ", ".join(message.name for message in system.messages)
-    return f"a further program, which sends {names or 'nothing'}"
 
 
 def _named(change: Change, program: str) -> Change:

@@ -81,8 +81,9 @@ class ProgramProject(Written):
     component_id: str | None = described("Entry of MAV_COMPONENT that is sent as.", default=None)
     protocol: int | None = described("MAVLink version that is sent, 1 or 2.", default=None)
     machine_code: bool | None = described("See the project that lists this program.", default=None)
-    messages: tuple[str, ...] = described(
-        "The messages of this program; their tables lie here or in the base. Default: all tables.", default=()
+    messages: tuple[str, ...] | None = described(
+        "The messages of this program, one at least; their tables lie here or in the base. Without it: all tables.",
+        default=None,
     )
 
 
