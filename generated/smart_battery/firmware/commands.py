@@ -35,6 +35,7 @@ _REBOOT_SHUTDOWN_CONDITIONS_FORCE = const(20190226)
 
 _LARGEST_ID = const(0xFFFFFF)  # of a message in MAVLink 2
 _LARGEST_INTERVAL_US = const(0x3FFFFFFF)  # 18 minutes: what a board counts without making an object
+_LARGEST_TOLD_US = const(0x7FFFFFFF)  # 36 minutes: MESSAGE_INTERVAL carries no more, and anything below 0 says never
 
 
 class Command:
@@ -175,7 +176,7 @@ class Commands:
         return _MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
 
     def _send_interval(self, message_id):
-        interval_us = self._connection.streams.interval_us(message_id)
+        interval_us = min(self._connection.streams.interval_us(message_id), _LARGEST_TOLD_US)
         answer = messages.MessageInterval(unknown=False)  # few ask
         pack_into("<i", answer.wire, _MESSAGE_INTERVAL_INTERVAL_US_AT, interval_us)
         pack_into("<H", answer.wire, _MESSAGE_INTERVAL_MESSAGE_ID_AT, message_id)
