@@ -13,9 +13,9 @@ RULE = Rule(
     "The dialect says in words that a number of a command's parameter means something of its own, such as -1 that "
     "nothing is to change, and the method would get it as a value, converted like any other. List it under "
     "'unchanged': the method gets None. Or keep it out with min and max: it is denied. An empty list, 'unchanged: []', "
-    "says that it is a value here. Without a conversion any list says that the others are known. NaN with such a meaning "
-    "would be denied: write what the method is given for it under 'default', null for None; 'unchanged: []' says that "
-    "it is to be denied.",
+    "says that it is a value here. Without a conversion any list says that the others are known. NaN with such a "
+    "meaning would be denied: write what the method is given for it under 'default', null for None; 'unchanged: []' "
+    "says that it is to be denied.",
     Severity.WARNING,
 )
 

@@ -87,7 +87,9 @@ def test_numbers_with_a_meaning_of_their_own_are_told(checked, new, told):
 def test_nan_with_a_meaning_that_is_denied_is_told(checked, keys, is_told):
     """The yaw of a position has NaN for the present heading, as ground stations send it: it would be refused."""
     found = checked("      2: {name: options}\n", f"      2: {{name: options}}\n      4: {{name: yaw{keys}}}\n")
-    said = "MAV_CMD_DO_REPOSITION 4 has a meaning for NaN, 'NaN to use the current system yaw heading mode', and without"
+    said = (
+        "MAV_CMD_DO_REPOSITION 4 has a meaning for NaN, 'NaN to use the current system yaw heading mode', and without"
+    )
     assert (said in found) == is_told
     assert ("write default: null (the method is then given None), or a number" in found) == is_told
 

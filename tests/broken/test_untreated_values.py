@@ -92,7 +92,9 @@ def test_nan_that_is_to_be_ignored_is_told(tmp_path, capsys, keys):
     (tmp_path / "specs" / "receives" / "lever.yaml").write_text(LEVER % keys)
     main(["check"])
     out = capsys.readouterr().out
-    said = "GIMBAL_MANAGER_SET_PITCHYAW.pitch has a number with a meaning of its own, 'NaN to be ignored', and it is taken"
+    said = (
+        "GIMBAL_MANAGER_SET_PITCHYAW.pitch has a number with a meaning of its own, 'NaN to be ignored', and it is taken"
+    )
     assert (f"{said} as unknown" in out) == (not keys)
     assert ("write unchanged: [NaN], or unchanged: [] where" in out) == (not keys)
     assert " error " not in out

@@ -117,13 +117,15 @@ def test_intervals(services: Services) -> None:
 
 @pytest.mark.parametrize("asking", [(GET, 24), (REQUEST, 244, 24)])
 def test_an_interval_beyond_the_field_is_its_largest(services: Services, asking: tuple[int, ...]) -> None:
-    """A message that is sent once a day has an interval of more microseconds than there is room for: it is sent, though."""
+    """Of a message that is sent once a day there is no room for the microseconds, and below 0 it would not be sent."""
     answer = ask(services, command(*asking))
     assert [message.interval_us for message in answer.of("MESSAGE_INTERVAL")] == [2147483647]
     assert [result for _, result in results(answer)] == [OK]
 
 
-@pytest.mark.parametrize(("asked_us", "result"), [(2.0**30 - 64, OK), (2.0**30, DENIED), (2.5e9, DENIED), (-2.0, DENIED)])
+@pytest.mark.parametrize(
+    ("asked_us", "result"), [(2.0**30 - 64, OK), (2.0**30, DENIED), (2.5e9, DENIED), (-2.0, DENIED)]
+)
 def test_an_interval_that_is_not_counted_is_denied(services: Services, asked_us: float, result: int) -> None:
     """Up to 18 minutes can be asked for; what is longer is not shortened, and changes nothing."""
     answer = ask(services, command(SET, 147, asked_us), command(GET, 147))

@@ -1,4 +1,4 @@
-"""Streams of one link: HEARTBEAT at 1 Hz, two batteries, one that goes out once a day, and messages that are sent on request only."""
+"""Streams of one link: HEARTBEAT at 1 Hz, two batteries, one of once a day, and messages sent on request only."""
 
 import time
 
