@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d3babb6813b8aa98
+# Inputs: 52675ede5f2d8bf9
 """Answers about what this vehicle does not have: whoever asks for it waits for an answer, and asks again without one.
 
 services.py loads this module with the first such question. Its messages are known by numbers alone, fields by their
@@ -12,6 +12,10 @@ from micropython import const
 # Numbers of the dialect.
 _COMMAND_ACK_COMMAND_AT = const(0)
 _COMMAND_ACK_RESULT_AT = const(2)
+_LOG_DATA_ID_AT = const(4)
+_LOG_DATA_OFS_AT = const(0)
+_LOG_REQUEST_DATA_ID_AT = const(8)
+_LOG_REQUEST_DATA_OFS_AT = const(0)
 _MAV_MISSION_ACCEPTED = const(0)
 _MAV_MISSION_INVALID_SEQUENCE = const(13)
 _MAV_MISSION_UNSUPPORTED = const(3)
@@ -23,10 +27,13 @@ _MISSION_COUNT_COUNT_AT = const(0)
 _MISSION_COUNT_MISSION_TYPE_AT = const(4)
 _MISSION_REQUEST_INT_MISSION_TYPE_AT = const(4)
 _MISSION_REQUEST_LIST_MISSION_TYPE_AT = const(2)
+_MISSION_REQUEST_PARTIAL_LIST_MISSION_TYPE_AT = const(6)
 
 # By their ids: CRC_EXTRA, length without and with extension fields, where the target system and component stand.
 _KINDS = {
     11: (89, 6, 6, (4,)),  # SET_MODE
+    37: (212, 6, 7, (4, 5)),  # MISSION_REQUEST_PARTIAL_LIST
+    38: (9, 6, 7, (4, 5)),  # MISSION_WRITE_PARTIAL_LIST
     40: (230, 4, 5, (2, 3)),  # MISSION_REQUEST
     43: (132, 2, 3, (0, 1)),  # MISSION_REQUEST_LIST
     44: (221, 4, 5, (2, 3)),  # MISSION_COUNT
@@ -36,10 +43,13 @@ _KINDS = {
     77: (143, 3, 10, (8, 9)),  # COMMAND_ACK
     117: (128, 6, 6, (4, 5)),  # LOG_REQUEST_LIST
     118: (56, 14, 14, ()),  # LOG_ENTRY
+    119: (116, 12, 12, (10, 11)),  # LOG_REQUEST_DATA
+    120: (134, 97, 97, ()),  # LOG_DATA
 }
 _MISSION_COUNT = const(44)
 _MISSION_ACK = const(47)
 _LOG_ENTRY = const(118)
+_LOG_DATA = const(120)
 _COMMAND_ACK = const(77)
 
 
@@ -67,7 +77,10 @@ class Absences:
             (45, self.clear),
             (40, self.refuse_item),
             (51, self.refuse_item),
+            (37, self.refuse_part),
+            (38, self.refuse_part),
             (117, self.list_no_logs),
+            (119, self.end_log),
             (11, self.refuse_mode),
         ):
             connection.services.take(Bare(number), answer)
@@ -95,6 +108,11 @@ class Absences:
         kind = question.wire[_MISSION_REQUEST_INT_MISSION_TYPE_AT]
         self._acknowledge(question, _MAV_MISSION_INVALID_SEQUENCE, kind)
 
+    def refuse_part(self, question):
+        """MISSION_REQUEST_PARTIAL_LIST and MISSION_WRITE_PARTIAL_LIST, which have the same layout: no list has parts."""
+        kind = question.wire[_MISSION_REQUEST_PARTIAL_LIST_MISSION_TYPE_AT]
+        self._acknowledge(question, _MAV_MISSION_UNSUPPORTED, kind)
+
     def _acknowledge(self, question, result, kind):
         answer = Bare(_MISSION_ACK)
         answer.wire[_MISSION_ACK_TYPE_AT] = result
@@ -104,6 +122,15 @@ class Absences:
     def list_no_logs(self, question):
         """LOG_REQUEST_LIST: a LOG_ENTRY of zeros says that there are none."""
         self._reply(question, Bare(_LOG_ENTRY))
+
+    def end_log(self, question):
+        """LOG_REQUEST_DATA: a LOG_DATA without data says that the log has its end there."""
+        answer = Bare(_LOG_DATA)
+        for place in range(4):
+            answer.wire[_LOG_DATA_OFS_AT + place] = question.wire[_LOG_REQUEST_DATA_OFS_AT + place]
+        for place in range(2):
+            answer.wire[_LOG_DATA_ID_AT + place] = question.wire[_LOG_REQUEST_DATA_ID_AT + place]
+        self._reply(question, answer)
 
     def refuse_mode(self, question):
         """SET_MODE: there are no modes to change to; ArduPilot, too, answers with its id in place of a command's."""

@@ -40,6 +40,8 @@ def test_lists_are_empty(rover: GroundLink, kind: int) -> None:
         (common.MAV_MISSION_ACCEPTED, "mission_clear_all", kind),
         (common.MAV_MISSION_INVALID_SEQUENCE, "mission_request_int", 258, kind),
         (common.MAV_MISSION_INVALID_SEQUENCE, "mission_request", 0, kind),
+        (common.MAV_MISSION_UNSUPPORTED, "mission_request_partial_list", 0, -1, kind),
+        (common.MAV_MISSION_UNSUPPORTED, "mission_write_partial_list", 0, 3, kind),
     ):
         answer = answer_to(rover, "MISSION_ACK", message, *values)
         assert (answer.type, answer.mission_type) == (result, kind), message
@@ -51,6 +53,13 @@ def test_there_are_no_logs(rover: GroundLink) -> None:
     """The list is empty."""
     entry = answer_to(rover, "LOG_ENTRY", "log_request_list", 0, 0xFFFF)
     assert (entry.num_logs, entry.last_log_num, entry.id, entry.size) == (0, 0, 0, 0)
+
+
+@pytest.mark.requirement("FR-00070.13")
+def test_a_log_has_its_end_everywhere(rover: GroundLink) -> None:
+    """Who asks for what was in an earlier list is not kept waiting."""
+    data = answer_to(rover, "LOG_DATA", "log_request_data", 0x1234, 0x89ABCDEF, 900)
+    assert (data.id, data.ofs, data.count) == (0x1234, 0x89ABCDEF, 0)
 
 
 @pytest.mark.requirement("FR-00070.13")
