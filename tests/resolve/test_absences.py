@@ -12,7 +12,14 @@ from codegen.resolve.program.absences import AUTOPILOT, resolve_absences
 
 ROVER = Path(__file__).resolve().parents[2] / "specs" / "codegen.yaml"
 PARTS = {"MISSION_REQUEST_PARTIAL_LIST", "MISSION_WRITE_PARTIAL_LIST"}
-MISSIONS = {"MISSION_REQUEST_LIST", "MISSION_COUNT", "MISSION_CLEAR_ALL", "MISSION_REQUEST", "MISSION_REQUEST_INT", *PARTS}
+MISSIONS = {
+    "MISSION_REQUEST_LIST",
+    "MISSION_COUNT",
+    "MISSION_CLEAR_ALL",
+    "MISSION_REQUEST",
+    "MISSION_REQUEST_INT",
+    *PARTS,
+}
 LOGS = {"LOG_REQUEST_LIST", "LOG_REQUEST_DATA"}
 
 

@@ -118,7 +118,9 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
     assert frames == packed
     assert received == sum(map(len, frames))
     after_restart, _ = heard(5_200)
-    assert [bool(frame) for frame in after_restart] == [at_ms in (5_500, 7_000) for at_ms in times], "nothing is sent again"
+    assert [bool(frame) for frame in after_restart] == [at_ms in (5_500, 7_000) for at_ms in times], (
+        "nothing is sent again"
+    )
 
 
 BROKEN = [
