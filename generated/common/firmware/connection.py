@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 3978bcd667c71b89
+# Inputs: 2d5d7a659eff9a8a
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -154,6 +154,7 @@ class Connection:
                                                 tables[number].tell()
                                             found = tables[number].called
                                             if found is not None:
+                                                vehicle.reception = tables[number]
                                                 found()
                             except Exception as error:
                                 self._note(error, now_ms)

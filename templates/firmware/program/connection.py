@@ -149,6 +149,7 @@ class Connection:
                                                 tables[number].tell()
                                             found = tables[number].called
                                             if found is not None:
+                                                vehicle.reception = tables[number]
                                                 found()
                             except Exception as error:
                                 self._note(error, now_ms)
