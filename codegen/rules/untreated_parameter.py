@@ -20,7 +20,7 @@ RULE = Rule(
 )
 
 _UNKNOWN_WHOLE = (1 << 31) - 1
-"""What stands for NaN in x and y of COMMAND_INT: words about it are words about NaN."""
+"""The number that stands for NaN in x and y of COMMAND_INT: words about it are words about NaN."""
 
 
 def check(system: System) -> Iterator[Diagnostic]:

@@ -581,7 +581,7 @@ print(json.dumps([seen, sent, [connection.faults for connection in rover.connect
 
 @pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
 def test_code_can_answer_who_has_sent(built, interpreter):
-    """What is called knows the message with its sender, and the connection: an answer goes out there, and to nobody else."""
+    """What is called knows the message with its sender, and the connection: answers go out there, to nobody else."""
     (built / "answering.py").write_text(ANSWERING)
     steps = [
         station(system=200, link=1),
