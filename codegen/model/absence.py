@@ -28,9 +28,8 @@ MORE_MISSIONS = (
     ("MISSION_REQUEST_PARTIAL_LIST", "MISSION_ACK", "refuse_part"),
     ("MISSION_WRITE_PARTIAL_LIST", "MISSION_ACK", "refuse_part"),
 )
-MORE_LOGS = (("LOG_REQUEST_DATA", "LOG_DATA", "end_log"),)
 """The same of what a dialect may lack though it has the others. MISSION_SET_CURRENT has no answer that says no: the
-command in its place has."""
+command in its place has. LOG_DATA is longer than links have room for that send nothing as long."""
 
 ABSENCE_FIELDS = {
     "MISSION_REQUEST_LIST": "target_system target_component mission_type",
@@ -43,8 +42,6 @@ ABSENCE_FIELDS = {
     "MISSION_ACK": "target_system target_component mission_type type",
     "LOG_REQUEST_LIST": "target_system target_component",
     "LOG_ENTRY": "num_logs last_log_num",
-    "LOG_REQUEST_DATA": "target_system target_component id ofs",
-    "LOG_DATA": "id ofs count",
     "SET_MODE": "target_system",
     "COMMAND_ACK": "command result target_system target_component",
 }

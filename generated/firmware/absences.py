@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 52675ede5f2d8bf9
+# Inputs: b4b77e9ad30fcdc3
 """Answers about what this vehicle does not have: whoever asks for it waits for an answer, and asks again without one.
 
 services.py loads this module with the first such question. Its messages are known by numbers alone, fields by their
@@ -12,10 +12,6 @@ from micropython import const
 # Numbers of the dialect.
 _COMMAND_ACK_COMMAND_AT = const(0)
 _COMMAND_ACK_RESULT_AT = const(2)
-_LOG_DATA_ID_AT = const(4)
-_LOG_DATA_OFS_AT = const(0)
-_LOG_REQUEST_DATA_ID_AT = const(8)
-_LOG_REQUEST_DATA_OFS_AT = const(0)
 _MAV_MISSION_ACCEPTED = const(0)
 _MAV_MISSION_INVALID_SEQUENCE = const(13)
 _MAV_MISSION_UNSUPPORTED = const(3)
@@ -43,13 +39,10 @@ _KINDS = {
     77: (143, 3, 10, (8, 9)),  # COMMAND_ACK
     117: (128, 6, 6, (4, 5)),  # LOG_REQUEST_LIST
     118: (56, 14, 14, ()),  # LOG_ENTRY
-    119: (116, 12, 12, (10, 11)),  # LOG_REQUEST_DATA
-    120: (134, 97, 97, ()),  # LOG_DATA
 }
 _MISSION_COUNT = const(44)
 _MISSION_ACK = const(47)
 _LOG_ENTRY = const(118)
-_LOG_DATA = const(120)
 _COMMAND_ACK = const(77)
 
 
@@ -80,7 +73,6 @@ class Absences:
             (37, self.refuse_part),
             (38, self.refuse_part),
             (117, self.list_no_logs),
-            (119, self.end_log),
             (11, self.refuse_mode),
         ):
             connection.services.take(Bare(number), answer)
@@ -122,15 +114,6 @@ class Absences:
     def list_no_logs(self, question):
         """LOG_REQUEST_LIST: a LOG_ENTRY of zeros says that there are none."""
         self._reply(question, Bare(_LOG_ENTRY))
-
-    def end_log(self, question):
-        """LOG_REQUEST_DATA: a LOG_DATA without data says that the log has its end there."""
-        answer = Bare(_LOG_DATA)
-        for place in range(4):
-            answer.wire[_LOG_DATA_OFS_AT + place] = question.wire[_LOG_REQUEST_DATA_OFS_AT + place]
-        for place in range(2):
-            answer.wire[_LOG_DATA_ID_AT + place] = question.wire[_LOG_REQUEST_DATA_ID_AT + place]
-        self._reply(question, answer)
 
     def refuse_mode(self, question):
         """SET_MODE: there are no modes to change to; ArduPilot, too, answers with its id in place of a command's."""

@@ -56,13 +56,6 @@ def test_there_are_no_logs(rover: GroundLink) -> None:
 
 
 @pytest.mark.requirement("FR-00070.13")
-def test_a_log_has_its_end_everywhere(rover: GroundLink) -> None:
-    """Who asks for what was in an earlier list is not kept waiting."""
-    data = answer_to(rover, "LOG_DATA", "log_request_data", 0x1234, 0x89ABCDEF, 900)
-    assert (data.id, data.ofs, data.count) == (0x1234, 0x89ABCDEF, 0)
-
-
-@pytest.mark.requirement("FR-00070.13")
 def test_there_are_no_modes(rover: GroundLink) -> None:
     """SET_MODE, which has no answer of its own, is answered as a command with its id would be."""
     position = rover.take_in()

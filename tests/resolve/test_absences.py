@@ -20,7 +20,7 @@ MISSIONS = {
     "MISSION_REQUEST_INT",
     *PARTS,
 }
-LOGS = {"LOG_REQUEST_LIST", "LOG_REQUEST_DATA"}
+LOGS = {"LOG_REQUEST_LIST"}
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,6 @@ def test_an_autopilot_answers_all_of_them(common: Dialect) -> None:
         ("LOG_REQUEST_LIST", MISSIONS | {"SET_MODE"}),
         ("SET_MODE", MISSIONS | LOGS),
         ("MISSION_WRITE_PARTIAL_LIST", LOGS | {"SET_MODE"}),
-        ("LOG_REQUEST_DATA", MISSIONS | {"SET_MODE"}),
         ("HEARTBEAT", MISSIONS | LOGS | {"SET_MODE"}),
     ],
 )
@@ -74,11 +73,10 @@ def test_a_dialect_without_the_words_answers_nothing(common: Dialect) -> None:
 
 
 def test_a_dialect_may_lack_what_is_rarely_asked(common: Dialect) -> None:
-    """Without parts of lists or data of logs the other questions are answered, and each is left out for itself."""
+    """Without parts of lists the other questions are answered, and each is left out for itself."""
     for name, left in (
         ("MISSION_WRITE_PARTIAL_LIST", {"MISSION_WRITE_PARTIAL_LIST"}),
         ("MISSION_REQUEST_PARTIAL_LIST", {"MISSION_REQUEST_PARTIAL_LIST"}),
-        ("LOG_DATA", {"LOG_REQUEST_DATA"}),
     ):
         fewer = {each: wire for each, wire in common.messages.items() if each != name}
         assert questions(replace(common, messages=fewer)) == (MISSIONS | LOGS | {"SET_MODE"}) - left

@@ -6,7 +6,6 @@ from codegen.model.absence import (
     MISSION_RESULTS,
     MISSIONS,
     MODES,
-    MORE_LOGS,
     MORE_MISSIONS,
     Absence,
 )
@@ -21,7 +20,7 @@ def resolve_absences(dialect: Dialect, component_id: int, taken: frozenset[str])
     found: list[Absence] = []
     if component_id != AUTOPILOT:
         return ()
-    for rows, more in ((MISSIONS, MORE_MISSIONS), (LOGS, MORE_LOGS), (MODES, ())):
+    for rows, more in ((MISSIONS, MORE_MISSIONS), (LOGS, ()), (MODES, ())):
         has_words = _has_all(dialect, rows) and (rows is not MISSIONS or _has_results(dialect))
         if has_words and not taken & {question for question, _, _ in (*rows, *more)}:
             messages = dialect.messages

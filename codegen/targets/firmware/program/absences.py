@@ -38,7 +38,6 @@ class AbsencesView:
     has_missions: bool
     part_question: str
     has_logs: bool
-    has_log_data: bool
     has_modes: bool
 
 
@@ -53,7 +52,6 @@ def absences_view(absences: tuple[Absence, ...]) -> AbsencesView:
         questions=tuple(QuestionView(absence.question.id, absence.method) for absence in absences),
         has_missions="count_none" in methods,
         part_question=next((each.question.name for each in absences if each.method == "refuse_part"), ""),
-        has_log_data="end_log" in methods,
         has_logs="list_no_logs" in methods,
         has_modes="refuse_mode" in methods,
     )
