@@ -107,7 +107,8 @@ def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Mea
     measure = read_measure(text)
     if measure is None:
         parts = text.split()
-        hint = nearest_unit(parts[1]) if len(parts) == 2 else f"write a number and a unit, such as 1 {unit.name}"
+        wanted = f"a number and a unit, such as 1 {unit.name}" if unit.name else "a number"
+        hint = nearest_unit(parts[1]) if len(parts) == 2 else f"write {wanted}"
         report.add(BAD_AMOUNT, place, f"{text!r} is not an amount", hint)
         return None
     way = conversion(measure.unit, unit)

@@ -1,6 +1,8 @@
 """The time since the start, or since 1970, in the unit of the field."""
 
+import math
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
@@ -16,24 +18,28 @@ from codegen.model.code.payload_code import PayloadCode, indented
 from codegen.model.code.statements import tested
 from codegen.model.code.storage import HALF
 from codegen.model.spec.population import FieldAnswer, Send
-from codegen.model.units.unit import ratio, unit_named
+from codegen.model.units.unit import decimal, ratio, unit_named
 from codegen.model.vehicle import Quantity
 
 _MS = 1000
 _PARTS = {1: 0, _MS: 1, 10 * _MS: 10, 100 * _MS: 100, 1000 * _MS: 1000}
 """Microseconds of a unit that a field can count, with the milliseconds that are divided for it; 0 for microseconds."""
+_NS = Fraction(1, 1000)
+"""The same of a nanosecond: the clock in microseconds is multiplied, so that every number is a whole thousand."""
 
 
 @dataclass(frozen=True, slots=True)
 class ClockAnswer(KindOfAnswer):
-    """A clock of the state, cut to whole units of ``microseconds`` each; it wraps as the field does.
+    """A clock of the state, cut to whole units of ``microseconds`` each, which are 1/1000 in a field of nanoseconds.
+
+    It wraps as the field does.
 
     Unknown becomes ``unknown``, or the answer ``withholds`` the message; the time since the start is always known.
     """
 
     covers: Elements
     source: Quantity
-    microseconds: int
+    microseconds: Fraction
     unknown: int | None
     withholds: bool = False
 
@@ -58,9 +64,12 @@ class ClockAnswer(KindOfAnswer):
             )
             return None
         steps = ratio(unit, unit_named("us"))
-        if steps is None or steps not in _PARTS:
-            message = f"{covers.label} is in {field.unit_text or 'no unit'}, and a clock counts us, ms, cs, ds or s"
-            scope.report.add(UNIT_MISMATCH, place, message, "corrections.yaml can set its units")
+        if steps is None or (steps != _NS and steps not in _PARTS):
+            message = f"{covers.label} is in {field.unit_text or 'no unit'}, and a clock counts ns, us, ms, cs, ds or s"
+            hint = "answer it with a quantity, in which code keeps the time"
+            if not field.unit_text:
+                hint = "corrections.yaml can set its units"
+            scope.report.add(UNIT_MISMATCH, place, message, hint)
             return None
         source = scope.components[CLOCK].quantities[str(covers.written.clock or BOOT)]
         sentinel = field.sentinel.values[covers.first] if field.sentinel else None
@@ -70,7 +79,7 @@ class ClockAnswer(KindOfAnswer):
             no_sentinel(covers, "clock", "the time since 1970", scope.report)
             return None
         unknown = int(sentinel) if can_be_unknown and sentinel is not None else None
-        return cls(covers, source, int(steps), unknown, withholds)
+        return cls(covers, source, steps, unknown, withholds)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -108,7 +117,7 @@ class ClockAnswer(KindOfAnswer):
             assert self.unknown is not None
             return (self.unknown,)
         wire_type = self.covers.field.type
-        value = int(kept) // self.microseconds & (1 << 8 * wire_type.size) - 1
+        value = int(int(kept) // self.microseconds) & (1 << 8 * wire_type.size) - 1
         value -= 1 << 8 * wire_type.size if value > wire_type.maximum else 0
         return (self.beside if value == self.hole else value,)
 
@@ -117,13 +126,18 @@ class ClockAnswer(KindOfAnswer):
         return 0, self.covers.field.type.size
 
     def statements(self, code: PayloadCode) -> list[str]:
-        """Half by half, of the clock in microseconds or in milliseconds, or of the latter divided."""
+        """Half by half, of the clock in microseconds, multiplied or not, or in milliseconds, divided or not."""
         covers, source = self.covers, self.source
-        divisor = _PARTS[self.microseconds]
+        divisor = _PARTS.get(int(self.microseconds), 0)
         word = source.attribute if not divisor else f"{source.name}_ms"
         halves = [code.clock_half(word, at) for at in range(source.storage.halves)]
         lines = [self._comment()]
-        written = self._divided(code, halves, divisor) if divisor > 1 else code.copy(covers, halves, signed=False)
+        if self.microseconds == _NS:
+            written = self._multiplied(code, halves)
+        elif divisor > 1:
+            written = self._divided(code, halves, divisor)
+        else:
+            written = code.copy(covers, halves, signed=False)
         if self.hole is not None:
             passed = tested("if", code.is_written(covers, self.hole), "would read as unknown")
             written = [*written, *passed, *indented(code.store(covers, self.beside, over=True))]
@@ -151,6 +165,16 @@ class ClockAnswer(KindOfAnswer):
                 lines.append(f"value %= {divisor}")
         return lines
 
+    def _multiplied(self, code: PayloadCode, halves: list[str]) -> list[str]:
+        """Return the lines of a long multiplication: the lowest half first, what it carries added to the next one."""
+        count = max(1, self.covers.field.type.size // 2)
+        lines: list[str] = []
+        for at, half in enumerate(halves[:count]):
+            carried = f" + (value >> {HALF})" if lines else ""
+            lines.append(f"value = {half} * {1 / _NS}{carried}")
+            lines += code.copy_half(self.covers, at, "value")
+        return lines
+
     def _comment(self) -> str:
         covers = self.covers
         return f"# {covers.label} [{covers.field.unit_text}]: {self.words().source} ({covers.citation})"
@@ -172,7 +196,7 @@ class ClockAnswer(KindOfAnswer):
     def traits(self, position: int) -> Iterator[Trait]:
         """Yield which clock, its unit, and the sentinel."""
         yield Trait("source", f"{CLOCK}: {self.source.name}", Aspect.SOURCE)
-        yield Trait("conversion", f"whole units of {self.microseconds} us", Aspect.CONVERSION)
+        yield Trait("conversion", f"whole units of {decimal(self.microseconds)} us", Aspect.CONVERSION)
         unknown = "" if self.unknown is None else shown_value(self.unknown)
         yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
 
@@ -184,13 +208,12 @@ class ClockAnswer(KindOfAnswer):
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
         """Around a unit, around each wrap of the ticks and of the field, and at the end of 64 bits."""
         path, size = self.source.path, self.covers.field.type.size
-        wrap = min(self.microseconds << 8 * size, 1 << 64)
         for name, end in {
-            "unit": self.microseconds,
+            "unit": math.ceil(self.microseconds),
             "microseconds": 1 << 30,
             "milliseconds": 1000 << 30,
-            "half": self.microseconds << HALF,
-            "wrap": wrap,
+            "half": math.ceil(self.microseconds * (1 << HALF)),
+            "wrap": min(math.ceil(self.microseconds * (1 << 8 * size)), 1 << 64),
             "end": 1 << 64,
         }.items():
             yield StateCase(f"before-{name}", {path: end - 1})
@@ -198,7 +221,8 @@ class ClockAnswer(KindOfAnswer):
                 yield StateCase(f"after-{name}", {path: end})
         if self.hole is not None:
             passed = (self.hole & (1 << 8 * size) - 1) * self.microseconds
-            for name, value in {"before": passed - 1, "at": passed, "after": passed + self.microseconds}.items():
+            step = max(self.microseconds, Fraction(1))
+            for name, value in {"before": passed - 1, "at": passed, "after": passed + step}.items():
                 if 0 <= value < 1 << 64:
-                    yield StateCase(f"{name}-sentinel", {path: value})
+                    yield StateCase(f"{name}-sentinel", {path: math.floor(value)})
         yield StateCase("unknown", {path: None})

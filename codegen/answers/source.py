@@ -46,7 +46,25 @@ def take(covers: Elements, scope: Scope) -> Taken | None:
         key, source = "state", scope.quantity(written.state, written.at("state"))
     else:
         key, source = "parameter", scope.parameter(written.parameter or "", written.at("parameter"))
+    if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN and _has_flags(covers, scope):
+        hint = "use it in 'flags': ENTRY if component.quantity"
+        scope.report.add(BAD_SOURCE, written.at(key), f"{source.path} is a boolean", hint)
+        return None
     return None if source is None else taken(covers, source, key, scope.report)
+
+
+def _has_flags(covers: Elements, scope: Scope) -> bool:
+    definition = covers.field.definition
+    enum = scope.enum(definition.enum) if definition.enum else None
+    return covers.field.type.is_integer and enum is not None and (enum.is_bitmask or definition.is_bitmask)
+
+
+def _number_hint(covers: Elements) -> str:
+    """Return what to keep in place of a boolean for a field without flags."""
+    enum = covers.field.definition.enum
+    if enum is not None:
+        return f"keep an entry of {enum} in a quantity with enum: {enum}"
+    return f"{covers.field.name} takes a number: keep it in a quantity with min: 0 and max: 1, not boolean: true"
 
 
 def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Taken | None:
@@ -89,7 +107,7 @@ def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
         report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, and {what}", hint)
         return None
     if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN:
-        report.add(BAD_SOURCE, place, f"{source.path} is a boolean", "use it in 'flags': ENTRY if component.quantity")
+        report.add(BAD_SOURCE, place, f"{source.path} is a boolean", _number_hint(covers))
         return None
     if isinstance(source, Quantity) and source.elements is not None and key != "each":
         message = f"{source.path} has a value for each of its elements"

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.dialect.stated_values import StatedValue, stated_values
+from codegen.model.dialect.dialect import Kind
+from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_values
 from codegen.model.reception import COMPONENT_FIELD, SYSTEM_FIELDS, ReceivedField, Reception
 from codegen.model.system import System
 
@@ -23,9 +24,17 @@ def check(system: System) -> Iterator[Diagnostic]:
         for taken in table.fields:
             if taken.is_text or taken.field.definition.enum or taken.field.name in (*SYSTEM_FIELDS, COMPONENT_FIELD):
                 continue
+            ignored = stated_nan(taken.field.definition.description) if taken.field.type.kind is Kind.FLOAT else None
+            if ignored is not None and ignored.is_left and not _is_nan_treated(taken):
+                yield _finding(table, taken, ignored)
             for stated in stated_values(taken.field.definition.description):
                 if not _is_treated(stated, taken):
                     yield _finding(table, taken, stated)
+
+
+def _is_nan_treated(taken: ReceivedField) -> bool:
+    """Return whether NaN leaves the quantity as it was, or the table says that it does not."""
+    return taken.is_kept_by_nan or taken.spec.unchanged == () or taken.spec.unknown is not None
 
 
 def _is_treated(stated: StatedValue, taken: ReceivedField) -> bool:
@@ -39,7 +48,7 @@ def _is_treated(stated: StatedValue, taken: ReceivedField) -> bool:
 
 def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Diagnostic:
     key = "unchanged" if stated.is_left else "unknown"
-    becomes = "unknown" if stated.number == taken.sentinel else "a value"
+    becomes = "unknown" if stated.is_nan or stated.number == taken.sentinel else "a value"
     label = f"{table.wire.name}.{taken.label}"
     return Diagnostic(
         taken.spec.place,

@@ -32,7 +32,7 @@ class SimulatedProgram:
     Its modules lie in ``folders``. ``files`` and ``chunk`` are those of its storage, in which ``parameters`` are before
     it starts. ``stretches`` are its boards, one after the other. ``code`` is the file with the user's code, which the
     program imports as ``module``.
-    ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
+    ``messages`` are the names of those of its dialect by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
     ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
     is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
@@ -97,7 +97,6 @@ class SimulatedProgram:
             "deaf": self.deaf,
             "bridge": self.bridge,
             "unique_id": unique_id(self.key or "", stretch.number),
-            "names": {str(number): name for number, name in self.messages.items()},
             "told": self.telling.ids,
             "watched": [[each.label, each.component, each.instance, each.name, each.ages] for each in self.watched],
             "actions": self.actions,
@@ -145,7 +144,7 @@ def _program(
         events=scenario.events if key is None else (),
         module=program.module if program else MODULE,
         code=code,
-        messages={wire.id: wire.name for wire in system.wires},
+        messages={wire.id: name for name, wire in system.dialect.messages.items()},
         telling=Telling(system.messages),
         lines=lines_of(system, scenario, key),
         watched=watched(system, scenario.expected if key is None else ()),

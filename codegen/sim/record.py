@@ -320,7 +320,8 @@ class Recording:
             self._spacing_ms[label] = max(1, 2 * spacing_ms, 2 * self.at_ms // _MOST_POINTS)
 
     def _take_messages(self, record: Mapping[str, Any]) -> None:
-        counts = record["counts"]
+        names = {str(number): name for number, name in self.program.messages.items()}
+        counts = {names.get(number, number): count for number, count in record["counts"].items()}
         self._current = Traffic(
             frames={name: count for name, (count, _) in counts.items()},
             sizes={name: size for name, (_, size) in counts.items()},

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d3babb6813b8aa98
+# Inputs: b4b77e9ad30fcdc3
 """Answers about what this vehicle does not have: whoever asks for it waits for an answer, and asks again without one.
 
 services.py loads this module with the first such question. Its messages are known by numbers alone, fields by their
@@ -23,10 +23,13 @@ _MISSION_COUNT_COUNT_AT = const(0)
 _MISSION_COUNT_MISSION_TYPE_AT = const(4)
 _MISSION_REQUEST_INT_MISSION_TYPE_AT = const(4)
 _MISSION_REQUEST_LIST_MISSION_TYPE_AT = const(2)
+_MISSION_REQUEST_PARTIAL_LIST_MISSION_TYPE_AT = const(6)
 
 # By their ids: CRC_EXTRA, length without and with extension fields, where the target system and component stand.
 _KINDS = {
     11: (89, 6, 6, (4,)),  # SET_MODE
+    37: (212, 6, 7, (4, 5)),  # MISSION_REQUEST_PARTIAL_LIST
+    38: (9, 6, 7, (4, 5)),  # MISSION_WRITE_PARTIAL_LIST
     40: (230, 4, 5, (2, 3)),  # MISSION_REQUEST
     43: (132, 2, 3, (0, 1)),  # MISSION_REQUEST_LIST
     44: (221, 4, 5, (2, 3)),  # MISSION_COUNT
@@ -67,6 +70,8 @@ class Absences:
             (45, self.clear),
             (40, self.refuse_item),
             (51, self.refuse_item),
+            (37, self.refuse_part),
+            (38, self.refuse_part),
             (117, self.list_no_logs),
             (11, self.refuse_mode),
         ):
@@ -94,6 +99,11 @@ class Absences:
         """MISSION_REQUEST_INT and MISSION_REQUEST, which have the same layout: no item has that number."""
         kind = question.wire[_MISSION_REQUEST_INT_MISSION_TYPE_AT]
         self._acknowledge(question, _MAV_MISSION_INVALID_SEQUENCE, kind)
+
+    def refuse_part(self, question):
+        """MISSION_REQUEST_PARTIAL_LIST and MISSION_WRITE_PARTIAL_LIST, which have the same layout: no list has parts."""
+        kind = question.wire[_MISSION_REQUEST_PARTIAL_LIST_MISSION_TYPE_AT]
+        self._acknowledge(question, _MAV_MISSION_UNSUPPORTED, kind)
 
     def _acknowledge(self, question, result, kind):
         answer = Bare(_MISSION_ACK)

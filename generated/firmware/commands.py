@@ -29,8 +29,6 @@ _MAV_RESULT_FAILED = const(4)
 _MAV_RESULT_TEMPORARILY_REJECTED = const(1)
 _MAV_RESULT_UNSUPPORTED = const(3)
 _MAV_SEVERITY_ERROR = const(3)
-_MESSAGE_INTERVAL_INTERVAL_US_AT = const(0)
-_MESSAGE_INTERVAL_MESSAGE_ID_AT = const(4)
 _REBOOT_SHUTDOWN_ACTION_NONE = const(0)
 _REBOOT_SHUTDOWN_ACTION_REBOOT = const(1)
 _REBOOT_SHUTDOWN_CONDITIONS_FORCE = const(20190226)
@@ -172,18 +170,9 @@ class Commands:
         return self._interval_of(command, 1)
 
     def _interval_of(self, command, number):
-        """Answer with the interval of the message that a parameter names, 0 if the vehicle does not have it."""
-        message_id = command.whole(number, 0, 0xFFFF)  # MESSAGE_INTERVAL carries no more
-        if message_id is None:
-            return _MAV_RESULT_DENIED, None
-        return _MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
+        import rare_commands  # noqa: PLC0415  with the first of them: few ask
 
-    def _send_interval(self, message_id):
-        interval_us = self._connection.streams.interval_us(message_id)
-        answer = messages.MessageInterval(unknown=False)  # few ask
-        pack_into("<i", answer.wire, _MESSAGE_INTERVAL_INTERVAL_US_AT, interval_us)
-        pack_into("<H", answer.wire, _MESSAGE_INTERVAL_MESSAGE_ID_AT, message_id)
-        return self._connection.send(answer)
+        return rare_commands.interval_of(self._connection, command, number)
 
     def _arm_disarm(self, command):
         is_arming = command.whole(1, 0, 1)

@@ -319,7 +319,7 @@ class Vehicle:
     def _connect(self, port):
         link = open_link(port, receivable(), self.parameters.sysid_thismav)
         connection = Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
-        connection.services.expect((43, 44, 45, 40, 51, 117, 11))
+        connection.services.expect((43, 44, 45, 40, 51, 37, 38, 117, 11))
         return connection
 
     def _load_parameters(self):

@@ -49,7 +49,7 @@ LINKS = (
 )
 
 # Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
-ABSENT = ((43, 44), (44, 47), (45, 47), (40, 47), (51, 47), (117, 118), (11, 77))
+ABSENT = ((43, 44), (44, 47), (45, 47), (40, 47), (51, 47), (37, 47), (38, 47), (117, 118), (11, 77))
 
 # Numbers of the commands that not every program answers.
 ANSWERED = ()

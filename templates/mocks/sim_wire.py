@@ -6,13 +6,12 @@ import binascii
 class Wire:
     """Records the frames that a port accepted.
 
-    `names` are those of the messages by their numbers as text; frames of the `told` numbers are recorded whole.
-    `before` is called ahead of the first of these.
+    `counts` has of each message, by its number as text, how many frames and bytes there were; frames of the `told`
+    numbers are recorded whole. `before` is called ahead of the first of these.
     """
 
-    def __init__(self, records, names, told, before):
+    def __init__(self, records, told, before):
         self._records = records
-        self._names = names
         self._told = told
         self._before = before
         self._next_sequence = {}
@@ -40,7 +39,7 @@ class Wire:
         is_new = frame[0] == 0xFD
         number = frame[7] | frame[8] << 8 | frame[9] << 16 if is_new else frame[5]
         self._check_sequence(port, frame[4] if is_new else frame[2])
-        count = self.counts.setdefault(self._names.get(str(number), str(number)), [0, 0])
+        count = self.counts.setdefault(str(number), [0, 0])
         count[0] += 1
         count[1] += len(frame)
         self.frames += 1

@@ -18,8 +18,14 @@ SYS = "messages/sys_status.yaml"
 CASES = [
     Case("bad-source", V2, "current: {state: battery.current", "current: {clock: §boot", "a clock is a whole number"),
     Case(
-        "unit-mismatch", SYS, "errors_comm: {constant: 0}", "errors_comm: {clock: §boot}", "counts us, ms, cs, ds or s"
+        "unit-mismatch",
+        SYS,
+        "errors_comm: {constant: 0}",
+        "errors_comm: {clock: §boot}",
+        "counts ns, us, ms, cs, ds or s",
     ),
+    Case("unit-mismatch", SYS, "errors_comm: {constant: 0}", "errors_comm: {clock: §boot}", "can set its units"),
+    Case("unit-mismatch", SYS, "load: {state: vehicle.load}", "load: {clock: §boot}", "answer it with a quantity"),
 ]
 
 

@@ -125,7 +125,13 @@ CASES = [
         "voltage_battery: {state: battery.voltage}",
         "voltage_battery: {state: battery.voltage, split: §true}",
     ),
-    Case("bad-source", HEARTBEAT, "custom_mode: {state: vehicle.mode}", "custom_mode: {state: §vehicle.armed}"),
+    Case(
+        "bad-source",
+        HEARTBEAT,
+        "custom_mode: {state: vehicle.mode}",
+        "custom_mode: {state: §vehicle.armed}",
+        "custom_mode takes a number: keep it in a quantity with min: 0 and max: 1",
+    ),
     # elements
     Case(
         "answered-twice",
@@ -703,6 +709,20 @@ CASES = [
         "{state: §battery.current}",
         "can say that custom_mode is in",
         is_alone=False,
+    ),
+    Case(
+        "bad-source",
+        HEARTBEAT,
+        "system_status: {state: vehicle.status",
+        "system_status: {state: §vehicle.armed",
+        "keep an entry of MAV_STATE in a quantity with enum: MAV_STATE",
+    ),
+    Case(
+        "bad-source",
+        SYS,
+        "_present_extended: {flags: []}",
+        "_present_extended: {state: §vehicle.armed}",
+        "use it in 'flags'",
     ),
 ]
 

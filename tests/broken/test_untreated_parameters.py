@@ -72,6 +72,36 @@ def test_numbers_with_a_meaning_of_their_own_are_told(checked, new, told):
         assert f"write unchanged: [{number}]" in found
 
 
+@pytest.mark.parametrize(
+    ("keys", "is_told"),
+    [
+        ("", True),
+        (", unit: deg, min: 0, max: 360", True),
+        (", unchanged: [-1]", True),
+        (", default: 0", False),
+        (", default: null", False),
+        (", unchanged: [NaN]", False),
+        (", unchanged: []", False),
+    ],
+)
+def test_nan_with_a_meaning_that_is_denied_is_told(checked, keys, is_told):
+    """The yaw of a position has NaN for the present heading, as ground stations send it: it would be refused."""
+    found = checked("      2: {name: options}\n", f"      2: {{name: options}}\n      4: {{name: yaw{keys}}}\n")
+    said = (
+        "MAV_CMD_DO_REPOSITION 4 has a meaning for NaN, 'NaN to use the current system yaw heading mode', and without"
+    )
+    assert (said in found) == is_told
+    assert ("write default: null (the method is then given None), or a number" in found) == is_told
+
+
+@pytest.mark.parametrize(("keys", "is_told"), [("", True), (", default: 0", False), (", default: null", False)])
+def test_what_stands_for_nan_in_whole_parameters_is_told(checked, keys, is_told):
+    """Words about INT32_MAX of parameters 5 and 6 are words about NaN, whatever COMMAND_LONG has."""
+    flap = "5: {name: flap, min: -1, max: 1, scaled: 1e7, default: null}"
+    found = checked(flap, f"5: {{name: flap, min: -1, max: 1, scaled: 1e7{keys}}}")
+    assert ("MAV_CMD_DO_SET_ACTUATOR 5 has a meaning for NaN, 'NaN to ignore'" in found) == is_told
+
+
 def test_a_limit_of_the_dialect_can_be_corrected(checked):
     """The error about the limit says how, and with that correction it is none."""
     found = checked("  MAV_CMD_USER_2:\n", CAPTURE + "  MAV_CMD_USER_2:\n")

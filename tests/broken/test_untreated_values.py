@@ -76,6 +76,30 @@ def test_a_sentinel_that_is_to_be_ignored_is_told(checked, tmp_path):
     assert "'0 means to release this channel back to the RC radio', and it is taken as a value" in found
 
 
+LEVER = """receive: GIMBAL_MANAGER_SET_PITCHYAW
+requirement: FR-1.10
+fields:
+  pitch: {state: stick.index%s}
+"""
+
+
+@pytest.mark.usefixtures("checked")
+@pytest.mark.parametrize("keys", ["", ", unchanged: [NaN]", ", unchanged: []", ", unknown: [NaN]"])
+def test_nan_that_is_to_be_ignored_is_told(tmp_path, capsys, keys):
+    """It is the sentinel and makes the quantity unknown, while the words say that nothing changes; unless it is listed."""
+    state = tmp_path / "specs" / "state.yaml"
+    state.write_text(state.read_text().replace("index: {doc: d}", "index: {doc: d, unit: rad}"))
+    (tmp_path / "specs" / "receives" / "lever.yaml").write_text(LEVER % keys)
+    main(["check"])
+    out = capsys.readouterr().out
+    said = (
+        "GIMBAL_MANAGER_SET_PITCHYAW.pitch has a number with a meaning of its own, 'NaN to be ignored', and it is taken"
+    )
+    assert (f"{said} as unknown" in out) == (not keys)
+    assert ("write unchanged: [NaN], or unchanged: [] where" in out) == (not keys)
+    assert " error " not in out
+
+
 MASKED = """receive: SET_POSITION_TARGET_LOCAL_NED
 requirement: FR-1.10
 %sfields:

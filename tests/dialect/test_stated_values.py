@@ -8,7 +8,7 @@ from codegen.diagnostics import Report
 from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect.dialect import Kind, WireField
-from codegen.model.dialect.stated_values import stated_values
+from codegen.model.dialect.stated_values import stated_nan, stated_values
 from codegen.resolve.dialect.dialect import resolve_dialect
 from codegen.resolve.dialect.sentinel import number_on_wire
 
@@ -28,6 +28,7 @@ STATED = {
     "0: Ignore, 1: Clear, 2: Keep": {"0": True, "2": True},
     "If unknown, set to: 65535": {"65535": False},
     "If unknown: 25500 cm/s. If speed is larger than 25425 cm/s, use 25425 cm/s.": {"25500": False},
+    "Loiter radius. A value of zero or NaN is ignored.": {"0": True},
     "-1 = it has failed, 0 = unknown, 1 = worst quality": {"-1": False, "0": False},
 }
 PLAIN = (
@@ -58,6 +59,33 @@ def test_a_number_with_a_meaning_of_its_own_is_found(text):
 def test_what_is_a_value_is_not(text):
     """Ranges, lists of what numbers stand for, units, indices, and values below a limit."""
     assert list(stated_values(text)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "is_left"),
+    [
+        (
+            "Desired yaw angle. NaN to use the current system yaw heading mode (e.g. yaw to home).",
+            "NaN to use the current system yaw heading mode",
+            False,
+        ),
+        ("Landing gear position (Down: 0, Up: 1, NaN for no change)", "NaN for no change", True),
+        ("Radius. A value of zero or NaN is ignored.", "A value of zero or NaN is ignored", True),
+        ("Pitch angle (positive: up, NAN to be ignored).", "NAN to be ignored", True),
+        ("Accuracy. Set to NaN if not known.", "Set to NaN if not known", False),
+    ],
+)
+def test_words_about_nan_are_found(text, words, is_left):
+    """In any case, with what is said of it, and whether it leaves things as they are."""
+    found = stated_nan(text)
+    assert found is not None
+    assert (found.words, found.is_left, found.is_nan) == (words, is_left, True)
+
+
+@pytest.mark.parametrize("text", ["Smaller than 0 maps to NaN.", "Banana, nano and finance.", "-1 to ignore"])
+def test_no_words_about_nan_are_none(text):
+    """What becomes of another number says nothing of what NaN means, and a part of a word is none."""
+    assert stated_nan(text) is None
 
 
 # Every field of common.xml with a number that neither an attribute nor a correction that comes with codegen speaks of.

@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common
 from pymavlink.generator import mavparse
 
 BENCH = Path(__file__).with_name("service_bench")
-PLAIN = ("connection", "inbox", "services", "parameter_service", "station", "stations")
+PLAIN = ("connection", "inbox", "rare_commands", "services", "parameter_service", "station", "stations")
 COMMANDS = Path(__file__).resolve().parents[2] / "generated" / "firmware" / "commands.py"
 GROUND = (255, 190)
 MESSAGES = (

@@ -115,6 +115,24 @@ def test_intervals(services: Services) -> None:
     assert [result for _, result in results(answer)] == [OK] * 8
 
 
+@pytest.mark.parametrize("asking", [(GET, 24), (REQUEST, 244, 24)])
+def test_an_interval_beyond_the_field_is_its_largest(services: Services, asking: tuple[int, ...]) -> None:
+    """Of a message that is sent once a day there is no room for the microseconds, and below 0 it would not be sent."""
+    answer = ask(services, command(*asking))
+    assert [message.interval_us for message in answer.of("MESSAGE_INTERVAL")] == [2147483647]
+    assert [result for _, result in results(answer)] == [OK]
+
+
+@pytest.mark.parametrize(
+    ("asked_us", "result"), [(2.0**30 - 64, OK), (2.0**30, DENIED), (2.5e9, DENIED), (-2.0, DENIED)]
+)
+def test_an_interval_that_is_not_counted_is_denied(services: Services, asked_us: float, result: int) -> None:
+    """Up to 18 minutes can be asked for; what is longer is not shortened, and changes nothing."""
+    answer = ask(services, command(SET, 147, asked_us), command(GET, 147))
+    assert [each for _, each in results(answer)] == [result, OK]
+    assert [message.interval_us for message in answer.of("MESSAGE_INTERVAL")] == [asked_us if result == OK else 500000]
+
+
 def test_arming(services: Services) -> None:
     """Forced or not; a refusal fails and says why."""
     problem = "PreArm: Battery 1 unhealthy"

@@ -49,6 +49,16 @@ def test_long_texts_are_cut_in_mavlink_1(services: Services) -> None:
     assert found == [(3, "y" * 50), (4, "short")]
 
 
+@pytest.mark.parametrize("said", ["x" + 40 * "ä", 30 * "€", "x" + 30 * "€", "xy" + 30 * "€", 50 * "ä", 49 * "x" + "ä"])
+def test_texts_that_are_cut_end_with_a_whole_character(services: Services, said: str) -> None:
+    """As much as has room in MAVLink 1, which nothing follows."""
+    answer = services.run(("say", (3, said)), ("say", (4, 25 * "ä")), ("passes", 9), versions=(1,))
+    cut, whole = (bytes(message.get_msgbuf())[7:-2].rstrip(b"\0").decode() for message in answer.of("STATUSTEXT"))
+    assert said.startswith(cut)
+    assert len(cut.encode()) <= 50 < len(said[: len(cut) + 1].encode())
+    assert whole == 25 * "ä"
+
+
 def test_texts_that_are_not_ascii(services: Services) -> None:
     """They are UTF-8, as the dialect says, and put together from their chunks they are what was said."""
     said = "Übertemperatur: 85 °C " * 4

@@ -40,6 +40,8 @@ def test_lists_are_empty(rover: GroundLink, kind: int) -> None:
         (common.MAV_MISSION_ACCEPTED, "mission_clear_all", kind),
         (common.MAV_MISSION_INVALID_SEQUENCE, "mission_request_int", 258, kind),
         (common.MAV_MISSION_INVALID_SEQUENCE, "mission_request", 0, kind),
+        (common.MAV_MISSION_UNSUPPORTED, "mission_request_partial_list", 0, -1, kind),
+        (common.MAV_MISSION_UNSUPPORTED, "mission_write_partial_list", 0, 3, kind),
     ):
         answer = answer_to(rover, "MISSION_ACK", message, *values)
         assert (answer.type, answer.mission_type) == (result, kind), message

@@ -111,6 +111,13 @@ CASES = {
             ["count", "2147483647", "2147483648", "16777219", "0"],
         ],
     ),
+    # MAV_CMD: INT32_MAX stands for NaN in parameters that are whole numbers, positions or not.
+    "what stands for NaN in a whole parameter": (
+        [whole(COUNT, 0.0, 2147483648.0, y=0x7FFFFFFE), whole(COUNT, 0.0, 2147483648.0, y=0x7FFFFFFF)],
+        [(COUNT, 0, 0), (COUNT, 2, 0)],
+        ["Count: wide must be whole, at least -2147483648"],
+        [["count", "0", "2147483648", "0", "2147483646"]],
+    ),
     "NaN is denied": ([long(PUMP, NAN, 50.0)], [(PUMP, 2, 0)], ["Pump: duration must be 0 to 60 s"], []),
     "beyond": (
         [long(PUMP, *values) for values in ((60.00001, 50.0), (-1e-30, 50.0), (INFINITE, 50.0), (-INFINITE, 50.0))],

@@ -543,3 +543,63 @@ def _failed(built, plain, text):
     plain.write_text(text)
     done = run_suite(built, "generated/tests/test_receives.py", options=("-k", "cpython", "--tb=no"))
     return "\n".join(line for line in done.stdout.splitlines() if line.startswith("FAILED"))
+
+
+ANSWERING = """
+import json, sys
+sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
+import messages
+from program_bench import Port, Craft, run_passes
+
+rover = Craft(ports=[Port(), Port()])
+assert rover.reception is None
+seen = []
+
+def answer():  # what received_...() of a user's code may do
+    reception = rover.reception
+    connection, sender = reception.connection, reception.message
+    seen.append([rover.connections.index(connection), sender.ID, sender.source_system, sender.source_component])
+    ack = messages.CommandAck(unknown=False).update(
+        command=sender.ID, target_system=sender.source_system, target_component=sender.source_component
+    )
+    connection.deliver(connection.send, ack)
+
+for connection in rover.connections:
+    for reception in connection.receptions.values():
+        reception.called = answer
+sent = []
+for link, frame in json.loads(open("answering.json").read()):
+    for connection in rover.connections:
+        connection.port.frames = []
+    rover.connections[link].port.arrives(bytes.fromhex(frame))
+    run_passes(rover, 4)
+    found = [[bytes(each) for each in connection.port.frames] for connection in rover.connections]
+    sent.append([[list(each[10:-2]) for each in frames if each[7] == 77] for frames in found])
+print(json.dumps([seen, sent, [connection.faults for connection in rover.connections]]))
+"""
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_code_can_answer_who_has_sent(built, interpreter):
+    """What is called knows the message with its sender, and the connection: answers go out there, to nobody else."""
+    (built / "answering.py").write_text(ANSWERING)
+    steps = [
+        station(system=200, link=1),
+        override(1500, 1500, system=200, component=7, link=1),
+        station(system=201),
+        override(1400, 1500, system=201, component=8),
+        frame(common.MAVLink_play_tune_message(HERE, 1, b"abc"), system=202, component=9, link=1),
+        fix(),
+    ]
+    (built / "answering.json").write_text(json.dumps(steps))
+    done = subprocess.run(
+        [str(BIN / interpreter), "answering.py"], cwd=built, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    seen, sent, faults = json.loads(done.stdout)
+    assert {tuple(each) for each in seen} >= {(1, 70, 200, 7), (0, 70, 201, 8), (1, 258, 202, 9), (0, 232, HERE, 9)}
+    assert faults == [0, 0]
+    told = [
+        [link, ack[0] | ack[1] << 8, *ack[8:10]] for links in sent for link, acks in enumerate(links) for ack in acks
+    ]
+    assert sorted(told) == sorted(seen)

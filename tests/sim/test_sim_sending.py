@@ -1,6 +1,7 @@
 """Messages that a scenario sends: the bytes that pymavlink makes, at their times, and the rover's reaction."""
 
 import json
+import math
 import os
 import re
 import struct
@@ -73,10 +74,11 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
         'at: 3 s, send: BATTERY_STATUS, fields: {"voltages[1]": 3.7 V, current_battery: -1}',
         "at: 4 s, send: PING",
         "at: 5 s, send: RC_CHANNELS_OVERRIDE, fields: {chan1_raw: 1600}, every: 500 ms, for: 1 s",
+        "at: 7 s, send: COMMAND_INT, fields: {param1: NaN, param2: .nan, param3: -.inf, z: .inf, x: INT32_MAX, y: -1}",
     )
     assert findings == []
     assert all(isinstance(event, Sending) for event in events)
-    times = [0, 1_000, 2_010, 3_000, 4_000, 5_000, 5_400, 5_500, 6_000, 9_000]
+    times = [0, 1_000, 2_010, 3_000, 4_000, 5_000, 5_400, 5_500, 6_000, 7_000, 9_000]
     interpreter = find_interpreter(runtime)
     assert interpreter is not None
     script, data = tmp_path / "script.py", tmp_path / "data.json"
@@ -103,6 +105,9 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
         None,
         override,
         None,
+        common.MAVLink_command_int_message(
+            1, 1, 0, 0, 0, 0, math.nan, math.nan, -math.inf, 0, 0x7FFFFFFF, -1, math.inf
+        ),
         None,
     ]
     packed = []
@@ -113,7 +118,9 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
     assert frames == packed
     assert received == sum(map(len, frames))
     after_restart, _ = heard(5_200)
-    assert [bool(frame) for frame in after_restart] == [at_ms == 5_500 for at_ms in times], "nothing is sent again"
+    assert [bool(frame) for frame in after_restart] == [at_ms in (5_500, 7_000) for at_ms in times], (
+        "nothing is sent again"
+    )
 
 
 BROKEN = [
@@ -124,6 +131,9 @@ BROKEN = [
     ("send: GPS_RAW_INT, fields: {lat: 3 V}", [("unit-mismatch", 6, 52)]),
     ("send: PARAM_SET, fields: {param_id: SEVENTEEN_LETTERS}", [("scenario-send", 6, 55)]),
     ('send: BATTERY_STATUS, fields: {"voltages[10]": 1}', [("scenario-send", 6, 66)]),
+    ("send: COMMAND_INT, fields: {x: NaN}", [("scenario-send", 6, 50)]),
+    ("send: COMMAND_LONG, fields: {confirmation: UINT16_MAX}", [("scenario-send", 6, 62)]),
+    ("send: COMMAND_LONG, fields: {param1: none}", [("bad-amount", 6, 56)]),
     ("send: PING, for: 3 s", [("scenario-event", 6, 36)]),
     ("arm: true, every: 1 s", [("scenario-event", 6, 37)]),
     ("send: PING, every: 0 s", [("scenario-time", 6, 38)]),
@@ -144,6 +154,7 @@ def test_the_rover_does_what_it_is_told(
     path.write_text(
         HEAD.replace("10 s", "20 s")
         + "      - {at: 3 s, send: COMMAND_LONG, fields: {command: MAV_CMD_COMPONENT_ARM_DISARM, param1: 1}}\n"
+        "      - {at: 4 s, send: MISSION_COUNT, fields: {count: 3}}\n"
         "      - {at: 5 s, send: PARAM_SET, fields: {param_id: BATT_LOW_VOLT, param_value: 12, param_type: 9}}\n"
         "    courses: {battery.voltage: {value: 11.5 V}}\n"
         "    expect:\n"
@@ -158,4 +169,6 @@ def test_the_rover_does_what_it_is_told(
     assert main(["sim", str(path), *options]) == 0, capsys.readouterr().out
     out = capsys.readouterr().out
     assert re.search(r"\n    COMMAND_ACK +1 frames ", out)
+    assert re.search(r"\n    MISSION_ACK +1 frames ", out), "what the specification does not name has its name, too"
+    assert not re.search(r"\n    \d+ +\d+ frames ", out)
     assert re.search(r"\n    PARAM_VALUE +1 frames ", out)

@@ -1,4 +1,7 @@
-"""Numbers to which a description gives a meaning of their own: nothing is to change, there is no value, or another."""
+"""Numbers to which a description gives a meaning of their own: nothing is to change, there is no value, or another.
+
+NaN is looked for by itself: as no value is ever meant by it, every word about it gives it a meaning.
+"""
 
 import re
 from collections.abc import Iterator
@@ -10,7 +13,7 @@ from codegen.model.dialect.literals import LIMITS
 
 
 class StatedValue(NamedTuple):
-    """A number as a description writes it (``-1``, ``UINT16_MAX``), and the words that give it its meaning.
+    """A number as a description writes it (``-1``, ``UINT16_MAX``, ``NaN``), and the words that give it its meaning.
 
     ``is_left`` is true of one that leaves things as they are.
     """
@@ -20,8 +23,13 @@ class StatedValue(NamedTuple):
     is_left: bool
 
     @property
+    def is_nan(self) -> bool:
+        """Return whether it is NaN, which is no number."""
+        return self.text == "NaN"
+
+    @property
     def number(self) -> Fraction:
-        """The number on the wire."""
+        """The number on the wire; ValueError of NaN."""
         name, _, less = self.text.upper().partition("-")
         if name.strip() in LIMITS:
             return Fraction(LIMITS[name.strip()] - int(less or 0))
@@ -38,7 +46,8 @@ _LIMIT = r"U?INT(?:8|16|32|64)_M(?:AX|IN)(?: ?- ?\d{1,3})?"
 _NUMBER = rf"(?:-?\d{{1,10}}(?:\.\d{{1,6}})?|{_LIMIT}|zero)"
 _APART = r"(?<![\w.,+/*^\[<>-])"
 _END = r"(?![\w%°/^*\]])(?!\.\d)"
-_LINK = r"\)? ?[:=]|\)?,? (?:means?|indicates?|implies|signifies|denotes|if|for|when|to)\b"
+_MEANS = r"(?:is|are)(?= ignored)|means?|indicates?|implies|signifies|denotes|if|for|when|to"
+_LINK = rf"\)? ?[:=]|\)?,? (?:or NaN )?(?:{_MEANS})\b"
 _AHEAD = (
     rf"{_APART}(?P<text>{_NUMBER}){_END}(?: or (?P<other>{_NUMBER}){_END})?(?P<link>{_LINK}) ?"
     r"(?P<words>[^.;,()]{0,70})"
@@ -60,6 +69,8 @@ _NONE = (
     r"\b(?:no|not) (?:\w+ )?(?:known|provided?|supplied|supported|measured?|estimated?|valid|applicable|required)\b|"
     r"\bdoes not (?:provide|measure|support|have)\b|\bunlimited\b|\binfinite\b|\bno limit\b"
 )
+
+_NAN = r"[^.;:,()]{0,50}(?<!maps to )\bNaN\b[^.;()]{0,70}"
 
 
 def stated_values(description: str) -> Iterator[StatedValue]:
@@ -87,6 +98,15 @@ def stated_values(description: str) -> Iterator[StatedValue]:
             if is_told or is_odd:
                 told.add(text.lower())
                 yield StatedValue("0" if text.lower() == "zero" else text, match[0].strip(), is_left)
+
+
+def stated_nan(description: str) -> StatedValue | None:
+    """Return what a description says of NaN, None where it says nothing; its number is none."""
+    match = _compiled(_NAN).search(description)
+    if match is None:
+        return None
+    words = match[0].strip()
+    return StatedValue("NaN", words, bool(_compiled(_LEFT).search(words)))
 
 
 def _is_odd(text: str) -> bool:

@@ -1,6 +1,14 @@
 """Resolves the answers about features that the vehicle lacks, as far as its dialect has words for them."""
 
-from codegen.model.absence import ABSENCE_FIELDS, LOGS, MISSION_RESULTS, MISSIONS, MODES, Absence
+from codegen.model.absence import (
+    ABSENCE_FIELDS,
+    LOGS,
+    MISSION_RESULTS,
+    MISSIONS,
+    MODES,
+    MORE_MISSIONS,
+    Absence,
+)
 from codegen.model.dialect.dialect import Dialect
 
 AUTOPILOT = 1
@@ -12,13 +20,18 @@ def resolve_absences(dialect: Dialect, component_id: int, taken: frozenset[str])
     found: list[Absence] = []
     if component_id != AUTOPILOT:
         return ()
-    for rows in (MISSIONS, LOGS, MODES):
-        names = {name for question, answer, _ in rows for name in (question, answer)}
-        has_words = all(_has(dialect, name) for name in names) and (rows is not MISSIONS or _has_results(dialect))
-        if has_words and not taken & {question for question, _, _ in rows}:
+    for rows, more in ((MISSIONS, MORE_MISSIONS), (LOGS, ()), (MODES, ())):
+        has_words = _has_all(dialect, rows) and (rows is not MISSIONS or _has_results(dialect))
+        if has_words and not taken & {question for question, _, _ in (*rows, *more)}:
             messages = dialect.messages
-            found += [Absence(messages[question], messages[answer], method) for question, answer, method in rows]
+            known = (*rows, *(row for row in more if _has_all(dialect, (row,))))
+            found += [Absence(messages[question], messages[answer], method) for question, answer, method in known]
     return tuple(found)
+
+
+def _has_all(dialect: Dialect, rows: tuple[tuple[str, str, str], ...]) -> bool:
+    """Return whether a dialect has the questions and the answers of some rows."""
+    return all(_has(dialect, name) for question, answer, _ in rows for name in (question, answer))
 
 
 def mission_results(dialect: Dialect) -> dict[str, int]:

@@ -4,7 +4,18 @@ VEHICLE_NAMES = frozenset(
     (
         *("texts", "connections", "parameters", "storage", "state", "board", "scheduler", "long_commands", "sources"),
         *("access", "control", "measure", "check_arming", "on_arm", "on_disarm", "is_armed", "arming_problem", "arm"),
-        *("disarm", "reboot", "restart_ms", "run_pass", "run", "check_mode", "set_mode", "stop_motors", "halt_motors"),
+        *(
+            "disarm",
+            "reboot",
+            "restart_ms",
+            "reception",
+            "run_pass",
+            "run",
+            "check_mode",
+            "set_mode",
+            "stop_motors",
+            "halt_motors",
+        ),
         *("remind",),
     )
 )

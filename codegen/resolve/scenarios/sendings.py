@@ -1,11 +1,13 @@
 """Resolves a message that a scenario sends to the vehicle: from its fields to the bytes of its payload."""
 
+import math
 import struct
 from fractions import Fraction
 
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import find_unit, read_real
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
+from codegen.model.dialect.literals import LIMITS
 from codegen.model.listening import deaf_links
 from codegen.model.reception import SYSTEM_FIELDS
 from codegen.model.scenario import GROUND_STATION, Sending
@@ -19,9 +21,10 @@ SCENARIO_SEND = Rule(
     "scenario-send",
     "A scenario sends a message of the dialect: fields by their names, field[1] for an element, what is not listed is "
     "0, or the vehicle's own ids for its target. A value is a number in the unit of the field, an amount in any unit "
-    "that fits, an entry of its enum, a text.",
+    "that fits, an entry of its enum, a limit of a type such as INT32_MAX, NaN or .inf in a float, a text.",
     remedy="write values that the field has: a number, an amount in its unit, an entry of its enum",
 )
+_NO_NUMBERS = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 _NAME = pattern(r"(\w+)(?:\[(\d{1,3})\])?")
 
 
@@ -91,8 +94,15 @@ def _put(payload: bytearray, wire: WireMessage, written: str, text: str, place: 
 def _number(text: str, field: WireField, wire: WireMessage, place: Place, values: ScenarioValues) -> float | int | None:
     """Return what a field carries for a text; None after a finding."""
     value: Fraction | float | None
+    no_number = _NO_NUMBERS.get(text.lower().replace(".", "", 1))  # YAML writes .nan
+    if no_number is not None:
+        if not field.type.is_integer:
+            return no_number
+        message = f"{wire.name}.{field.name} is {field.type.name}, which has whole numbers only"
+        values.say(SCENARIO_SEND, place, message, "write a number, or the limit of its type that means as much")
+        return None
     try:
-        value = Fraction(text) / field.multiplier
+        value = Fraction(LIMITS[text]) if text in LIMITS else Fraction(text) / field.multiplier
     except (ValueError, ZeroDivisionError):
         value = _named(text, field, place, values)
     if value is None:

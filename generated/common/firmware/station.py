@@ -1,8 +1,8 @@
 # Generated from templates/firmware/program/station.py, dialect common: do not edit.
-# Inputs: 22d7e48f366f5ba8
+# Inputs: b5f5f2594decad88
 """The state of each station that a link serves, and the texts that it is sent.
 
-Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
+Long texts go in chunks: MAVLink 2 puts their bytes together, MAVLink 1 gets their beginning, up to a whole character.
 """
 
 from struct import pack_into
@@ -16,7 +16,7 @@ _STATUSTEXT_ID_AT = const(51)
 _STATUSTEXT_SEVERITY_AT = const(0)
 _STATUSTEXT_TEXT_AT = const(1)
 
-_TEXT = const(50)  # characters of a STATUSTEXT
+_TEXT = const(50)  # bytes of a STATUSTEXT; a NUL among them ends the text, so that a chunk may end within a character
 
 
 class Station:
@@ -58,7 +58,7 @@ class TextSender:
         if station.said is None:
             self._take(station)
         if self._send(station):
-            # A NUL ends a long text: the chunk after 50 characters may be empty.
+            # A NUL ends a long text: the chunk after 50 bytes may be empty.
             station.chunk += 1
             length = len(station.said[1])
             if length <= _TEXT or station.chunk * _TEXT > length:
@@ -71,8 +71,11 @@ class TextSender:
             station.text += 1
             found = self._texts.get(station.text)
         text = found[1].encode()
-        if self._connection.link.version == 1:
-            text = text[:_TEXT]
+        if self._connection.link.version == 1 and len(text) > _TEXT:
+            end = _TEXT
+            while text[end] & 0xC0 == 0x80:  # within a character
+                end -= 1
+            text = text[:end]
         if len(text) > _TEXT:
             station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
         station.said = found[0], text

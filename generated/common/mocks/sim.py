@@ -1,10 +1,10 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 6a590480483fb1de
+# Inputs: 01520bc2553f5aea
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
 `events`, `start_ms` and `duration_ms` in the time of the scenario (duration null: for ever), `speed` (1 real time, 0 as
-fast as it can), `unique_id` of the board in hex, `names` of messages by number, `told`: the numbers of those whose
+fast as it can), `unique_id` of the board in hex, `told`: the numbers of the messages whose
 frames are recorded, `watched`: quantities of the state, see sim_watch, `actions`: methods of the vehicle, `mocked`:
 modules that stand in for what sensors are connected to, `store`:
 parameters to be stored before the start, with `files` and `chunk` of the storage, or null, `turns`: the file that says
@@ -19,7 +19,7 @@ gets a line of JSON for whatever happens, with the scenario's time in ms:
     frame      data                        a message that tells of quantities went out, in hex
     text       severity, text              the firmware said something
     event      name, text                  what the scenario did: refused, reboot
-    messages   counts                      by name: frames and bytes that went out; also parameters, link statistics
+    messages   counts                      by number: frames and bytes that went out; also parameters, link statistics
     turn                                   the end of the turn is reached: a line is waited for
     caught     name, traceback             the firmware caught an exception of a part of the program, and goes on
     failed     traceback                   the firmware raised an exception that nobody caught, or the watchdog was
@@ -78,7 +78,7 @@ class Simulation:
         self._store = settings["store"]
         if settings["reset_cause"] is not None:
             machine.set_reset_cause(settings["reset_cause"])
-        self._wire = Wire(self.records, settings["names"], settings["told"], self._sum_up)
+        self._wire = Wire(self.records, settings["told"], self._sum_up)
         self._watch = Watch(self.records, settings["watched"], settings["actions"])
         self._watched = None
         self._main = None

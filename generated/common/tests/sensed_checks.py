@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/sensed_checks.py: do not edit.
-# Inputs: ee81dfffb8b7d6e5
+# Inputs: 28ee94c28910838e
 """Things that come from outside: the time, messages that set quantities, sensors, and what methods answer."""
 
 import sys
@@ -105,6 +105,7 @@ class Table:
         self.taken = []
         self.notes = []
         self.called = self._call if has_call else None
+        self.vehicle = self  # which is told what calls it
 
     def take(self, now_ms):
         """Take it."""

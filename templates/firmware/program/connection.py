@@ -21,6 +21,7 @@ _LOOK_MS = const(100)  # no later the streams and the port have a turn
 _ARRIVED = const(0)  # what comes first in a pass: what arrived,
 _STREAMS = const(1)  # or streams, and nothing is taken in,
 _OTHERS = const(2)  # or what else waits, and then streams
+_TO_READ = const(2)  # what poll() of a port says where it is to be read, though look() says nothing
 _NUMBER = const(6)  # where the state of a link has the id of a message, frames_plain says more,
 _WORKED = const(15)  # what is limited in a pass,
 _SENDER = const(23)  # and system << 8 | component that it came from
@@ -45,7 +46,7 @@ class Connection:
     given the list of how many messages they may send in this pass and how many they left out.
 
     A port that has look(0) is read where that returns something. Its poll() is called ten times a second, and in the
-    next pass where it returns that it has more to do.
+    next pass where it returns that it has more to do: True, or 2 where it is to be read in that pass.
     A port that has `ends` brings what keeps its stations apart: frames go to ends[0], what was read came from ends[1].
     At the other end of another port there is one station: all that hear what goes out there.
 
@@ -148,6 +149,7 @@ class Connection:
                                                 tables[number].tell()
                                             found = tables[number].called
                                             if found is not None:
+                                                vehicle.reception = tables[number]
                                                 found()
                             except Exception as error:
                                 self._note(error, now_ms)
@@ -210,10 +212,12 @@ class Connection:
                         if wait_ms < least_ms:  # noqa: PLR1730  min() takes longer
                             least_ms = wait_ms
                     if budget[0] > 0:
-                        if self._end_pass(now_ms):
-                            least_ms = 0
-                        next_ms = ticks_add(now_ms, least_ms)
                         is_more = is_left
+                        left = self._end_pass(now_ms)
+                        if left:
+                            least_ms = 0
+                            is_left = is_left or left == _TO_READ
+                        next_ms = ticks_add(now_ms, least_ms)
                     else:  # whether anything is left is found out in the next pass
                         is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
                         if is_left_out and turn == _ARRIVED:
@@ -323,7 +327,7 @@ class Connection:
         return station.streams.wait_ms(now_ms)
 
     def _end_pass(self, now_ms):
-        """End a pass in which there was something to do; return whether more has arrived at the port."""
+        """End a pass in which there was something to do; return whether the port has something left, as it says."""
         if not 0 <= ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
             self._forget(now_ms)
         return self.port.poll(now_ms)

@@ -19,7 +19,9 @@ class Reception:
 
     take(now_ms), at time.ticks_ms(), sets the quantities by what its link has received last, which is in `message`, if
     the sender may. It returns 0 where nothing more is to be done, and 1 or more where a number was implausible: tell()
-    then tells it. Where it returns anything but 0, `called` is called, unless it is None. receiving.py sets take().
+    then tells it. Where it returns anything but 0, `called` is called, unless it is None; `vehicle.reception` is this
+    object then, so that code knows `message` with its sender, and `connection`, which sends to that. receiving.py sets
+    take().
 
     `counts` is what the functions of receiving write, and read: [0] the number of the last field that was implausible,
     from 1, or 0, and -1 for a message that is not for this table, or not for this vehicle; [1] how many messages were
@@ -33,6 +35,8 @@ class Reception:
         self._name = name
         self._fields = fields
         self.called = called
+        self.vehicle = vehicle
+        self.connection = connection
         self._log = vehicle.texts
         self._told_ms = None
         self.sender = sender
@@ -97,6 +101,7 @@ def _tell(table, found):  # apart, since the variables of a larger function lie 
     if found > 0:
         table.tell()
     if table.called is not None:
+        table.vehicle.reception = table
         table.called()
 
 

@@ -1,6 +1,6 @@
 """The state of each station that a link serves, and the texts that it is sent.
 
-Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
+Long texts go in chunks: MAVLink 2 puts their bytes together, MAVLink 1 gets their beginning, up to a whole character.
 """
 
 from struct import pack_into
@@ -9,7 +9,7 @@ import dialect
 import messages
 from micropython import const
 
-_TEXT = const(50)  # characters of a STATUSTEXT
+_TEXT = const(50)  # bytes of a STATUSTEXT; a NUL among them ends the text, so that a chunk may end within a character
 
 
 class Station:
@@ -51,7 +51,7 @@ class TextSender:
         if station.said is None:
             self._take(station)
         if self._send(station):
-            # A NUL ends a long text: the chunk after 50 characters may be empty.
+            # A NUL ends a long text: the chunk after 50 bytes may be empty.
             station.chunk += 1
             length = len(station.said[1])
             if length <= _TEXT or station.chunk * _TEXT > length:
@@ -64,8 +64,11 @@ class TextSender:
             station.text += 1
             found = self._texts.get(station.text)
         text = found[1].encode()
-        if self._connection.link.version == 1:
-            text = text[:_TEXT]
+        if self._connection.link.version == 1 and len(text) > _TEXT:
+            end = _TEXT
+            while text[end] & 0xC0 == 0x80:  # within a character
+                end -= 1
+            text = text[:end]
         if len(text) > _TEXT:
             station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
         station.said = found[0], text

@@ -30,6 +30,7 @@ class Peer:
         self._full_ms = None  # since when the socket is full, as noticed by send()
         self._kept = b""  # the beginning of a frame
         self._kept_ms = None  # since when that beginning has not grown, as noticed by receive()
+        self._is_shorter = False  # whether a start was given up, so that there may be a whole frame in what is kept
         self._brought = 0  # bytes that were received last, with what was kept
         self._guard = Guard()
 
@@ -53,13 +54,18 @@ class Peer:
         return not self._unsent
 
     def receive(self):
-        """Return the bytes that have arrived, after the kept beginning of a frame; None where nothing has arrived."""
+        """Return the bytes that have arrived, after the kept beginning of a frame, which counts alone once its start
+        was given up; None where there is nothing to look at.
+        """
         self.is_ready = False
         data = self._try_receive()
         if not data:
             if data is not None and self.error is None:
                 self.error = "closed by the other end"
-            return None
+            if self.error is not None or not self._is_shorter:
+                return None
+            data = b""
+        self._is_shorter = False
         if self._kept:
             data = self._kept + data
             self._kept = b""
@@ -90,13 +96,17 @@ class Peer:
             self._give_up()
 
     def _give_up(self):
-        """Look on behind the first byte of a frame whose end does not come: perhaps it is none."""
+        """Look on behind the first byte of a frame whose end does not come: perhaps it is none.
+
+        What is left is looked at with the next pass, though nothing more may ever arrive.
+        """
         kept = self._kept
         start = 1
         while start < len(kept) and kept[start] != _NEW and kept[start] != _OLD:
             start += 1
         self._kept = kept[start:]
         self._kept_ms = None
+        self._is_shorter = self.is_ready = len(self._kept) > 0
 
     # Functions with a `try` or a `with` have to be as small as these, or MicroPython puts their variables on the heap.
 

@@ -10,6 +10,7 @@ from tcp_peer import Peer
 from tcp_stations import TcpStations
 
 _WRAP = const(0x3FFFFFFF)
+_TO_READ = const(2)  # of what is left after a pass
 _IPPROTO_TCP = const(6)  # of lwIP and of Linux alike; few ports of MicroPython have a name for it
 _TCP_NODELAY = const(1)
 _len = len  # found here, it is found sooner than among the built-in names
@@ -74,7 +75,10 @@ class TcpPort(NetworkPort):
         return 0
 
     def poll(self, now_ms):
-        """Keep Wi-Fi and connections up, at time.ticks_ms(); return whether the end of a frame waits to be sent."""
+        """Keep Wi-Fi and connections up, at time.ticks_ms().
+
+        Return whether the end of a frame waits to be sent, and 2 where what a peer has sent is to be read once more.
+        """
         if self._has_wifi and not self._poll_wifi(now_ms):
             self._close()
             return False
@@ -85,8 +89,10 @@ class TcpPort(NetworkPort):
         waits = False
         for peer in self.peers:
             if not peer.flush():
-                waits = True
+                waits = waits or True  # _TO_READ stays
             peer.check(now_ms, self._timeout_ms)
+            if peer.is_ready:
+                waits = _TO_READ
             if peer.error is not None:
                 self._lose(peer)
                 return True  # the others have their turn in the next pass

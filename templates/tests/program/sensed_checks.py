@@ -103,6 +103,7 @@ class Table:
         self.taken = []
         self.notes = []
         self.called = self._call if has_call else None
+        self.vehicle = self  # which is told what calls it
 
     def take(self, now_ms):
         """Take it."""

@@ -1,10 +1,10 @@
-"""Streams of one link: HEARTBEAT at 1 Hz, two batteries, and messages that are sent on request only."""
+"""Streams of one link: HEARTBEAT at 1 Hz, two batteries, one of once a day, and messages sent on request only."""
 
 import time
 
 import messages
 
-_OWN_US = {0: 1000000, 147: 500000, 148: -1, 300: -1}
+_OWN_US = {0: 1000000, 24: 86400000000, 147: 500000, 148: -1, 300: -1}
 
 
 class Streams:

@@ -268,6 +268,34 @@ def hostile_bytes_hide_no_frame():
     assert craft.connections[0].faults == 0
 
 
+def what_is_whole_behind_a_false_start_is_answered():
+    """Though nothing more arrives: 2 s after each start that never ends, and what arrives meanwhile loses nothing."""
+    craft, port, _log = server()
+    port._timeout_ms = 10 * TIMEOUT_MS
+    station, other = GroundStation(End()), GroundStation(End(), system_id=254)
+    run_passes(craft, 30)
+    for starts in (1, 2):
+        for start in (b"\xfd\xff\x00\x00\x00", b"\xfe\xff\x00"):
+            station.port.arrives(start * starts)
+            station.command(NOBODY)
+            station.command(NOBODY)
+            other.command(NOBODY)
+            run(craft, SECOND_US)
+            assert (answers(station), answers(other)) == (0, 1), start
+            run(craft, (3 * starts - 1) * SECOND_US)
+            assert answers(station) == 2, (start, starts)
+            assert not station.port.is_closed
+    station.port.arrives(b"\xfd\xff\x00\x00\x00")
+    run(craft, 3 * SECOND_US)
+    received = port.received
+    run(craft, 3 * SECOND_US)
+    assert port.received == received, "what is given up is not looked at for ever"
+    station.command(NOBODY)
+    run(craft, SECOND_US)
+    assert answers(station) == 1
+    assert craft.connections[0].faults == 0
+
+
 class Sink:
     """A socket that takes so much of each send, of the list's last number for ever; an exception is raised."""
 
@@ -538,6 +566,7 @@ CHECKS = (
     silence_and_garbage_end_a_connection,
     frames_come_in_any_pieces_from_several,
     hostile_bytes_hide_no_frame,
+    what_is_whole_behind_a_false_start_is_answered,
     torn_writes_are_finished_first,
     a_connection_that_breaks_within_a_frame_is_not_used_again,
     a_reader_that_stands_still_is_closed,

@@ -27,12 +27,16 @@ class QuestionView:
 
 @dataclass(frozen=True, slots=True)
 class AbsencesView:
-    """The module: the ``kinds`` of questions and answers, by number; of ``answers`` the names, too."""
+    """The module: the ``kinds`` of questions and answers, by number; of ``answers`` the names, too.
+
+    ``part_question`` is the name of one about a part of a list, or nothing; all of them have the same layout.
+    """
 
     kinds: tuple[KindView, ...]
     answers: tuple[tuple[str, int], ...]
     questions: tuple[QuestionView, ...]
     has_missions: bool
+    part_question: str
     has_logs: bool
     has_modes: bool
 
@@ -47,6 +51,7 @@ def absences_view(absences: tuple[Absence, ...]) -> AbsencesView:
         answers=tuple((wire.name, wire.id) for wire in answers.values()),
         questions=tuple(QuestionView(absence.question.id, absence.method) for absence in absences),
         has_missions="count_none" in methods,
+        part_question=next((each.question.name for each in absences if each.method == "refuse_part"), ""),
         has_logs="list_no_logs" in methods,
         has_modes="refuse_mode" in methods,
     )
