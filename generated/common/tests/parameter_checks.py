@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 9ebc436cbb6ba453
+# Inputs: 364806eb2b4d9be6
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -120,7 +120,8 @@ def values_are_rounded_to_steps():
             continue
         steps = facts["minimum"] + 1
         value = (steps + 0.3) * facts["numerator"] / facts["denominator"]
-        value = value if can_be_sent(facts, value) else int(value)
+        if not can_be_sent(facts, value):
+            value = steps * facts["numerator"] + facts["numerator"] // 3
         assert number_of(_set(craft, station, facts, value)[0]) == _worth(facts, steps), facts["name"]
 
 

@@ -14,7 +14,7 @@ from program_facts import BYTEWISE, COMPONENT_ID, PARAMETERS, SYSTEM_ID
 
 import dialect
 
-OTHER_TYPES = (0, dialect.MAV_PARAM_TYPE_REAL32 + 1, 255, dialect.MAV_PARAM_TYPE_REAL32, *WHOLE)
+OTHER_TYPES = [0, dialect.MAV_PARAM_TYPE_REAL32 + 1, 255, dialect.MAV_PARAM_TYPE_REAL32] + list(WHOLE)  # noqa: RUF005
 
 
 def _message(facts, kind):

@@ -118,7 +118,8 @@ def values_are_rounded_to_steps():
             continue
         steps = facts["minimum"] + 1
         value = (steps + 0.3) * facts["numerator"] / facts["denominator"]
-        value = value if can_be_sent(facts, value) else int(value)
+        if not can_be_sent(facts, value):
+            value = steps * facts["numerator"] + facts["numerator"] // 3
         assert number_of(_set(craft, station, facts, value)[0]) == _worth(facts, steps), facts["name"]
 
 
