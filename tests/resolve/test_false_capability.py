@@ -54,7 +54,12 @@ def found(
     report = Report()
     system = read_system(str(specs / "codegen.yaml"), report)
     assert system is not None, [each.message for each in report]
-    return [(each.message, each.hint or "") for each in check(system)]
+    findings = list(check(system))
+    assert all((each.rule.id, each.is_error) == ("false-capability", True) for each in findings)
+    assert all(each.place.file.startswith(str(specs / "messages")) for each in findings)
+    about = {text for each in findings for _, text in each.related}
+    assert about <= {"GATE_SPEED would be read and set wrongly"}
+    return [(each.message, each.hint or "") for each in findings]
 
 
 def capabilities(*names: str) -> str:

@@ -105,7 +105,7 @@ def _access(system: System, program: Program) -> Subject:
 
 
 def _encoding(system: System, program: Program) -> Subject:
-    """How whole parameters go over the wire."""
+    """The encoding of whole parameters, which all of them share."""
     place = system.spec.parameters.at("encoding")
     fact = Fact("encoding", program.encoding.value, rules.PARAMETER_ENCODING, place)
     says = f"encoding {program.encoding}"

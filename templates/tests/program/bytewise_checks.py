@@ -50,7 +50,7 @@ def another_type_is_refused():
 
 
 def numbers_as_floats_are_refused():
-    """Who sends C casts has something behind the bytes of a small integer, and is not taken for one who sent 0."""
+    """A C cast has something behind the bytes of a small integer, and is not taken for the 0 in them."""
     craft = new_craft()
     station = craft.ground_station()
     for facts in PARAMETERS:
@@ -72,7 +72,7 @@ CHECKS = (
 LONG = (another_type_is_refused,)
 
 SUBJECT = BYTEWISE
-"""Whether whole parameters are bytes; else these checks are left out."""
+"""True where whole parameters are bytes; else these checks are left out."""
 
 if __name__ == "__main__":
     main(CHECKS, SUBJECT)
