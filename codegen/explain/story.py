@@ -18,7 +18,7 @@ from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Parameter, Quantity, Stream
 from codegen.summaries.fields import FieldRow, field_rows, others_of, withheld_of
 from codegen.summaries.generations import GenerationTable, generation_tables, sent_at_once
-from codegen.summaries.parameters import uses
+from codegen.summaries.parameters import type_words, uses
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -229,7 +229,7 @@ def _parameter(parameter: Parameter, system: System) -> str:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     meanings = [f"{decimal(steps * parameter.step)} {meaning}" for steps, meaning in sorted(parameter.choices.items())]
     told = [
-        ("type", f"{parameter.spec.type}"),
+        ("type", type_words(parameter, system)),
         ("default", f"{decimal(parameter.default * parameter.step)}{unit}"),
         (
             "range",

@@ -14,6 +14,7 @@ from codegen.model.failsafe import Failsafe
 from codegen.model.spec.access import SETUP_SIGNING
 from codegen.model.spec.board import LinkSpec
 from codegen.model.spec.program import ActionSpec, VehicleSpec
+from codegen.model.spec.spec import ParameterEncoding
 from codegen.model.vehicle import Citation, Component, Quantity
 from codegen.model.watchdog import Watchdog
 
@@ -107,7 +108,7 @@ class Program:
     single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
     ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself. ``access`` is None
     where every link is open, ``watchdog`` where nothing resets a loop that stands still. ``absences`` are the questions
-    about what it does not have.
+    about what it does not have. ``encoding`` is how values of parameters go over the wire.
     """
 
     control_us: int
@@ -134,6 +135,7 @@ class Program:
     access: Access | None = None
     watchdog: Watchdog | None = None
     absences: tuple[Absence, ...] = ()
+    encoding: ParameterEncoding = ParameterEncoding.C_CAST
 
     @property
     def built_in(self) -> tuple[BuiltInCommand, ...]:

@@ -17,7 +17,14 @@ from codegen.model.quantities.source_kind import Source
 from codegen.model.receiver import Receiver
 from codegen.model.reception import Reception
 from codegen.model.spec.population import PopulationSpec
-from codegen.model.spec.spec import Generation, GenerationsSpec, Requirement, Spec
+from codegen.model.spec.spec import (
+    Generation,
+    GenerationsSpec,
+    ParameterEncoding,
+    ParameterType,
+    Requirement,
+    Spec,
+)
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Reading, Stream
 
 
@@ -171,6 +178,17 @@ class System:
     def signs(self) -> bool:
         """Return whether any link is signed."""
         return self.program is not None and self.program.access is not None and bool(self.program.access.signed)
+
+    @property
+    def has_whole_parameters(self) -> bool:
+        """Return whether a parameter has another type than real32: all encodings have those alike."""
+        return any(parameter.spec.type is not ParameterType.REAL32 for parameter in self.parameters.values())
+
+    @property
+    def is_bytewise(self) -> bool:
+        """Return whether the program sends and takes parameters as the bytes of their types."""
+        encoding = self.program.encoding if self.program else ParameterEncoding.C_CAST
+        return encoding is ParameterEncoding.BYTEWISE and self.has_whole_parameters
 
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""

@@ -1,7 +1,7 @@
 """The values of a parameter that its protocol and the storage carry: both have floats of 32 bits.
 
-The protocol is spoken with C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the
-parameter has, and so does a record of the storage.
+As C casts PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has, and so does a
+record of the storage in each encoding.
 """
 
 from fractions import Fraction
@@ -23,9 +23,10 @@ to one part in 2 ** 24 is less than half a step then.
 
 PARAMETER_BEYOND_FLOAT = Rule(
     "parameter-beyond-float",
-    "A parameter can have values that a float of 32 bits does not carry, and PARAM_VALUE, PARAM_SET and the storage "
-    f"carry nothing else: whole numbers up to {_EXACT}, or that many times the largest power of two in the step; of "
-    f"steps that are no binary fractions, such as 0.1, up to {_TOLD_APART}. Narrow min and max, or choose a larger "
+    "A parameter can have values that a float of 32 bits does not carry. The storage carries nothing else, and neither "
+    f"do PARAM_VALUE and PARAM_SET but for whole types sent bytewise: whole numbers up to {_EXACT}, or that many times "
+    "the largest power of two in the step; of steps that are no binary fractions, such as 0.1, up to "
+    f"{_TOLD_APART}. Narrow min and max, or choose a larger "
     "step.",
 )
 

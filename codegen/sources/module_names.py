@@ -2,7 +2,7 @@
 
 # fmt: off
 FIRMWARE = frozenset((
-    "absences", "accepted_values", "access", "adc_faults", "adc_inputs", "ages", "board", "checksum",
+    "absences", "accepted_values", "access", "adc_faults", "adc_inputs", "ages", "board", "bytewise", "checksum",
     "clock_plain", "clock_service", "clock_viper", "command_cancel", "command_table", "commands", "connection",
     "conversion", "curve", "dialect", "doubles", "enums", "failsafe", "failsafes", "fields", "floats_plain",
     "floats_viper", "frames", "frames_plain", "frames_viper", "further_reading", "guard", "heard", "ina219",

@@ -1,8 +1,9 @@
-"""The uses of a parameter, in words: for explain and for the review documents."""
+"""The uses of a parameter and how it is carried, in words: for explain and for the review documents."""
 
 from collections.abc import Iterator
 
 from codegen.model.failsafe import Failsafe, Sense
+from codegen.model.spec.spec import ParameterType
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Parameter
 
@@ -17,6 +18,22 @@ def uses(parameter: Parameter, system: System) -> list[str]:
     if found and parameter.siblings:
         found[0] = f"of {parameter.component} {parameter.instance + 1}: {found[0]}"
     return found
+
+
+def encoding_words(system: System) -> str:
+    """Return how PARAM_VALUE and PARAM_SET carry whole parameters; empty where there are none, or no program."""
+    if system.program is None or not system.has_whole_parameters:
+        return ""
+    return (
+        f"{'as the bytes of their types' if system.is_bytewise else 'as floats'} (encoding: {system.program.encoding})"
+    )
+
+
+def type_words(parameter: Parameter, system: System) -> str:
+    """Return the type of a parameter, with the encoding that the program has of it: ``uint8; PARAM_VALUE and ...``."""
+    kind = parameter.spec.type
+    carried = "" if kind is ParameterType.REAL32 else encoding_words(system)
+    return f"{kind}; whole parameters are sent and taken {carried}" if carried else f"{kind}"
 
 
 def _board(parameter: Parameter, system: System) -> Iterator[str]:

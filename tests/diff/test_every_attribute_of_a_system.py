@@ -17,6 +17,7 @@ from codegen.diff.reach import traces, with_reach
 from codegen.diff.system.system import compare_systems
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
+from codegen.model.spec.spec import ParameterEncoding, ParameterType
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.units.unit import Unit, unit_named
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
@@ -249,6 +250,7 @@ EXPECTED = {
     "AdcChannel.samples": {"adc-channel-changed"},
     "Condition.sense": {"failsafe-changed"},
     "Program.control_us": {"program-changed"},
+    "Program.encoding": {"parameter-encoding-changed"},
     "Receiver.stale_after_ms": {"receiver-changed"},
     "Generations.new": {"generations-changed"},
 }
@@ -294,6 +296,24 @@ def test_what_nobody_notices_is_silent_though_no_message_has_it(systems: tuple[S
     parameters = {**main.parameters, name: replace(parameter, unit=unit_named("mV"))}
     found = compare_systems((main,), (replace(main, parameters=parameters),)).changes
     assert {change.rule.id for change in found if change.is_silent} == {"parameter-unit-changed"}
+
+
+def test_another_encoding_of_parameters_is_silent_where_whole_ones_are_carried(systems: tuple[System, ...]) -> None:
+    """A station that goes on with the old one reads and sets other numbers; real32 is the same in both."""
+    main = systems[0]
+    assert main.program is not None
+    bytewise = replace(main.program, encoding=ParameterEncoding.BYTEWISE)
+    found = compare_systems((main,), (replace(main, program=bytewise),)).changes
+    (change,) = (one for one in found if one.rule.id == "parameter-encoding-changed")
+    assert (change.old, change.new) == ("encoding c_cast", "encoding bytewise")
+    assert change.is_silent
+    assert change.is_breaking
+    floats = {
+        name: replace(one, spec=replace(one.spec, type=ParameterType.REAL32)) for name, one in main.parameters.items()
+    }
+    main = replace(main, parameters=floats)
+    found = compare_systems((main,), (replace(main, program=bytewise),)).changes
+    assert [one.rule.id for one in found] == []
 
 
 def test_a_program_is_named_once(systems: tuple[System, ...]) -> None:

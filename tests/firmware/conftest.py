@@ -41,6 +41,20 @@ def service_folders(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...
     return prepare(tmp_path_factory.mktemp("services"))
 
 
+@pytest.fixture(scope="session")
+def bytewise_folders(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...]:
+    """Return the same of services whose parameters go over the wire as the bytes of their types."""
+    return prepare(tmp_path_factory.mktemp("bytewise"), is_bytewise=True)
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def bytewise_services(request: pytest.FixtureRequest, bytewise_folders: tuple[Path, ...]) -> Iterator[Services]:
+    """The services with bytewise parameters, on each interpreter."""
+    running = Services(request.param, bytewise_folders)
+    yield running
+    running.close()
+
+
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def services(request: pytest.FixtureRequest, service_folders: tuple[Path, ...]) -> Iterator[Services]:
     """The services, on each interpreter."""

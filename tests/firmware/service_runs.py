@@ -9,6 +9,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 from firmware_runs import FIRMWARE, MOCKS, PROGRAM, tool
@@ -16,8 +17,10 @@ from pymavlink.dialects.v10 import common as common_1
 from pymavlink.dialects.v20 import common
 from pymavlink.generator import mavparse
 
+from codegen.render.templates import render_template
+
 BENCH = Path(__file__).with_name("service_bench")
-PLAIN = ("connection", "inbox", "rare_commands", "services", "parameter_service", "station", "stations")
+PLAIN = ("bytewise", "connection", "inbox", "rare_commands", "services", "station", "stations")
 COMMANDS = Path(__file__).resolve().parents[2] / "generated" / "firmware" / "commands.py"
 GROUND = (255, 190)
 MESSAGES = (
@@ -33,7 +36,7 @@ OVERLAY = """<mavlink><include>common.xml</include><messages>
 <field type="uint8_t[8]" name="library_version_hash">1</field></message></messages></mavlink>"""
 
 
-def prepare(folder: Path) -> tuple[Path, ...]:
+def prepare(folder: Path, *, is_bytewise: bool = False) -> tuple[Path, ...]:
     """Make the modules that are rendered for a vehicle, as far as the services use them; where to import from."""
     shipped = Path(mavparse.__file__).parents[1] / "dialects" / "v20"
     for name in ("common.xml", "standard.xml", "minimal.xml"):
@@ -42,7 +45,10 @@ def prepare(folder: Path) -> tuple[Path, ...]:
     codec = folder / "codec"
     arguments = ["--dialect", str(folder / "overlay.xml"), "--messages", MESSAGES, "--out", str(codec)]
     subprocess.run([sys.executable, "-m", "codegen", "codec", *arguments], check=True, capture_output=True)
-    sources = [PROGRAM / f"{name}.py" for name in PLAIN] + sorted(BENCH.glob("*.py"))
+    service = codec / "parameter_service.py"
+    view = SimpleNamespace(is_bytewise=is_bytewise)
+    service.write_text(render_template("firmware/program/parameter_service.py.j2", view), "utf-8")
+    sources = [service, *(PROGRAM / f"{name}.py" for name in PLAIN), *sorted(BENCH.glob("*.py"))]
     names = sorted({name for path in sources for name in re.findall(r"dialect\.(\w+)", path.read_text("utf-8"))})
     (codec / "dialect.py").write_text("".join(f"{name} = {_number(name)}\n" for name in names), "utf-8")
     shutil.copy(COMMANDS, codec)  # of the rover, with arming

@@ -31,6 +31,14 @@ def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return _built(folder)
 
 
+@pytest.fixture(scope="module")
+def bytewise(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The suite of a project with a bytewise parameter of every whole type."""
+    folder = tmp_path_factory.mktemp("bytewise")
+    shutil.copytree(ROOT / "tests" / "projects" / "guarded" / "specs", folder / "specs")
+    return _built(folder)
+
+
 def _built(folder: Path) -> Path:
     """The suite of a project, built without machine code."""
     with (folder / "specs" / "codegen.yaml").open("a") as settings:
@@ -64,3 +72,14 @@ def test_wide_numbers_with_words_of_32_bits(project: str, tmp_path: Path) -> Non
     for file in ("test_frames.py", "test_behaviour.py"):
         done = run_suite(tests, file, options=("-k", "micropython"), micropython=MICROPYTHON32)
         assert done.returncode == 0, done.stdout[-3000:]
+
+
+@pytest.mark.parametrize("script", ["bytewise", "parameter", "storage"])
+def test_bytewise_parameters_with_words_of_32_bits(
+    bytewise: Path, script: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whole parameters as their bytes, of every type, with numbers beyond those that such a MicroPython has small."""
+    monkeypatch.setenv("MICROPYTHON", str(MICROPYTHON32))
+    outcomes = json.loads(scripts_of(bytewise).run_under("micropython", f"{script}_checks.py", "9"))
+    assert outcomes
+    assert not {check: found for check, found in outcomes.items() if found and not found.startswith("left out: ")}

@@ -116,6 +116,12 @@ PARAMETER_TYPE = _inside(
     "PARAM_VALUE announces another type of a parameter: who took the old one reads other numbers.",
     *BOTH,
 )
+PARAMETER_ENCODING = _silent(
+    "parameter-encoding-changed",
+    "PARAM_VALUE and PARAM_SET carry whole parameters in another way: as floats, or as the bytes of their types. Who "
+    "takes them in the other way reads 7e-45 for 5, and sets 0.",
+    *BOTH,
+)
 PARAMETER = _inside(
     "parameter-changed", "A parameter has other steps, other meanings of its values, or is used at another time."
 )

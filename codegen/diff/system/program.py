@@ -22,6 +22,8 @@ def program_subjects(system: System) -> Iterator[Subject]:
     if system.program is not None:
         yield _program(system.program, system)
         yield _access(system, system.program)
+        if system.has_whole_parameters:  # all others are alike in each encoding
+            yield _encoding(system, system.program)
         yield from (failsafe_subject(failsafe) for failsafe in system.program.failsafes)
         yield from (action_subject(action, system.program) for action in system.program.actions)
         yield from command_subjects(system.program)
@@ -100,6 +102,14 @@ def _access(system: System, program: Program) -> Subject:
         Fact("key in", access.spec.key if access else "", rules.PROGRAM, place),
     ]
     return Subject("access", "", rules.PROGRAM, rules.PROGRAM, place, tuple(facts))
+
+
+def _encoding(system: System, program: Program) -> Subject:
+    """The encoding of whole parameters, which all of them share."""
+    place = system.spec.parameters.at("encoding")
+    fact = Fact("encoding", program.encoding.value, rules.PARAMETER_ENCODING, place)
+    says = f"encoding {program.encoding}"
+    return Subject("whole parameters", says, rules.PROGRAM, rules.PROGRAM, place, (fact,))
 
 
 def _receiver(receiver: Receiver) -> Subject:

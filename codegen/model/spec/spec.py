@@ -131,10 +131,23 @@ class ParameterSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
 
+class ParameterEncoding(StrEnum):
+    """The way in which PARAM_VALUE and PARAM_SET carry integers in their float of 32 bits."""
+
+    C_CAST = "c_cast"
+    BYTEWISE = "bytewise"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParametersSpec(Written):
     """``parameters.yaml``: the parameters by name (at most 16 characters)."""
 
+    encoding: ParameterEncoding = described(
+        "How PARAM_VALUE and PARAM_SET carry parameters of whole types. c_cast: as floats, as stations take them of a "
+        "vehicle whose HEARTBEAT says MAV_AUTOPILOT_ARDUPILOTMEGA. bytewise: as the bytes of the type, as they take "
+        "them of others.",
+        default=ParameterEncoding.C_CAST,
+    )
     parameters: Mapping[str, ParameterSpec] = described("The parameters by name.", default_factory=dict)
 
 

@@ -146,6 +146,7 @@ def resolve_program(
         access=access,
         watchdog=watchdog,
         absences=absences,
+        encoding=written.encoding,
     )
 
 

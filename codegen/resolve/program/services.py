@@ -25,7 +25,7 @@ SERVICE_FIELDS = {
     "HEARTBEAT": "type",
     "PING": "target_system target_component",
     "PARAM_REQUEST_READ": "param_index param_id",
-    "PARAM_SET": "param_value param_id",
+    "PARAM_SET": "param_value param_id param_type",
     "PARAM_VALUE": "param_value param_count param_index param_id param_type",
     "PARAM_ERROR": "param_index target_system target_component param_id error",
     "REQUEST_DATA_STREAM": "req_message_rate req_stream_id start_stop",

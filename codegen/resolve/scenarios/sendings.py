@@ -8,6 +8,7 @@ from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import find_unit, read_real
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.model.dialect.literals import LIMITS
+from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.listening import deaf_links
 from codegen.model.reception import SYSTEM_FIELDS
 from codegen.model.scenario import GROUND_STATION, Sending
@@ -48,6 +49,8 @@ def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues
             payload[field.offset] = number
     for written, text in event.fields.items():
         _put(payload, wire, written, text, event.at(f"fields.{written}"), values)
+    if name == "PARAM_SET" and system.is_bytewise:
+        _put_bytewise(payload, wire, event, system, values)
     every_ms = None if event.every is None else values.milliseconds(event.every, event.at("every"), 1)
     for_ms = None if event.for_ is None else values.milliseconds(event.for_, event.at("for"), 1)
     until_ms = None if for_ms is None else at_ms + for_ms
@@ -89,6 +92,36 @@ def _put(payload: bytearray, wire: WireMessage, written: str, text: str, place: 
     number = _number(text, field, wire, place, values)
     if number is not None:
         struct.pack_into(f"<{field.type.code}", payload, field.offset + element * field.type.size, number)
+
+
+def _put_bytewise(
+    payload: bytearray, wire: WireMessage, event: EventSpec, system: System, values: ScenarioValues
+) -> None:
+    """Put a number for a whole parameter as the bytes of its type, which is the parameter's where none is written."""
+    carried, kind = wire.field("param_value"), wire.field("param_type")
+    enum = system.dialect.enums.get("MAV_PARAM_TYPE")
+    parameter = system.parameters.get(event.fields.get("param_id", ""))
+    assert carried is not None  # SERVICE_FIELDS: the dialect has them
+    assert kind is not None
+    entries = enum.entries if enum else ()
+    if "param_type" not in event.fields and parameter is not None:
+        own = f"MAV_PARAM_TYPE_{parameter.spec.type.upper()}"
+        payload[kind.offset] = next(entry.value for entry in entries if entry.name == own)
+    name = next((entry.name for entry in entries if entry.value == payload[kind.offset]), "")
+    whole = WIRE_TYPES.get(f"{name.removeprefix('MAV_PARAM_TYPE_').lower()}_t")
+    text = event.fields.get("param_value", "0")
+    if whole is None or not whole.is_integer or whole.size > carried.size:
+        return
+    try:
+        number = Fraction(LIMITS.get(text, text))
+    except (ValueError, ZeroDivisionError):
+        return  # after a finding
+    if number.denominator != 1 or not whole.minimum <= number <= whole.maximum:
+        place, hint = event.at("fields.param_value"), f"write {whole.minimum} to {whole.maximum}, or another param_type"
+        values.say(SCENARIO_SEND, place, f"{name} carries whole numbers of its range, not {text}", hint)
+        return
+    payload[carried.offset : carried.offset + carried.size] = bytes(carried.size)
+    struct.pack_into(f"<{whole.code}", payload, carried.offset, int(number))
 
 
 def _number(text: str, field: WireField, wire: WireMessage, place: Place, values: ScenarioValues) -> float | int | None:

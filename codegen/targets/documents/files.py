@@ -11,7 +11,7 @@ from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.render.rendered import rendered
 from codegen.summaries.fields import FieldRow, field_rows, in_table, others_of, withheld_of
 from codegen.summaries.generations import GenerationTable, generation_tables, sent_at_once
-from codegen.summaries.parameters import uses
+from codegen.summaries.parameters import encoding_words, uses
 from codegen.summaries.receptions import ReceivedRow, condition_words, received_rows, sender_words
 from codegen.targets.documents.program import (
     LinkRow,
@@ -102,6 +102,7 @@ class TelemetryDocument:
     receptions: tuple[ReceptionDocument, ...]
     quantities: tuple[QuantityRow, ...]
     parameters: tuple[ParameterRow, ...]
+    encoding: str
     streams: tuple[StreamRow, ...]
     generations: tuple[GenerationTable, ...]
     links: tuple[LinkRow, ...]
@@ -126,6 +127,7 @@ def render_documents(system: System) -> dict[str, str]:
             for quantity in component.quantities.values()
         ),
         parameters=tuple(_in_table(parameter_row(parameter, system)) for parameter in system.parameters.values()),
+        encoding=encoding_words(system),
         streams=stream_rows(system),
         generations=generation_tables(system),
         links=tuple(replace(row, details=in_table(row.details)) for row in link_rows(system)),

@@ -29,6 +29,7 @@ from codegen.targets.source_files import source_files
 from codegen.tool.template_files import copied, plain_files
 
 _PROGRAM = "firmware/program"
+_PARAMETERS = "parameter_service.py"
 
 
 def render_firmware(system: System) -> dict[str, str]:
@@ -136,12 +137,13 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "mode_service": bool(program.modes),
         "set_mode": program.changes_modes_by_message,
         "twins": system.component_parameter is not None,
+        "bytewise": system.is_bytewise,
         "access": program.access is not None and bool(program.access.signed),
         "key_service": program.access is not None and bool(program.access.spec.setup),
         "listed_stations": program.access is not None and bool(program.access.listed),
     }
     plain = [name for name in plain_files(_PROGRAM) if optional.get(name.removesuffix(".py"), True)]
-    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain}
+    files = {f"firmware/{name}": _program_file(system, program, name, copied(f"{_PROGRAM}/{name}")) for name in plain}
     files |= _receiving_files(system, layout) if system.receptions else {}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
@@ -164,6 +166,8 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), _numbers(program))
         wires = _absent(program) if name == "absences.py" else program.services
         files[f"firmware/{name}"] = headed(text, origin_of(system, sources, wires))
+    service = rendered(f"{_PROGRAM}/{_PARAMETERS}.j2", view)  # alike in programs with other parameters
+    files[f"firmware/{_PARAMETERS}"] = _program_file(system, program, f"{_PARAMETERS}.j2", service)
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files
@@ -184,9 +188,8 @@ def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
     return files
 
 
-def _program_file(system: System, program: Program, name: str) -> str:
-    """A file of the program that is copied, but for the numbers of the dialect."""
-    written = copied(f"{_PROGRAM}/{name}")
+def _program_file(system: System, program: Program, name: str, written: str) -> str:
+    """A file of the program as it is ``written`` in a template, but for the numbers of the dialect."""
     text = with_numbers(written, _numbers(program))
     origin = origin_of_text(f"templates/{_PROGRAM}/{name}", text)
     if text != written:

@@ -43,6 +43,9 @@ ACCESS_CHECKS = "tests/access_checks.py"
 TWIN_CHECKS = "tests/twin_checks.py"
 """Checks where a parameter gives the component id: two of the program can have the same one."""
 
+BYTEWISE_CHECKS = "tests/bytewise_checks.py"
+"""Checks where parameters go over the wire as the bytes of their types."""
+
 WATCHDOG_CHECKS = "tests/watchdog_checks.py"
 """Checks of the watchdog."""
 
@@ -134,6 +137,7 @@ def left_out(system: System, program: Program) -> tuple[str, ...]:
         *(() if has_commands else (COMMAND_CHECKS,)),
         *(() if guards else (ACCESS_CHECKS,)),
         *(() if system.component_parameter else (TWIN_CHECKS,)),
+        *(() if system.is_bytewise else (BYTEWISE_CHECKS,)),
         *(() if program.watchdog else (WATCHDOG_CHECKS,)),
     )
 

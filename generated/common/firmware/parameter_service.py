@@ -1,4 +1,4 @@
-# Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
+# Generated from templates/firmware/program/parameter_service.py.j2, dialect common: do not edit.
 # Inputs: c7b5183e7852930d
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 

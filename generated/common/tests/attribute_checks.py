@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/attribute_checks.py: do not edit.
-# Inputs: 8c53894ee21bb9d7
+# Inputs: e3a101f73babda09
 """Objects of the firmware have all attributes from their beginning: one that gets more later takes heap then."""
 
 import sys
@@ -95,7 +95,7 @@ def _live_through_all(beginnings):
             run_passes(craft, 4)
         if PARAMETERS:
             station.send(messages.ParamRequestList)
-            station.send(messages.ParamSet, param_id=PARAMETERS[0]["name"], param_value=1)
+            station.set_parameter(PARAMETERS[0], 1)
         run(craft, SECOND_US)
     if FORCE_ARM is not None:
         craft.arm(force=True)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: aedf38348fa4c0a0
+# Inputs: 6f3795471aa513b9
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -25,6 +25,7 @@ import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
 from program_facts import (  # noqa: E402
     ACCESS,
+    BYTEWISE,
     CALM,
     COMPONENT_ID,
     CONTROL_US,
@@ -43,6 +44,7 @@ from program_facts import (  # noqa: E402
 from texts import Texts  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
+import dialect  # noqa: E402
 import storage  # noqa: E402
 
 try:
@@ -74,6 +76,15 @@ GOES_OUT = SENT + tuple(SHARED)
 """The ids of all messages that go out, those of several tables with them."""
 SETTABLE = [facts for facts in PARAMETERS if len(facts["choices"]) > 1 or facts["minimum"] < facts["maximum"]]
 """Those of the parameters that have more than one value."""
+WHOLE = {
+    dialect.MAV_PARAM_TYPE_UINT8: (1, False),
+    dialect.MAV_PARAM_TYPE_INT8: (1, True),
+    dialect.MAV_PARAM_TYPE_UINT16: (2, False),
+    dialect.MAV_PARAM_TYPE_INT16: (2, True),
+    dialect.MAV_PARAM_TYPE_UINT32: (4, False),
+    dialect.MAV_PARAM_TYPE_INT32: (4, True),
+}
+"""The types that go over the wire as their bytes where the program is BYTEWISE: how many, and whether with a sign."""
 
 
 def needs_arming():
@@ -260,6 +271,13 @@ class GroundStation:
                 message.update(**{name: target})
         self.link.send(message.update(**values))
 
+    def set_parameter(self, facts, value):
+        """Set a parameter to a number, as the program takes it."""
+        message = messages.ParamSet(unknown=False)
+        message.update(target_system=SYSTEM_ID, target_component=COMPONENT_ID, param_id=facts["name"])
+        put_number(message.update(param_type=facts["type"]), value)
+        self.link.send(message)
+
     def command(self, number, *params, **values):
         """Send a COMMAND_LONG with the first of its parameters."""
         for index, param in enumerate(params):
@@ -274,6 +292,42 @@ class GroundStation:
             return [message for message in found if isinstance(message, kinds)]
         streamed = [number for number in SENT if number not in ON_REQUEST] + [messages.Statustext.ID] + list(SHARED)
         return [message for message in found if message.ID not in streamed]
+
+
+def _bytes_of(kind):
+    """Return how many bytes of param_value a MAV_PARAM_TYPE has, and whether with a sign; None if it is a float."""
+    return WHOLE.get(kind) if BYTEWISE else None
+
+
+def put_number(message, value):
+    """Write a number into a PARAM_SET that has its type already."""
+    whole = _bytes_of(message.param_type)
+    if whole is None:
+        message.update(param_value=value)
+    else:  # param_value comes first on the wire: no other field is as large
+        message.wire[: whole[0]] = (int(value) % (1 << 8 * whole[0])).to_bytes(whole[0], "little")
+
+
+def number_of(message):
+    """Return the number of a PARAM_VALUE as a station takes it; None where zeros do not fill its bytes."""
+    whole = _bytes_of(message.param_type)
+    if whole is None:
+        return message.param_value
+    size, is_signed = whole
+    if any(message.wire[size:4]):
+        return None
+    number = int.from_bytes(bytes(message.wire[:size]), "little")
+    return number - (1 << 8 * size) if is_signed and number >> 8 * size - 1 else number
+
+
+def can_be_sent(facts, value):
+    """Return whether PARAM_SET carries a number for a parameter: of a whole type only those that it has."""
+    whole = _bytes_of(facts["type"])
+    if whole is None:
+        return True
+    size, is_signed = whole
+    low = -(1 << 8 * size - 1) if is_signed else 0
+    return low <= value < low + (1 << 8 * size) and value == int(value)
 
 
 class Craft(Vehicle):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: b3d8551383868b64
+# Inputs: dfb7b03772abb374
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
@@ -186,7 +186,7 @@ def a_new_value_is_told_to_all():
     limits = scene.craft.parameters.limits(SETTABLE[0]["name"])
     now = scene.craft.parameters.get(SETTABLE[0]["name"])
     value = limits[0] if now != limits[0] else limits[1]
-    scene.station(2).send(messages.ParamSet, param_id=SETTABLE[0]["name"], param_value=value)
+    scene.station(2).set_parameter(SETTABLE[0], value)
     run_passes(scene.craft, 12)
     for number in (1, 2, 3):
         found = [each.param_id for each in scene.station(number).received(messages.ParamValue)]

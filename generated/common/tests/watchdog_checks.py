@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: d7be8f0bcc512da1
+# Inputs: 8718137b7e1d77c4
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -164,7 +164,7 @@ def what_works_is_never_reset():
             if facts is not None and turn % 100 == 0:
                 steps = facts["minimum"] + (turn // 100) % 2
                 value = steps * facts["numerator"] / facts["denominator"]
-                station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+                station.set_parameter(facts, value)
             await asyncio.sleep_ms(50)
 
     assert not live(craft, flood)

@@ -188,6 +188,9 @@ ACTIONS = ()
 # Their values, the most severe first; nothing where each failsafe acts for itself.
 PRIORITY = ()
 
+# Whether whole parameters go over the wire as their bytes; else all are the number as a float.
+BYTEWISE = False
+
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
     {

@@ -93,7 +93,7 @@ def _live_through_all(beginnings):
             run_passes(craft, 4)
         if PARAMETERS:
             station.send(messages.ParamRequestList)
-            station.send(messages.ParamSet, param_id=PARAMETERS[0]["name"], param_value=1)
+            station.set_parameter(PARAMETERS[0], 1)
         run(craft, SECOND_US)
     if FORCE_ARM is not None:
         craft.arm(force=True)

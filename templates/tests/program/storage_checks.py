@@ -17,6 +17,7 @@ from program_bench import (
     needs,
     needs_arming,
     new_craft,
+    number_of,
     ready_craft,
     run,
     save,
@@ -79,7 +80,7 @@ def set_over_the_link_survives_a_restart():
         station = craft.ground_station()
         steps = facts["default"] + 658 if facts["default"] + 658 <= facts["maximum"] else facts["minimum"]
         value = steps * facts["numerator"] / facts["denominator"]
-        station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+        station.set_parameter(facts, value)
         live(craft, _wait(1000))
         assert craft.connections[0].faults == 0, craft.said()
         again = new_craft(flash=craft.flash)
@@ -383,7 +384,7 @@ def restart_saves_first():
     async def story():
         await asyncio.sleep_ms(300)
         value = _other(facts) * facts["numerator"] / facts["denominator"]
-        station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+        station.set_parameter(facts, value)
         station.command(dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, dialect.REBOOT_SHUTDOWN_ACTION_REBOOT)
         await asyncio.sleep_ms(10000)
 
@@ -469,7 +470,7 @@ def restart_in_a_flood():
         index = 0
         while True:
             index += 1
-            station.send(messages.ParamSet, param_id=facts["name"], param_value=_value(facts, index % 2))
+            station.set_parameter(facts, _value(facts, index % 2))
             if index == 21:
                 asked_us.append(mock_time.elapsed_us())
                 station.command(dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, dialect.REBOOT_SHUTDOWN_ACTION_REBOOT)
@@ -477,7 +478,7 @@ def restart_in_a_flood():
 
     assert live(craft, story), "no reset"
     assert mock_time.elapsed_us() - asked_us[0] < 3000000
-    told = [value.get("param_value") for value in station.received(messages.ParamValue)]
+    told = [number_of(value) for value in station.received(messages.ParamValue)]
     assert told[-5:] == [struct.unpack("<f", struct.pack("<f", _value(facts, True)))[0]] * 5, told
     assert getattr(new_craft(flash=craft.flash).parameters, facts["attribute"]) == _other(facts)
 

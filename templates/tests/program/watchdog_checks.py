@@ -162,7 +162,7 @@ def what_works_is_never_reset():
             if facts is not None and turn % 100 == 0:
                 steps = facts["minimum"] + (turn // 100) % 2
                 value = steps * facts["numerator"] / facts["denominator"]
-                station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+                station.set_parameter(facts, value)
             await asyncio.sleep_ms(50)
 
     assert not live(craft, flood)

@@ -27,7 +27,7 @@ class Parameters:
 
     def set(self, name, value):
         """Take a value over, rounded to its step; return whether it was accepted."""
-        if name not in _TABLE:
+        if name not in _TABLE or value is None:
             return False
         smallest, largest = self.limits(name)
         if not smallest <= value <= largest:

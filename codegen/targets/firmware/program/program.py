@@ -67,6 +67,7 @@ class ProgramView:
     ``order`` are the parts of a pass, ``calls`` those with a period of their own. ``connecting`` are the
     statements that make the connection of a port. ``commands`` are those that commands.py answers, ``methods`` those of
     the vehicle that do the commands of the project. ``numbered``: a message tells which instance it is about.
+    ``is_bytewise``: parameters go over the wire as the bytes of their types.
     """
 
     imports: tuple[str, ...]
@@ -114,6 +115,7 @@ class ProgramView:
     methods: tuple[MethodView, ...]
     takes_long: bool
     numbered: bool
+    is_bytewise: bool
     forgets: bool
     modes: tuple[ModeView, ...]
     mode_statements: tuple[str, ...]
@@ -181,6 +183,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None, 
         methods=method_views(program),
         takes_long=_takes_long(program),
         forgets=bool(tuple(aged_words(layout))),
+        is_bytewise=system.is_bytewise,
         numbered=any(number_at(message) is not None for message in system.messages),
         modes=mode_views(program.modes),
         mode_statements=mode_statements(program.modes),
