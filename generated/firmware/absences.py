@@ -101,7 +101,7 @@ class Absences:
         self._acknowledge(question, _MAV_MISSION_INVALID_SEQUENCE, kind)
 
     def refuse_part(self, question):
-        """MISSION_REQUEST_PARTIAL_LIST and MISSION_WRITE_PARTIAL_LIST, which have the same layout: no list has parts."""
+        """MISSION_REQUEST_PARTIAL_LIST and MISSION_WRITE_PARTIAL_LIST, of one layout: no list has parts."""
         kind = question.wire[_MISSION_REQUEST_PARTIAL_LIST_MISSION_TYPE_AT]
         self._acknowledge(question, _MAV_MISSION_UNSUPPORTED, kind)
 
