@@ -148,7 +148,7 @@ def test_without_a_program_nothing_receives(project, capsys):
     (project / "specs" / "vehicle.yaml").unlink()
     code, lines, out = errors(capsys)
     assert code == 1
-    assert len([line for line in lines if " nothing-receives: " in line]) == 7, out
+    assert len([line for line in lines if " nothing-receives: " in line]) == 9, out
     assert "hint: describe the program in vehicle.yaml" in out
 
 

@@ -163,7 +163,6 @@ CASES = [
     Case("unknown-stream", SYS, "stream: EXTENDED_STATUS", "stream: §EXTENDED_STATE"),
     Case("unknown-component", BATTERY, "for_each: battery", "for_each: §batery", is_alone=False),
     Case("bad-instance", BATTERY, "for_each: battery\n", "", "for_each"),
-    Case("wrong-type", "streams.yaml", "rate: 1 Hz", "rate: §1_0 Hz", "a number with its unit"),
     Case("unknown-quantity", SYS, "load: {state: vehicle.load}", "load: {state: §vehicle.laod}", "vehicle.load"),
     Case("unknown-parameter", "streams.yaml", "parameter: SR0_EXTRA1", "parameter: §SR0_EXTRA2", "SR0_EXTRA1"),
     Case("unknown-adc", "state.yaml", "adc: battery_voltage", "adc: §batery_voltage"),
@@ -724,6 +723,7 @@ CASES = [
         "_present_extended: {state: §vehicle.armed}",
         "use it in 'flags'",
     ),
+    Case("wrong-type", "streams.yaml", "rate: 1 Hz", "rate: §1_0 Hz", "a number with its unit"),
 ]
 
 ESTIMATE = "state.yaml:80:16"

@@ -589,7 +589,6 @@ def test_code_can_answer_who_has_sent(built, interpreter):
         station(system=201),
         override(1400, 1500, system=201, component=8),
         frame(common.MAVLink_play_tune_message(HERE, 1, b"abc"), system=202, component=9, link=1),
-        fix(),
     ]
     (built / "answering.json").write_text(json.dumps(steps))
     done = subprocess.run(
@@ -597,7 +596,7 @@ def test_code_can_answer_who_has_sent(built, interpreter):
     )
     assert done.returncode == 0, done.stderr
     seen, sent, faults = json.loads(done.stdout)
-    assert {tuple(each) for each in seen} >= {(1, 70, 200, 7), (0, 70, 201, 8), (1, 258, 202, 9), (0, 232, HERE, 9)}
+    assert {tuple(each) for each in seen} >= {(1, 70, 200, 7), (0, 70, 201, 8), (1, 258, 202, 9)}
     assert faults == [0, 0]
     told = [
         [link, ack[0] | ack[1] << 8, *ack[8:10]] for links in sent for link, acks in enumerate(links) for ack in acks
