@@ -16,6 +16,10 @@ _FAR = 1 << 128
 """Beyond every float of 32 bits."""
 
 
+WHOLE_IN_INT = (5, 6)
+"""The parameters of which COMMAND_INT has whole numbers: x and y."""
+
+
 class Axis(Enum):
     """The coordinate of a position that a parameter is."""
 

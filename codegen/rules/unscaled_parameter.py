@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.command import Command, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Command, CommandParam
 from codegen.model.dialect.dialect import CommandParameter
+from codegen.model.stated_parameters import stated_parameters
 from codegen.model.system import System
 from codegen.pattern import pattern
 
@@ -23,14 +24,9 @@ _LOCAL, _GLOBAL = "1e4", "1e7"
 
 def check(system: System) -> Iterator[Diagnostic]:
     """One finding for each parameter 5 or 6 of which nothing says by what it is multiplied, or in which frames."""
-    enum = system.dialect.enums.get("MAV_CMD")
-    for command in system.program.commands if system.program and enum else ():
-        entry = enum.entry(command.name) if enum else None
-        written = {parameter.number: parameter for parameter in entry.parameters} if entry else {}
-        for param in command.params:
-            parameter = written.get(str(param.number))
-            if parameter is not None and param.number in (5, 6) and param.axis is None:
-                yield from _of(command, param, parameter)
+    for command, param, parameter in stated_parameters(system):
+        if param.number in WHOLE_IN_INT and param.axis is None:
+            yield from _of(command, param, parameter)
 
 
 def _of(command: Command, param: CommandParam, parameter: CommandParameter) -> Iterator[Diagnostic]:

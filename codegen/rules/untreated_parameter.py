@@ -3,9 +3,11 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.command import Command, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Command, CommandParam
 from codegen.model.dialect.dialect import CommandParameter
+from codegen.model.dialect.literals import LIMITS
 from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_values
+from codegen.model.stated_parameters import stated_parameters
 from codegen.model.system import System
 
 RULE = Rule(
@@ -19,32 +21,25 @@ RULE = Rule(
     Severity.WARNING,
 )
 
-_UNKNOWN_WHOLE = (1 << 31) - 1
+_UNKNOWN_WHOLE = LIMITS["INT32_MAX"]
 """The number that stands for NaN in x and y of COMMAND_INT: words about it are words about NaN."""
 
 
 def check(system: System) -> Iterator[Diagnostic]:
     """One finding for each such number of a parameter that the method is given, and for NaN where it is denied."""
-    enum = system.dialect.enums.get("MAV_CMD")
-    for command in system.program.commands if system.program and enum else ():
-        entry = enum.entry(command.name) if enum else None
-        written = {parameter.number: parameter for parameter in entry.parameters} if entry else {}
-        for param in command.params:
-            parameter = written.get(str(param.number))
-            if parameter is None:
-                continue
-            unknown = _stated_unknown(param, parameter)
-            if unknown is not None and not _is_unknown_treated(param):
-                yield _denied(command, param, parameter, unknown)
-            for stated in stated_values(parameter.description) if param.enum is None else ():
-                if not _is_treated(stated, param):
-                    yield _finding(command, param, parameter, stated)
+    for command, param, parameter in stated_parameters(system):
+        unknown = _stated_unknown(param, parameter)
+        if unknown is not None and not _is_unknown_treated(param):
+            yield _denied(command, param, parameter, unknown)
+        for stated in stated_values(parameter.description) if param.enum is None else ():
+            if not _is_treated(stated, param):
+                yield _finding(command, param, parameter, stated)
 
 
 def _stated_unknown(param: CommandParam, parameter: CommandParameter) -> StatedValue | None:
     """Return what the words say of NaN, or of what stands for it in COMMAND_INT."""
     found = stated_nan(parameter.description)
-    if found is None and param.number in (5, 6):
+    if found is None and param.number in WHOLE_IN_INT:
         return next((each for each in stated_values(parameter.description) if each.number == _UNKNOWN_WHOLE), None)
     return found
 
@@ -56,7 +51,7 @@ def _is_unknown_treated(param: CommandParam) -> bool:
 
 def _is_treated(stated: StatedValue, param: CommandParam) -> bool:
     value, unchanged = stated.number, param.spec.unchanged
-    if value == _UNKNOWN_WHOLE and param.number in (5, 6):
+    if value == _UNKNOWN_WHOLE and param.number in WHOLE_IN_INT:
         return True
     is_below = param.minimum is not None and value < param.minimum
     is_above = param.maximum is not None and value > param.maximum

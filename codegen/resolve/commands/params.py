@@ -8,7 +8,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH, find_unit
-from codegen.model.command import Axis, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Axis, CommandParam
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
 from codegen.model.spec.described import Nothing
@@ -24,8 +24,6 @@ BAD_COMMAND_PARAM = Rule(
     "within those of the dialect, the smaller one first, and its default lies within them.",
 )
 _AXES = {(5, "latitude"): Axis.LATITUDE, (6, "longitude"): Axis.LONGITUDE}
-_WHOLE = (5, 6)
-"""Parameters of which COMMAND_INT has whole numbers: x and y."""
 _SHOWN_ENTRIES = 6
 _LARGEST = Fraction(struct.unpack("<f", b"\xff\xff\x7f\x7f")[0])
 _DEGREES_E7 = unit_named("degE7")
@@ -182,7 +180,7 @@ def _steps(
         return ratio(wire_unit, _DEGREES_E7) or Fraction(1)
     if spec.scaled is None or spec.scaled == 1:
         return None
-    if number not in _WHOLE:
+    if number not in WHOLE_IN_INT:
         message = f"COMMAND_INT has {label} as COMMAND_LONG has it, and multiplies parameters 5 and 6 alone"
         report.add(BAD_COMMAND_PARAM, spec.at("scaled"), message, hint="leave scaled out")
         return None

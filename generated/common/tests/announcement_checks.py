@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: c632180b06044471
+# Inputs: 6441199ba90b406a
 """Checks of announcements: on a new connection and after a change, never in a burst, and never lost."""
 
 from time import ticks_ms
@@ -18,6 +18,7 @@ from program_bench import (
     new_craft,
     run,
     run_passes,
+    sequence_of,
 )
 from program_facts import CONTROL_US, GENERATIONS, LINKS_US, MESSAGES, SILENCE_MS, WITHHELD
 
@@ -208,7 +209,7 @@ def a_port_that_takes_nothing_loses_none():
         assert len(_announced(port)) <= 1
         run_passes(craft, 60)
         assert _announced(port) == _expected(craft), is_up
-        numbers = [frame[4] for frame in port.frames]
+        numbers = [sequence_of(frame) for frame in port.frames]
         for place in range(1, len(numbers)):
             assert numbers[place] == (numbers[place - 1] + 1) & 0xFF, "a frame counts as lost"
 

@@ -1,14 +1,15 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: 14e9e0fc789ce6e3
+# Inputs: d1e4af9ce6f7c12b
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
-    OTHER_SYSTEM,
     GOES_OUT,
+    OTHER_SYSTEM,
     SECOND_US,
     TURN_MS_US,
     Flash,
     finish,
+    id_of,
     main,
     messages,
     mock_time,
@@ -17,6 +18,7 @@ from program_bench import (
     new_craft,
     run,
     run_passes,
+    sequence_of,
 )
 from program_facts import COMPONENT_ID, LINKS_US, PARAMETERS, SENT, STREAMS, SYSTEM_ID
 from storage import Storage
@@ -271,10 +273,9 @@ def a_message_that_is_asked_for_waits_for_room():
     craft.port.room = 1
     run_passes(craft, 8)
     frames = craft.port.frames
-    at = 7 if link.version == 2 else 5
-    found = [frame[at] for frame in frames]
-    assert found[:2] == [messages.CommandAck.ID, SENT[0] & 0xFF], found
-    numbers = [frame[4 if link.version == 2 else 2] for frame in frames]
+    found = [id_of(frame) for frame in frames]
+    assert found[:2] == [messages.CommandAck.ID, SENT[0]], found
+    numbers = [sequence_of(frame) for frame in frames]
     assert [each - numbers[0] & 0xFF for each in numbers] == list(range(len(numbers))), numbers
     assert link.tx_errors == errors, (errors, link.tx_errors)
 

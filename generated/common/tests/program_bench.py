@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 6f3795471aa513b9
+# Inputs: 80ef322593d5cf96
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -244,6 +244,11 @@ def id_of(frame):
 def payload_of(frame):
     """Return the payload of a frame, without a signature."""
     return frame[10:-2] if frame[0] == 0xFD else frame[6:-2]
+
+
+def sequence_of(frame):
+    """Return the number of a frame among those of its sender."""
+    return frame[4 if frame[0] == 0xFD else 2]
 
 
 def sender_of(frame):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: dfb7b03772abb374
+# Inputs: eab018ef0638d848
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
@@ -16,6 +16,7 @@ from program_bench import (
     new_craft,
     run,
     run_passes,
+    sequence_of,
 )
 from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
@@ -23,7 +24,6 @@ from stations import Stations
 import dialect
 
 HOME = ("10.0.0.255", 14550)  # the declared address
-SEQUENCE = 4 if VERSION == 2 else 2  # where a frame has its number
 
 
 class Air:
@@ -120,8 +120,7 @@ class Scene:
 
     def beats(self, of):
         """Return how many of the frames for an address are HEARTBEATs."""
-        identity = 7 if VERSION == 2 else 5
-        return len([frame for frame in self.air.taken.get(of, ()) if frame[identity] == 0])
+        return len([frame for frame in self.air.taken.get(of, ()) if id_of(frame) == messages.Heartbeat.ID])
 
 
 def address(number):
@@ -144,8 +143,8 @@ def all_of_four_are_served():
 
 
 def _follows(frames):
-    first = frames[0][SEQUENCE]
-    return [frame[SEQUENCE] for frame in frames] == [(first + at) & 0xFF for at in range(len(frames))]
+    first = sequence_of(frames[0])
+    return [sequence_of(frame) for frame in frames] == [(first + at) & 0xFF for at in range(len(frames))]
 
 
 def rates_are_of_who_asked():

@@ -16,6 +16,7 @@ from program_bench import (
     new_craft,
     run,
     run_passes,
+    sequence_of,
 )
 from program_facts import CONTROL_US, GENERATIONS, LINKS_US, MESSAGES, SILENCE_MS, WITHHELD
 
@@ -206,7 +207,7 @@ def a_port_that_takes_nothing_loses_none():
         assert len(_announced(port)) <= 1
         run_passes(craft, 60)
         assert _announced(port) == _expected(craft), is_up
-        numbers = [frame[4] for frame in port.frames]
+        numbers = [sequence_of(frame) for frame in port.frames]
         for place in range(1, len(numbers)):
             assert numbers[place] == (numbers[place - 1] + 1) & 0xFF, "a frame counts as lost"
 

@@ -244,6 +244,11 @@ def payload_of(frame):
     return frame[10:-2] if frame[0] == 0xFD else frame[6:-2]
 
 
+def sequence_of(frame):
+    """Return the number of a frame among those of its sender."""
+    return frame[4 if frame[0] == 0xFD else 2]
+
+
 def sender_of(frame):
     """Return the system that sent a frame."""
     return frame[5 if frame[0] == 0xFD else 3]

@@ -14,6 +14,7 @@ from program_bench import (
     new_craft,
     run,
     run_passes,
+    sequence_of,
 )
 from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
@@ -21,7 +22,6 @@ from stations import Stations
 import dialect
 
 HOME = ("10.0.0.255", 14550)  # the declared address
-SEQUENCE = 4 if VERSION == 2 else 2  # where a frame has its number
 
 
 class Air:
@@ -118,8 +118,7 @@ class Scene:
 
     def beats(self, of):
         """Return how many of the frames for an address are HEARTBEATs."""
-        identity = 7 if VERSION == 2 else 5
-        return len([frame for frame in self.air.taken.get(of, ()) if frame[identity] == 0])
+        return len([frame for frame in self.air.taken.get(of, ()) if id_of(frame) == messages.Heartbeat.ID])
 
 
 def address(number):
@@ -142,8 +141,8 @@ def all_of_four_are_served():
 
 
 def _follows(frames):
-    first = frames[0][SEQUENCE]
-    return [frame[SEQUENCE] for frame in frames] == [(first + at) & 0xFF for at in range(len(frames))]
+    first = sequence_of(frames[0])
+    return [sequence_of(frame) for frame in frames] == [(first + at) & 0xFF for at in range(len(frames))]
 
 
 def rates_are_of_who_asked():

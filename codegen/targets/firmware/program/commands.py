@@ -5,7 +5,7 @@ from fractions import Fraction
 from textwrap import wrap
 
 from codegen.frozen import dataclass
-from codegen.model.command import Command, CommandParam, Mode
+from codegen.model.command import WHOLE_IN_INT, Command, CommandParam, Mode
 from codegen.model.program import Program
 from codegen.model.spec.command import Allowed, Sender
 from codegen.model.units.affine import AffineMap
@@ -125,7 +125,7 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
 
 def _is_exact_int(param: CommandParam) -> bool:
     """Return whether COMMAND_INT carries whole numbers of a parameter of which COMMAND_LONG has the nearest float."""
-    if param.number not in (5, 6) or param.steps is not None or not param.is_whole or param.scale.ratio != 1:
+    if param.number not in WHOLE_IN_INT or param.steps is not None or not param.is_whole or param.scale.ratio != 1:
         return False
     limits = (param.minimum, param.maximum)
     return any(end is not None and end != limit for end, limit in zip(param.ends, limits, strict=True))

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import islice
 
 from codegen.frozen import dataclass
-from codegen.model.command import Command, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Command, CommandParam
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.model.program import Program
 from codegen.targets.firmware.program.commands import argument_text, title_of
@@ -206,9 +206,9 @@ def _as_int(param: CommandParam, good: dict[int, _Sample]) -> _Sample:
     sample = good[param.number]
     if param.steps is not None:
         return _Sample(str(round(Fraction(sample.wire) * param.steps)), sample.argument)
-    if param.number in (5, 6) and param.is_whole and param.scale.ratio == 1:
+    if param.number in WHOLE_IN_INT and param.is_whole and param.scale.ratio == 1:
         return _Sample(sample.argument, sample.argument)
-    if param.number in (5, 6):
+    if param.number in WHOLE_IN_INT:
         return _Sample(str(math.floor(float(sample.wire))), sample.argument)
     return sample
 
