@@ -11,9 +11,9 @@ import json
 import sys
 
 import dialect
-from program_bench import SECOND_US, TURN_MS_US, messages, new_craft, run
+from program_bench import SECOND_US, TURN_MS_US, id_of, messages, new_craft, run, sequence_of
 from program_facts import MESSAGES, PARAMETERS
-from station_checks import HOME, SEQUENCE, Air, Scene, address
+from station_checks import HOME, Air, Scene, address
 
 HOURS, SETTLED, SEED, HOUR_S = (int(argument) for argument in sys.argv[1:])
 FIRST, SECOND, GUEST = 1, 2, 3  # stations that stay, and one that comes and goes
@@ -92,14 +92,14 @@ class Soak:
         taken = self.scene.air.taken
         for number in (FIRST, SECOND):
             for frame in taken.get(address(number), ()):
-                sequence = frame[SEQUENCE]
+                sequence = sequence_of(frame)
                 if number in self.last and sequence != (self.last[number] + 1) & 0xFF:
                     self.fail("a gap in the frames for", number, "from", self.last[number], "to", sequence)
                 self.last[number] = sequence
-                key = number, frame[7] | frame[8] << 8 | frame[9] << 16
+                key = number, id_of(frame)
                 self.counts[key] = self.counts.get(key, 0) + 1
         for frame in taken.get(address(GUEST), ()):
-            if frame[7] == messages.ParamValue.ID and not frame[8] and not frame[9]:
+            if id_of(frame) == messages.ParamValue.ID:
                 self.listed.add(bytes(frame[18:34]))
         if address(STRANGER) in taken or HOME in taken:
             self.fail("somebody is answered whom nobody heard")
