@@ -100,7 +100,6 @@ class Commands:
         wire = self._ack.wire
         pack_into("<H", wire, _COMMAND_ACK_COMMAND_AT, command.number)
         wire[_COMMAND_ACK_RESULT_AT] = result
-
         wire[_COMMAND_ACK_TARGET_SYSTEM_AT] = command.system
         wire[_COMMAND_ACK_TARGET_COMPONENT_AT] = command.component
         return self._connection.send(self._ack)
