@@ -183,7 +183,7 @@ def test_rows_and_ways_are_those_of_the_table(every: list[Program]) -> None:
             for number, (cells, row, end) in enumerate(zip(table, rows, ends, strict=True), 1):
                 assert cells[:4] == [str(number), row.field, str(row.offset), str(row.size)]
                 assert cells[7:11] == [row.conversion, row.limits, row.sentinel, row.criterion]
-                assert cells[11].endswith(f"{message.population.place.file.rsplit('/', 1)[1]}:{row.place.line}")
+                assert (cells[11], row.place.file) == (f"line {row.place.line}", message.population.place.file)
                 last = row.offset + row.size - 1
                 assert (f"byte {last}" if row.size == 1 else f"bytes {row.offset} to {last}") in end.text_content()
 

@@ -27,8 +27,9 @@ _KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class FieldView:
-    """A row of the table of fields, with the steps from sensor to wire. ``place`` is file and line of its answer.
+    """A row of the table of fields, with the steps from sensor to wire.
 
+    ``line`` is that of its answer in the message's table.
     ``sources`` is the row's source in lines: one for each flag.
     """
 
@@ -36,7 +37,6 @@ class FieldView:
     kind: str
     row: FieldRow
     sources: tuple[str, ...]
-    place: str
     line: int
     steps: tuple[Step, ...]
 
@@ -77,7 +77,6 @@ def message_page(message: PopulatedMessage, system: System, origin: Origin) -> M
             kind=kind_of(answer.covers.field, system.dialect.enums),
             row=row,
             sources=tuple(row.source.split(FLAGS)),
-            place=f"{source_name(system, row.place.file)}:{row.place.line}",
             line=row.place.line,
             steps=way_of(answer, row, system),
         )
