@@ -1,10 +1,11 @@
 """Recognises the columns of a document's table by their headings, in any order and case."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from enum import Enum
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.load.markdown_table import Row
+from codegen.load.markdown_table import Cell, Row
+from codegen.model.units.unit import Unit
 from codegen.pattern import pattern
 
 COLUMN_TWICE = Rule(
@@ -12,6 +13,16 @@ COLUMN_TWICE = Rule(
     "Two columns of a table have headings of one meaning, such as Value and Source, so that nobody can tell which one "
     "holds the answer. Rename the one that does not.",
 )
+
+COLUMN_FACTOR = Rule(
+    "column-factor",
+    "The heading of a column of values says that the numbers below it are multiplied, such as `Value (x 10)`. What "
+    "goes out cannot be told from them.",
+    remedy="write the numbers as they go out, or each with its unit, and leave the factor out of the heading",
+)
+
+_ADDITION = pattern(r"\(([^)]*)\)|\[([^\]]*)\]|\bin\s+(\S+)\s*$")
+_FACTOR = pattern(r"(?i)(?:[x\u00d7*/\u00f7]|\b(?:times|by))\s*\d|\d\s*[x\u00d7*]|\b1e[-+]?\d|\b10\s*\^")
 
 
 class Role(Enum):
@@ -46,6 +57,13 @@ _MESSAGE = pattern(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?: fields?)?")
 """A message may stand for its fields: | HEARTBEAT | Value |."""
 
 
+def unit_of(heading: str) -> str:
+    """Return the unit that a heading states for the numbers below it, as in "Value [A]" or "Value in A", or nothing."""
+    said = _ADDITION.search(heading)
+    unit = next(filter(None, said.groups()), "").strip() if said else ""
+    return unit if Unit.parse(unit) is not None else ""
+
+
 def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
     """The index of the column for each role, and the headings that cannot be told apart.
 
@@ -76,9 +94,19 @@ def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
             findings.append(
                 Diagnostic(second.place, COLUMN_TWICE, message, hint, ((first.place, "the first is here"),))
             )
+    if Role.VALUE in roles:
+        findings.extend(_multiplied(header.cells[roles[Role.VALUE]]))
     return roles, tuple(findings)
 
 
+def _multiplied(heading: Cell) -> Iterator[Diagnostic]:
+    said = _ADDITION.search(heading.text)
+    if said is not None and not unit_of(heading.text) and _FACTOR.search(said[0]):
+        yield Diagnostic(heading.place, COLUMN_FACTOR, f"{heading.text!r} leaves open what its numbers are on the wire")
+
+
 def _plain(heading: str) -> str:
-    """The heading in small letters, without what stands in brackets and without marks at its ends."""
+    """The heading in small letters, without what stands in brackets, its unit, and marks at its ends."""
+    if unit_of(heading):
+        heading = _ADDITION.sub(" ", heading)
     return " ".join(pattern(r"\([^)]*\)|\[[^\]]*\]").sub(" ", heading).casefold().strip(" :*?.").split())

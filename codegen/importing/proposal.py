@@ -9,7 +9,7 @@ from codegen.importing.columns import Role
 from codegen.importing.declared import check_declared
 from codegen.importing.quantity import spills
 from codegen.importing.stated import FieldList, StatedField
-from codegen.importing.value import read_value
+from codegen.importing.value import in_unit, read_value
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.source import Place
 
@@ -80,7 +80,7 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
         mentioned.add(target.field.name)
         cell = row.cells.get(Role.VALUE)
         found = Report()
-        reading = UNREAD if cell is None else read_value(cell, target, sources, found)
+        reading = UNREAD if cell is None else read_value(in_unit(cell, row.unit, target), target, sources, found)
         if cell is not None and _leaves_element_open(row, target, reading):
             text = f"{cell.text} leaves open whether one element of {target.name} is meant or all {target.count}"
             found.add(

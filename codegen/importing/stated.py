@@ -7,7 +7,7 @@ from itertools import takewhile
 
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.importing.columns import Role, column_roles
+from codegen.importing.columns import Role, column_roles, unit_of
 from codegen.load.markdown_blocks import Block, BlockKind, parse_blocks, read_inline
 from codegen.load.markdown_table import Cell, Row, Table, parse_tables
 from codegen.pattern import pattern
@@ -31,13 +31,17 @@ _PARAGRAPHS = 12
 
 @dataclass(frozen=True, slots=True)
 class StatedField:
-    """One row: ``name`` and the elements ``first`` to ``last`` (None: the whole field), with a cell for each role."""
+    """One row: ``name`` and the elements ``first`` to ``last`` (None: the whole field), with a cell for each role.
+
+    ``unit`` is what the heading of the values says of their numbers, or empty.
+    """
 
     name: str
     first: int | None
     last: int | None
     place: Place
     cells: dict[Role, Cell]
+    unit: str = ""
 
     @property
     def label(self) -> str:
@@ -108,6 +112,7 @@ def _table_rows(table: Table, roles: dict[Role, int]) -> Iterator[StatedField]:
     """One for each field that a row names; a cell may name several, with commas between them."""
     if Role.FIELD not in roles or len(roles) == 1:
         return
+    unit = unit_of(table.header.cells[roles[Role.VALUE]].text) if Role.VALUE in roles else ""
     for row in table.rows:
         cell = _cell_at(row, roles[Role.FIELD])
         if cell is None or not cell.text:
@@ -115,19 +120,19 @@ def _table_rows(table: Table, roles: dict[Role, int]) -> Iterator[StatedField]:
         cells = {role: found for role, index in roles.items() if (found := _cell_at(row, index))}
         matches = [_LABEL.fullmatch(part) for part in re.split(r",\s*|\s+and\s+|\s*/\s*", cell.text)]
         if all(matches):
-            yield from (_stated(match, cell.place, cells) for match in matches if match)
+            yield from (_stated(match, cell.place, cells, unit) for match in matches if match)
         else:
-            yield StatedField(cell.text, None, None, cell.place, cells)
+            yield StatedField(cell.text, None, None, cell.place, cells, unit)
 
 
 def _cell_at(row: Row, index: int) -> Cell | None:
     return row.cells[index] if index < len(row.cells) else None
 
 
-def _stated(match: re.Match[str], place: Place, cells: dict[Role, Cell]) -> StatedField:
+def _stated(match: re.Match[str], place: Place, cells: dict[Role, Cell], unit: str = "") -> StatedField:
     name, first, last = match.groups()
     begin = None if first is None else int(first)
-    return StatedField(name, begin, begin if last is None else int(last), place, cells)
+    return StatedField(name, begin, begin if last is None else int(last), place, cells, unit)
 
 
 def _bullet_lists(blocks: Sequence[Block]) -> Iterator[tuple[StatedField, ...]]:

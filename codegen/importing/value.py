@@ -2,15 +2,17 @@
 
 import json
 import re
+from dataclasses import replace
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
-from codegen.importing.number import has_entries, read_entry, read_number, unknown_answer
+from codegen.importing.number import has_entries, read_entry, read_number, stated_number, unknown_answer
 from codegen.importing.quantity import likely_quantity, read_quantity
 from codegen.load.expression import read_product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
-from codegen.model.units.unit import read_measure
+from codegen.model.dialect.literals import same_number
+from codegen.model.units.unit import Unit, read_measure
 
 DOCUMENT_EMPTY = Rule(
     "document-empty",
@@ -41,6 +43,9 @@ _ATOM = re.compile(
     r"\s*(?:\((?P<inner>[^()]*(?:\([^()]*\)[^()]*)*)\)|(?:=|:|,|;|[-\u2013\u2014]\s)\s*(?P<after>.*))?",
     re.DOTALL,
 )
+_IN_BRACKETS = re.compile(rf"^({_NUMBER})\s*\(([^()]*)\)")
+_FURTHER = re.compile(rf"(?<![\w.-])(?:(?:section|chapter|criterion|page|table|figure) )?({_NUMBER})(?![\w.]*\w)")
+_DECIMAL_COMMA = re.compile(r"(?<![\w.,])([-+\u2212]?\d{1,20}),(\d{1,20})(?![\w,]*\d)")
 _UNKNOWN = re.compile(
     r"\b(?:unknown|unavailable|unset|unused|invalid"
     r"|(?:not|no) (?:provided|known|available|measured|used|supported|set))\b",
@@ -73,15 +78,33 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
     return reading or _prose(cell, target, sources, report)
 
 
+def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
+    """Return a cell whose number has the unit that its column's heading states, where that is another than the field's.
+
+    The number that stands for unknown stays as it is, and so does one of a field without a unit, such as an entry's.
+    """
+    field, found = target.field, re.match(rf"{_NUMBER}(?=\s*(?:[(;:,]|$))", cell.text)
+    is_own = unit == field.definition.units and field.multiplier == 1
+    if not unit or not found or not field.definition.units or is_own:
+        return cell
+    if _IN_BRACKETS.sub(_with_unit, cell.text) != cell.text or not _is_remark(cell.text, found[0], target):
+        return cell
+    if target.sentinel is not None and same_number(stated_number(found[0], target), target.sentinel):
+        return cell
+    return replace(cell, text=f"{found[0]} {unit}{cell.text[found.end() :]}")
+
+
 def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
     """A number, a limit, an entry or a word for unknown, with a remark behind it; None if the text is none of these."""
-    amount = _REMARK.sub("", text)
+    amount = _REMARK.sub("", _IN_BRACKETS.sub(_with_unit, text))
     if target.field.definition.units and read_measure(amount) is not None:
         return Reading(f"{{constant: {amount}}}")
     match = _ATOM.fullmatch(text)
-    if match is None:
+    if match is None or amount != _REMARK.sub("", text):
         return None
     head, remark = match["head"], match["inner"] or match["after"] or ""
+    if match["after"] and not _is_remark(match["after"], head, target):
+        return None
     head = _RUST.sub(_limit_of_rust, head).replace("\u2212", "-")
     says_unknown = _UNKNOWN.search(remark) is not None
     if head.casefold() in _UNKNOWN_HEADS:
@@ -93,6 +116,19 @@ def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: 
     return read_entry(head, remark, cell, target, sources, report) or read_number(
         head, remark, says_unknown, cell, target, sources, report
     )
+
+
+def _with_unit(match: re.Match[str]) -> str:
+    """Return a number with the unit that stands in brackets behind it: 10 (V); in other brackets is a remark."""
+    is_unit = Unit.parse(match[2].strip()) is not None
+    return f"{match[1]} {match[2].strip()}" if is_unit else match[0]
+
+
+def _is_remark(after: str, head: str, target: Target) -> bool:
+    """Return whether nothing behind a number is another one: a range, a list, or the digits behind a decimal comma."""
+    further = (found for found in _FURTHER.finditer(after) if found[0] == found[1])
+    number = stated_number(head, target)
+    return number is None or all(stated_number(found[1], target) == number for found in further)
 
 
 def _limit_of_rust(match: re.Match[str]) -> str:
@@ -116,7 +152,9 @@ def _ambiguous(cell: Cell, target: Target, sources: Sources, report: Report) -> 
 def _prose(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
     quantity = likely_quantity(cell.text, target, sources)
     hint = "name the quantity, `{state: component.quantity}`, or write the number"
-    if quantity is not None:
+    if comma := _DECIMAL_COMMA.search(cell.text):
+        hint = f"write a decimal point: {comma[1]}.{comma[2]}, or a whole number without a comma: {comma[1]}{comma[2]}"
+    elif quantity is not None:
         hint = f"if it is meant, `{quantity}`"
     elif sources.quantities and len(cell.text.split()) == 1:
         hint = did_you_mean(cell.text, sources.quantities) or hint

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 _LINE_END = pattern(r"\r\n?|\n")
+_TAG = pattern(r"<([Bb][Rr]|[Ss][Uu][Pp])\b")
+_TAGS = {"br": " ", "sup": "^"}
+"""What stands for a tag: without it two numbers, or one and its exponent, would be one. Of others nothing is seen."""
 _MARKUP = pattern(r"[\\`*_\[\]<>&!]")
 _CODE_TOKENS = ("fence", "code_block")
 
@@ -155,5 +158,7 @@ def _collect(tokens: Sequence["Token"], pieces: list[str], codes: list[str]) -> 
             codes.append(token.content)
         elif token.type in ("text", "text_special"):
             pieces.append(token.content)
+        elif token.type == "html_inline" and (tag := _TAG.match(token.content)):
+            pieces.append(_TAGS[tag[1].lower()])
         elif token.children:
             _collect(token.children, pieces, codes)

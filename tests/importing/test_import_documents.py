@@ -262,3 +262,43 @@ def test_two_columns_of_one_meaning(sources: Sources) -> None:
     """Nobody can tell which one holds the answer."""
     text = REQUIREMENT.replace("| Remarks            |", "| Source             |")
     assert ("column-twice", 9) in proposal(text, sources)[1]
+
+
+@pytest.mark.parametrize("heading", ["Value [A]", "Value (A)", "Value in A", "Value source (A)"])
+def test_the_unit_of_a_heading_counts(sources: Sources, heading: str) -> None:
+    """5 A went out as 5 cA. What says a unit itself, and what stands for unknown, stays as it is."""
+    rows = "| current_battery | 5 |\n| battery_remaining | -1 |\n| temperature | 25 degC (fixed) |\n| type | 1 |\n"
+    text = f"## BATTERY_STATUS\n\n| Field | {heading} |\n| --- | --- |\n{rows}"
+    found, findings = proposal(text, sources)
+    assert found is not None
+    assert {answer.target.field.name: answer.reading.answer for answer in found.answers} == {
+        "current_battery": "{constant: 5 A}",
+        "battery_remaining": "unknown",
+        "temperature": "{constant: 25 degC}",
+        "type": "{enum: MAV_BATTERY_TYPE_LIPO}",
+    }
+    assert not [name for name, _ in findings if name != "document-unanswered"]
+
+
+def test_a_unit_of_a_heading_that_is_the_fields_own_changes_nothing(sources: Sources) -> None:
+    text = "## BATTERY_STATUS\n\n| Field | Value [cA] |\n| --- | --- |\n| current_battery | 5 |\n"
+    found, _ = proposal(text, sources)
+    assert found is not None
+    assert found.answers[0].reading.answer == "{constant: 5}"
+
+
+@pytest.mark.parametrize(
+    "heading", ["Value (x 10)", "Value (\u00d710)", "Value [1e-3]", "Value (times 100)", "Value (/ 10)"]
+)
+def test_a_heading_with_a_factor_is_a_finding(sources: Sources, heading: str) -> None:
+    text = f"## BATTERY_STATUS\n\n| Field | {heading} |\n| --- | --- |\n| current_battery | 5 |\n"
+    assert ("column-factor", 3) in proposal(text, sources)[1]
+
+
+@pytest.mark.parametrize("heading", ["Value (FR-3)", "Value (MAVLink 2)", "Value (raw)", "Value"])
+def test_other_words_in_a_heading_are_none(sources: Sources, heading: str) -> None:
+    text = f"## BATTERY_STATUS\n\n| Field | {heading} |\n| --- | --- |\n| current_battery | 5 |\n"
+    found, findings = proposal(text, sources)
+    assert found is not None
+    assert found.answers[0].reading.answer == "{constant: 5}"
+    assert not [name for name, _ in findings if name.startswith("column")]

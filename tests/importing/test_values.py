@@ -5,8 +5,12 @@ from fractions import Fraction
 
 import pytest
 
-from codegen.importing.answer import Reading, Sources
+from codegen.diagnostics import Report
+from codegen.importing.answer import Reading, Sources, Target
+from codegen.importing.value import read_value
 from codegen.load.expression import Product, read_product
+from codegen.load.markdown_table import Cell
+from codegen.source import Place
 
 Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
 
@@ -37,6 +41,10 @@ Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
         ("25 degC", "temperature", "{constant: 25 degC}"),
         ("2500", "temperature", "{constant: 2500}"),
         ("0 degC (frozen)", "temperature", "{constant: 0 degC}"),
+        ("25 (degC)", "temperature", "{constant: 25 degC}"),
+        ("2500, as in section 3", "temperature", "{constant: 2500}"),
+        ("2500; since FR-3 v2.1", "temperature", "{constant: 2500}"),
+        ("100 - 0x64", "temperature", "{constant: 100}"),
         (r"(BatteryState.voltage \* 1000) as u16", "voltages[0]", "{state: battery.voltage}"),
         ("`state.battery.voltage * 1000`", "voltages", "{state: battery.voltage, split: true}"),
         ("battery.voltage", "voltages[0]", "{state: battery.voltage}"),
@@ -75,6 +83,16 @@ def test_what_says_one_thing_is_an_answer(read: Read, sources: Sources, text: st
         ("TBD", "current_battery", "document-ambiguous: 'TBD' leaves open what goes into BATTERY_STATUS.current_battery"),
         ("?", "current_battery", "document-ambiguous: '?' leaves open what goes into BATTERY_STATUS.current_battery"),
         ("what the pack has", "voltages[0]", "document-prose: 'what the pack has' does not say what goes into BATTERY_STATUS.voltages[0]"),
+        ("12,6 V", "voltages[0]", "document-prose: '12,6 V' does not say what goes into"),
+        ("3,5", "temperature", "document-prose: '3,5' does not say"),
+        ("1,500", "temperature", "document-prose: '1,500' does not say"),
+        ("10 - 20", "temperature", "document-prose: '10 - 20' does not say"),
+        ("10; 20", "temperature", "document-prose: '10; 20' does not say"),
+        ("10, later 20", "temperature", "document-prose: '10, later 20' does not say"),
+        ("0: not used, 1: charging", "temperature", "document-prose: '0: not used, 1: charging' does not say"),
+        ("UINT16_MAX, 0 when full", "voltages[1]", "document-prose: 'UINT16_MAX, 0 when full' does not say"),
+        ("10<br>20", "temperature", "document-prose: '10 20' does not say"),
+        ("10<sup>2</sup>", "temperature", "document-prose: '10^2' does not say"),
         ("", "voltages[0]", "document-empty: nothing is said about the value of BATTERY_STATUS.voltages[0]"),
         ("`{sate: battery.voltage}`", "voltages[0]", "unknown-key: unknown key 'sate'"),
         ("`{state: battery.voltage`", "voltages[0]", "yaml-syntax"),
@@ -94,6 +112,17 @@ def test_a_proposal_names_the_quantity_that_the_words_suggest(read: Read, source
     assert read("pack voltage in mV", "BATTERY_STATUS.voltages[0]", sources)[0].proposal == "{state: battery.voltage}"
     assert read("estimate, or -1", "BATTERY_STATUS.battery_remaining", sources)[0].proposal == "unknown"
     assert read("the weather", "BATTERY_STATUS.type", sources)[0].proposal is None
+
+
+def test_a_decimal_comma_is_told_with_the_number_that_may_be_meant(sources: Sources) -> None:
+    """The number before the comma went out: 54 steps of 1e-7 degrees for 54,3 degrees."""
+    report = Report()
+    field = sources.dialect.messages["GPS_RAW_INT"].field("lat")
+    assert field is not None
+    target = Target(sources.dialect.messages["GPS_RAW_INT"], field, 0, 1)
+    read_value(Cell("54,3 deg", (), "54,3 deg", Place("a.md", 1, 1)), target, sources, report)
+    (finding,) = report
+    assert finding.hint == "write a decimal point: 54.3, or a whole number without a comma: 543"
 
 
 def test_a_cast_that_ends_at_the_sentinel_is_told(read: Read, plain: Sources) -> None:
