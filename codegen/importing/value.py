@@ -12,7 +12,8 @@ from codegen.load.expression import read_product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
 from codegen.model.dialect.literals import same_number
-from codegen.model.units.unit import Unit, read_measure
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import read_measure
 
 DOCUMENT_EMPTY = Rule(
     "document-empty",
@@ -43,7 +44,10 @@ _ATOM = re.compile(
     r"\s*(?:\((?P<inner>[^()]*(?:\([^()]*\)[^()]*)*)\)|(?:=|:|,|;|[-\u2013\u2014]\s)\s*(?P<after>.*))?",
     re.DOTALL,
 )
-_IN_BRACKETS = re.compile(rf"^({_NUMBER})\s*\(([^()]*)\)")
+_IN_BRACKETS = re.compile(rf"({_NUMBER})\s*\(([^()]*)\)")
+_BEHIND = re.compile(rf"({_NUMBER})\s*[=:,;\u2013\u2014-]\s*([^\W\d_]+|[^\s\d]+$)", re.DOTALL)
+_SHORTEST_WORD = 4
+"""A shorter one, such as min and a, may be a remark, unless nothing else stands there."""
 _FURTHER = re.compile(rf"(?<![\w.-])(?:(?:section|chapter|criterion|page|table|figure) )?({_NUMBER})(?![\w.]*\w)")
 _DECIMAL_COMMA = re.compile(r"(?<![\w.,])([-+\u2212]?\d{1,20}),(\d{1,20})(?![\w,]*\d)")
 _UNKNOWN = re.compile(
@@ -87,7 +91,7 @@ def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
     is_own = unit == field.definition.units and field.multiplier == 1
     if not unit or not found or not field.definition.units or is_own:
         return cell
-    if _IN_BRACKETS.sub(_with_unit, cell.text) != cell.text or not _is_remark(cell.text, found[0], target):
+    if _with_unit(cell.text) != cell.text or not _is_remark(cell.text, found[0], target):
         return cell
     if target.sentinel is not None and same_number(stated_number(found[0], target), target.sentinel):
         return cell
@@ -96,7 +100,7 @@ def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
 
 def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
     """A number, a limit, an entry or a word for unknown, with a remark behind it; None if the text is none of these."""
-    amount = _REMARK.sub("", _IN_BRACKETS.sub(_with_unit, text))
+    amount = _REMARK.sub("", _with_unit(text))
     if target.field.definition.units and read_measure(amount) is not None:
         return Reading(f"{{constant: {amount}}}")
     match = _ATOM.fullmatch(text)
@@ -118,10 +122,18 @@ def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: 
     )
 
 
-def _with_unit(match: re.Match[str]) -> str:
-    """Return a number with the unit that stands in brackets behind it: 10 (V); in other brackets is a remark."""
-    is_unit = Unit.parse(match[2].strip()) is not None
-    return f"{match[1]} {match[2].strip()}" if is_unit else match[0]
+def _with_unit(text: str) -> str:
+    """Return a number with the unit that stands behind it as a remark does, 10 (V) or 54: degrees; others as it is."""
+    match = _IN_BRACKETS.match(text)
+    if match is not None:
+        rest = text[match.end() :]
+    else:
+        match = _BEHIND.match(text)
+        rest = ""
+        if match is None or (match.end() != len(text) and len(match[2]) < _SHORTEST_WORD):
+            return text
+    unit = worded_unit(match[2])
+    return text if unit is None else f"{match[1]} {unit.name}{rest}"
 
 
 def _is_remark(after: str, head: str, target: Target) -> bool:

@@ -158,6 +158,8 @@ def _collect(tokens: Sequence["Token"], pieces: list[str], codes: list[str]) -> 
             codes.append(token.content)
         elif token.type in ("text", "text_special"):
             pieces.append(token.content)
+        elif token.type == "image":
+            pieces.append(f"![{token.content}]")
         elif token.type == "html_inline" and (tag := _TAG.match(token.content)):
             pieces.append(_TAGS[tag[1].lower()])
         elif token.children:
