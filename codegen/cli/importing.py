@@ -98,7 +98,7 @@ def _deliver(arguments: argparse.Namespace, found: "Imported", report: "Report")
     if table is not None and (arguments.compare or arguments.merge):
         print(f"{proposal.message.name}: {_shown(proposal.place.file)} beside {_shown(table.path)}")
         print(comparison_text(found.rows))
-        return max(_finish(report), int(found.differs))
+        return max(_finish(report), int(found.differs or (arguments.compare and found.lacks)))
     if arguments.out != "-":
         write_file(arguments.out, found.text, report)
         return _finish(report)

@@ -4,7 +4,7 @@ import os
 from collections.abc import Sequence
 
 from codegen.commands.codec import read_codec_dialect
-from codegen.diagnostics import Report, did_you_mean
+from codegen.diagnostics import Diagnostic, Report, did_you_mean
 from codegen.emit.file import write_file
 from codegen.frozen import dataclass
 from codegen.importing.comparison import Compared, Verdict, compare
@@ -18,6 +18,7 @@ from codegen.importing.proposal import (
     not_answered_by,
     propose,
     report_unmentioned,
+    report_unread,
 )
 from codegen.importing.table_text import Heading, table_text
 from codegen.load.files import DISK
@@ -62,6 +63,11 @@ class Imported:
         """Return whether a field is answered otherwise by the table."""
         return any(row.verdict is Verdict.DIFFERENT for row in self.rows)
 
+    @property
+    def lacks(self) -> bool:
+        """Return whether the table does not answer for a field that the document answers for."""
+        return any(row.verdict is Verdict.ONLY_DOCUMENT for row in self.rows)
+
 
 @dataclass(frozen=True, slots=True)
 class NoTable:
@@ -73,8 +79,8 @@ class NoTable:
 def surroundings(project: str | None, dialect: str | None, report: Report) -> tuple[tuple[System, ...], Dialect | None]:
     """Return the programs of the project, if there is one, and its dialect or the one that is named.
 
-    No dialect after a finding. What else is wrong with the project is for ``check`` to say: a table that is imported
-    may be what is missing.
+    No dialect after a finding, such as a population table that cannot be read: it may be the one of the message. What
+    else is wrong with the project is for ``check`` to say: a table that is imported may be what is missing.
     """
     if project is None:
         return (), read_codec_dialect(dialect or "common", report)
@@ -83,7 +89,17 @@ def surroundings(project: str | None, dialect: str | None, report: Report) -> tu
     if not systems:
         report.extend(reading)
         return (), None
-    return systems, systems[0].dialect
+    unread = [finding for finding in reading if _is_of_unread_table(finding, systems)]
+    report.extend(unread)
+    return ((), None) if unread else (systems, systems[0].dialect)
+
+
+def _is_of_unread_table(finding: Diagnostic, systems: Sequence[System]) -> bool:
+    """Return whether a population table could not be read for what is found: no program has it."""
+    tables = {table.place.file for system in systems for table in system.spec.populations}
+    file = finding.place.file
+    is_table = os.path.basename(os.path.dirname(file)) == "messages" and file not in tables
+    return is_table and finding.is_error
 
 
 def unknown_name(wanted: Wanted, systems: Sequence[System]) -> str | None:
@@ -122,6 +138,7 @@ def imported(
     for_each = wanted.for_each or (table.spec.for_each if table else None)
     sources = sources_of(dialect, _program(found.message, path, table_path, systems), for_each)
     proposal = propose(found.lists, found.message, sources, report)
+    report_unread(found.others, found.message, report)
     for fields in found.lists:
         check_declarations(fields, found.message, report)
     heading = _heading(wanted, text, for_each, found.message, table, systems)

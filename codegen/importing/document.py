@@ -9,6 +9,7 @@ from codegen.importing.columns import Role
 from codegen.importing.stated import FieldList, StatedFields, stated_fields
 from codegen.importing.subject import is_about, is_example, lookalikes, subjects
 from codegen.load.markdown_blocks import BlockKind, parse_blocks
+from codegen.load.markdown_table import Table
 from codegen.model.dialect.dialect import Dialect, WireMessage
 from codegen.source import Place
 
@@ -32,11 +33,13 @@ _ID = re.compile(r"[A-Z]{2,}-[0-9a-z]+")
 class FoundFields:
     """The message that a document is about, and its lists of fields, in the order of the text.
 
-    They have values, or else types, units and sentinels alone, if no list of the document has values.
+    They have values, or else types, units and sentinels alone, if no list of the document has values. ``others`` are
+    the document's tables that are no such lists.
     """
 
     message: WireMessage
     lists: tuple[FieldList, ...]
+    others: tuple[Table, ...]
 
 
 def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, report: Report) -> FoundFields | None:
@@ -53,7 +56,7 @@ def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, repo
             _ask(found, path, dialect, report)
             return None
         (message,) = about.values()
-        return FoundFields(message, tuple(fields for fields, messages in found if messages))
+        return FoundFields(message, tuple(fields for fields, messages in found if messages), stated.others)
     named = dialect.messages.get(wanted)
     if named is None:
         hint = did_you_mean(wanted, dialect.messages)
@@ -63,7 +66,7 @@ def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, repo
     if not own:
         report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), f"the document has no table or list of fields of {wanted}")
         return None
-    return FoundFields(named, tuple(own))
+    return FoundFields(named, tuple(own), stated.others)
 
 
 def _about(

@@ -8,7 +8,7 @@ from codegen.importing.columns import Role
 from codegen.importing.comparison import Compared, Verdict, compare, place_of
 from codegen.importing.existing import senders
 from codegen.importing.of_system import answers_of, sources_of
-from codegen.importing.proposal import check_declarations, propose
+from codegen.importing.proposal import check_declarations, propose, report_unread
 from codegen.importing.stated import FieldList, StatedFields
 from codegen.importing.subject import coverage, is_example, subjects
 from codegen.model.system import PopulatedMessage, System
@@ -44,6 +44,7 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
         answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
         if answered:
             report.extend(_of_programs(name, answered, systems))
+            report_unread(stated.others, dialect.messages[name], report)
     yield from report
 
 

@@ -9,7 +9,8 @@ from codegen.importing.columns import Role
 from codegen.importing.declared import check_declared
 from codegen.importing.quantity import spills
 from codegen.importing.stated import FieldList, StatedField
-from codegen.importing.value import in_unit, read_value
+from codegen.importing.value import DOCUMENT_AMBIGUOUS, in_unit, leaves_open, read_value
+from codegen.load.markdown_table import Table
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.source import Place
 
@@ -26,6 +27,19 @@ DOCUMENT_WITHOUT_VALUES = Rule(
 DOCUMENT_ELEMENT = Rule(
     "document-element",
     "A document gives one number for a field of several elements, so it may be that of the first one, or of each.",
+)
+DOCUMENT_ROW_UNNAMED = Rule(
+    "document-row-unnamed",
+    "A row of a document's table gives a value and names no field: cells that were merged, or a row that goes on with "
+    "the one above. Which field is meant cannot be told.",
+    remedy="write the name of the field into the row, or what it says into the row above",
+)
+DOCUMENT_TABLE_UNREAD = Rule(
+    "document-table-unread",
+    "A table of a document names fields of the message, and none of its columns is known to hold what goes into them, "
+    "so that nothing of it is read or compared.",
+    Severity.WARNING,
+    remedy="call its columns Field and Value",
 )
 DOCUMENT_TWICE = Rule("document-twice", "A document gives two different answers for one element of a field.")
 DOCUMENT_UNANSWERED = Rule(
@@ -73,6 +87,8 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
         if fields.is_descriptive:
             text = f"the table describes the fields of {message.name}, and does not say what goes into them"
             report.add(DOCUMENT_WITHOUT_VALUES, fields.place, text, "add a column such as | Value source |")
+        for value in fields.unnamed:
+            report.add(DOCUMENT_ROW_UNNAMED, value.place, f"{value.text!r} is said of no field")
     for row in (row for fields in lists for row in fields.rows):
         target = target_of(row, message, report)
         if target is None:
@@ -80,7 +96,13 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
         mentioned.add(target.field.name)
         cell = row.cells.get(Role.VALUE)
         found = Report()
-        reading = UNREAD if cell is None else read_value(in_unit(cell, row.unit, target), target, sources, found)
+        reading = UNREAD
+        if cell is not None:
+            reading = read_value(in_unit(cell, row.unit, target), target, sources, found)
+        if cell is not None and (note := row.cells.get(Role.NOTES)) and leaves_open(note):
+            text = f"{note.text!r} beside {cell.text!r} leaves open what goes into {target.name}"
+            found.add(DOCUMENT_AMBIGUOUS, note.place, text)
+            reading = UNREAD
         if cell is not None and _leaves_element_open(row, target, reading):
             text = f"{cell.text} leaves open whether one element of {target.name} is meant or all {target.count}"
             found.add(
@@ -97,6 +119,17 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
     return Proposal(
         message, lists[0].place, tuple(_joined(answers)), tuple(_unmentioned(message, answers, mentioned, sources))
     )
+
+
+def report_unread(tables: Iterable[Table], message: WireMessage, report: Report) -> None:
+    """A finding for each table that names fields of the message in half of its rows or more, and is not read."""
+    names = {field.name for field in message.fields}
+    for table in tables:
+        columns = zip(*(row.cells for row in table.rows if len(row.cells) == len(table.header.cells)), strict=True)
+        named = max((sum(cell.text in names for cell in column) for column in columns), default=0)
+        if named > 1 and 2 * named >= len(table.rows):
+            text = f"the table names fields of {message.name}, and its columns are not known"
+            report.add(DOCUMENT_TABLE_UNREAD, table.place, text)
 
 
 def _leaves_element_open(row: StatedField, target: Target, reading: Reading) -> bool:

@@ -3,6 +3,7 @@
 import re
 from collections import deque
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import takewhile
 
 from codegen.diagnostics import Diagnostic
@@ -58,13 +59,14 @@ _ITEM_ROLES = frozenset({Role.FIELD, Role.VALUE})
 class FieldList:
     """Rows that belong together. ``context`` is the text around them that may name the message.
 
-    The nearest above comes first, what stands right below them last.
+    The nearest above comes first, what stands right below them last. ``unnamed`` are values in rows without a field.
     """
 
     rows: tuple[StatedField, ...]
     place: Place
     context: tuple[str, ...]
     roles: frozenset[Role]
+    unnamed: tuple[Cell, ...] = ()
 
     @property
     def is_descriptive(self) -> bool:
@@ -74,10 +76,14 @@ class FieldList:
 
 @dataclass(frozen=True, slots=True)
 class StatedFields:
-    """Every list of fields of a document in its order, and what is wrong with the form of the document."""
+    """Every list of fields of a document in its order, and what is wrong with the form of the document.
+
+    ``others`` are the tables in which no column of fields is known by its heading.
+    """
 
     lists: tuple[FieldList, ...]
     findings: tuple[Diagnostic, ...]
+    others: tuple[Table, ...] = ()
 
 
 def stated_fields(text: str, path: str) -> StatedFields:
@@ -89,23 +95,39 @@ def stated_fields(text: str, path: str) -> StatedFields:
     blocks = parse_blocks(text, path)
     found = parse_tables(text, path)
     findings = list(found.findings)
-    lists: list[tuple[Place, tuple[StatedField, ...], frozenset[Role], str]] = []
+    lists: list[tuple[FieldList, str]] = []
+    others: list[Table] = []
     for table in found.tables:
         roles, unclear = column_roles(table.header)
         rows = tuple(_table_rows(table, roles))
         if rows:
             findings.extend(unclear)
-            lists.append((table.place, rows, frozenset(roles), table.header.cells[roles[Role.FIELD]].text))
-    lists.extend((rows[0].place, rows, _ITEM_ROLES, "") for rows in _bullet_lists(blocks))
-    lists.sort(key=lambda one: one[0])
-    contexts = _contexts(blocks, [place.line for place, *_ in lists])
+            unnamed = tuple(_unnamed(table, roles))
+            heading = table.header.cells[roles[Role.FIELD]].text
+            lists.append((FieldList(rows, table.place, (), frozenset(roles), unnamed), heading))
+        else:
+            others.append(table)
+    lists.extend((FieldList(rows, rows[0].place, (), _ITEM_ROLES), "") for rows in _bullet_lists(blocks))
+    lists.sort(key=lambda one: one[0].place)
+    contexts = _contexts(blocks, [fields.place.line for fields, _ in lists])
     return StatedFields(
         tuple(
-            FieldList(rows, place, (heading, *context) if heading.isupper() else context, roles)
-            for (place, rows, roles, heading), context in zip(lists, contexts, strict=True)
+            replace(fields, context=(heading, *context) if heading.isupper() else context)
+            for (fields, heading), context in zip(lists, contexts, strict=True)
         ),
         tuple(findings),
+        tuple(others),
     )
+
+
+def _unnamed(table: Table, roles: dict[Role, int]) -> Iterator[Cell]:
+    """Yield the values of rows whose cell for the field is empty, as in a table whose cells were merged."""
+    if Role.VALUE not in roles:
+        return
+    for row in table.rows:
+        name, value = _cell_at(row, roles[Role.FIELD]), _cell_at(row, roles[Role.VALUE])
+        if name is not None and not name.text and value is not None and value.text:
+            yield value
 
 
 def _table_rows(table: Table, roles: dict[Role, int]) -> Iterator[StatedField]:

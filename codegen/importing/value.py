@@ -82,6 +82,12 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
     return reading or _prose(cell, target, sources, report)
 
 
+def leaves_open(note: Cell) -> bool:
+    """Return whether a cell with notes says nothing but that its row is not decided: TBD, ?, to be defined."""
+    text = note.text.strip().casefold()
+    return _QUESTION.fullmatch(text) is not None or _OPEN.fullmatch(text.rstrip(".!")) is not None
+
+
 def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
     """Return a cell whose number has the unit that its column's heading states, where that is another than the field's.
 

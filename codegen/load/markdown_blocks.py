@@ -18,9 +18,11 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 _LINE_END = pattern(r"\r\n?|\n")
-_TAG = pattern(r"<([Bb][Rr]|[Ss][Uu][Pp])\b")
-_TAGS = {"br": " ", "sup": "^"}
+_TAG = pattern(r"(?i)<(/?(?:br|sup|del|s|strike))\b")
+_TAGS = {"br": " ", "sup": "^", "/sup": ""}
 """What stands for a tag: without it two numbers, or one and its exponent, would be one. Of others nothing is seen."""
+_STRUCK = "~~"
+"""As Markdown writes it: what is struck is not what is said."""
 _MARKUP = pattern(r"[\\`*_\[\]<>&!]")
 _CODE_TOKENS = ("fence", "code_block")
 
@@ -161,6 +163,6 @@ def _collect(tokens: Sequence["Token"], pieces: list[str], codes: list[str]) -> 
         elif token.type == "image":
             pieces.append(f"![{token.content}]")
         elif token.type == "html_inline" and (tag := _TAG.match(token.content)):
-            pieces.append(_TAGS[tag[1].lower()])
+            pieces.append(_TAGS.get(tag[1].lower(), _STRUCK))
         elif token.children:
             _collect(token.children, pieces, codes)

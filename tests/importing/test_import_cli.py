@@ -1,5 +1,6 @@
 """``codegen import`` and ``codegen check`` as they are called, on a copy of the shipped project."""
 
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -93,6 +94,29 @@ def test_a_table_of_the_project_is_compared_and_merged(run: Run, project: Path) 
     assert table.read_text() == before.replace(line, "  type: {enum: MAV_BATTERY_TYPE_LIPO}  # FR-00068 line 8\n")
     code, _, err = run("import", "doc.txt", "--merge")
     assert err.startswith("specs/messages/battery_status.yaml lacks none of these answers\n")
+
+
+def test_what_the_table_lacks_differs(run: Run, project: Path) -> None:
+    """As a gate --compare missed fields that stand in the document alone; --merge adds them."""
+    table = project / "specs" / "messages" / "battery_status.yaml"
+    (project / "one.md").write_text("## BATTERY_STATUS\n\n| Field | Value |\n| --- | --- |\n| type | 1 |\n| id | 0 |\n")
+    table.write_text(re.sub(r"(?m)^  type: .*\n", "", table.read_text()))
+    code, out, _ = run("import", "one.md", "--compare")
+    assert "only in the document" in out
+    assert not re.search(r"(?m)^different", out)
+    assert code == 1
+    assert run("import", "one.md", "--merge")[0] == 0
+
+
+def test_a_table_that_cannot_be_read_is_not_one_that_is_missing(run: Run, project: Path) -> None:
+    """A second table was written beside it, without a word of the first."""
+    table = project / "specs" / "messages" / "battery_status.yaml"
+    table.write_text(table.read_text().replace("fields:\n", "fields:\n  temperature: [1\n"))
+    for options in (["--compare"], ["--merge"], ["--out", "specs/messages/second.yaml"], []):
+        code, out, err = run("import", "doc.txt", *options)
+        assert code == 2
+        assert re.search(r"(?m)^specs/messages/battery_status.yaml:\d+:\d+: error yaml-syntax", out + err)
+    assert not (project / "specs" / "messages" / "second.yaml").exists()
 
 
 @pytest.mark.parametrize(

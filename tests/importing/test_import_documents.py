@@ -10,7 +10,7 @@ from codegen.importing.comparison import Verdict, compare
 from codegen.importing.document import document_id, find_fields
 from codegen.importing.existing import table_of
 from codegen.importing.of_system import answers_of, sources_of
-from codegen.importing.proposal import Proposal, not_answered_by, propose, report_unmentioned
+from codegen.importing.proposal import Proposal, not_answered_by, propose, report_unmentioned, report_unread
 from codegen.importing.table_text import Heading, answer_line, table_text
 from codegen.model.system import System
 
@@ -302,3 +302,41 @@ def test_other_words_in_a_heading_are_none(sources: Sources, heading: str) -> No
     assert found is not None
     assert found.answers[0].reading.answer == "{constant: 5}"
     assert not [name for name, _ in findings if name.startswith("column")]
+
+
+TABLE = "## BATTERY_STATUS\n\n| Field | Value | Notes |\n| --- | --- | --- |\n"
+
+
+def test_a_row_without_a_field_is_a_finding(sources: Sources) -> None:
+    """Where cells were merged, the second value was left out without a word. A row of remarks alone is none."""
+    text = f"{TABLE}| current_battery | 250 cA | |\n| | 300 cA | from v2 |\n| | | of the pack |\n"
+    _, findings = proposal(text, sources)
+    assert [line for name, line in findings if name == "document-row-unnamed"] == [6]
+
+
+@pytest.mark.parametrize("note", ["TBD", "?", "tbc.", "to be defined"])
+def test_a_note_can_leave_a_value_open(sources: Sources, note: str) -> None:
+    found, findings = proposal(f"{TABLE}| current_battery | 250 cA | {note} |\n", sources)
+    assert found is not None
+    assert found.answers[0].reading.answer is None
+    assert ("document-ambiguous", 5) in findings
+    found, _ = proposal(f"{TABLE}| current_battery | 250 cA | or so says FR-3 |\n", sources)
+    assert found is not None
+    assert found.answers[0].reading.answer == "{constant: 250 cA}"
+
+
+@pytest.mark.parametrize(
+    ("header", "count"),
+    [("Feld | Wert", 1), ("Element | Battery 0", 1), ("Field | Battery 0", 1), ("Field | Value in V", 0)],
+)
+def test_a_table_of_fields_that_is_not_read_is_told(sources: Sources, header: str, count: int) -> None:
+    rows = "| current_battery | 250 cA |\n| temperature | 25 degC |\n| pack | 3 |\n"
+    text = (
+        f"{TABLE}| id | 0 | |\n\n| {header} |\n| --- | --- |\n{rows}\n| A | B |\n| --- | --- |\n| id | 1 |\n| x | 2 |\n"
+    )
+    report = Report()
+    found = find_fields(text, "/doc.md", "BATTERY_STATUS", sources.dialect, report)
+    assert found is not None
+    report_unread(found.others, found.message, report)
+    told = [finding.place.line for finding in report if finding.rule.id == "document-table-unread"]
+    assert told == [7] * count
