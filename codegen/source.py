@@ -39,11 +39,13 @@ class Written:
     """Base of everything that was read from a YAML file: it knows where it, and each of its keys, stands.
 
     ``place`` is the place of the record itself (for an entry of a mapping: of its key);
-    ``places`` has, for each key that was written, the place of its value.
+    ``places`` has, for each key that was written, the place of its value; ``unread`` are the keys of these whose value
+    could not be read, which has been reported: the record has their defaults.
     """
 
     place: Place = field(compare=False, repr=False)
     places: Mapping[str, Place] = field(compare=False, repr=False, default_factory=dict)
+    unread: tuple[str, ...] = field(compare=False, repr=False, default=())
 
     def at(self, key: str) -> Place:
         """The place of the value written for ``key``, or of the whole record where the key is not written."""
@@ -51,4 +53,4 @@ class Written:
 
     def has_unread(self, *keys: str) -> bool:
         """Return whether one of the keys is written with a value that could not be read, which has been reported."""
-        return any(key in self.places and getattr(self, key) is None for key in keys)
+        return any(key in self.unread for key in keys)

@@ -3,19 +3,18 @@
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING
 
 from codegen.claims import of_dialect, of_project, settled
 from codegen.claims.overlays import lines_about
 from codegen.claims.reading import Reading, Reference, read_document
+from codegen.commands.document_programs import programs_about, stated_parameters, stated_rates
 from codegen.decode.dialect.known import taken_elsewhere
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.files import DISK, Files, asked_once
 from codegen.model.price import sent_sizes
 from codegen.model.spec.spec import Spec
-from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
 from codegen.project.dialect import listed_messages
 from codegen.project.other_overlays import other_dialect
@@ -38,7 +37,13 @@ def project_reference(systems: Sequence[System], files: Files = DISK) -> Referen
     spec = systems[0].spec
     listed = listed_messages(spec, files, Report())
     reference = Reference(
-        systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems), spec.project.overlays
+        systems[0].dialect,
+        sent,
+        listed,
+        stated_parameters(systems),
+        stated_rates(systems),
+        tuple(systems),
+        spec.project.overlays,
     )
     others = {name: asked_once(partial(_with_overlay, reference, spec, name)) for name in spec.other_overlays}
     return replace(reference, others=others)
@@ -56,38 +61,23 @@ def _with_overlay(reference: Reference, spec: Spec, overlay: str, files: Files) 
     return replace(reference, dialect=other.dialect, sent=sent, rates=rates, systems=())
 
 
-def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
-    """Return by message the rates in Hz of its streams, until somebody changes them; without those never sent."""
-    found: dict[str, set[Fraction]] = {}
-    for system in systems:
-        for message in system.messages:
-            if message.stream is not None and message.stream.default_rate:
-                found.setdefault(message.wire.name, set()).add(message.stream.default_rate)
-    return {name: tuple(sorted(rates)) for name, rates in found.items()}
+def reference_about(reference: Reference, path: str) -> Reference:
+    """Return the reference for a document: of the facts of a project those of the programs that it is about.
 
-
-def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, ...]]:
-    """Return by name each program's parameter, in the order of the programs."""
-    found: dict[str, tuple[StatedParameter, ...]] = {}
-    for system in systems:
-        for index, name in enumerate(sorted(system.parameters)):
-            parameter = system.parameters[name]
-            default, low, high = (
-                step * parameter.step for step in (parameter.default, parameter.minimum, parameter.maximum)
-            )
-            stated = StatedParameter(
-                name=name,
-                unit=parameter.unit,
-                default=default,
-                minimum=low,
-                maximum=high,
-                step=parameter.step,
-                type=parameter.spec.type.value.upper(),
-                index=index,
-                count=len(system.parameters),
-            )
-            found[name] = (*found.get(name, ()), stated)
-    return found
+    What messages are, and how long, is alike in all of them.
+    """
+    systems = reference.systems
+    if len(systems) < 2:
+        return reference
+    narrowed = replace(
+        reference,
+        parameters=stated_parameters(systems, path),
+        rates=stated_rates(systems, path),
+        systems=programs_about(systems, path),
+    )
+    spec = systems[0].spec
+    others = {name: asked_once(partial(_with_overlay, narrowed, spec, name)) for name in reference.others}
+    return replace(narrowed, others=others)
 
 
 def check_documents(paths: Iterable[str], reference: Reference, report: Report, files: Files = DISK) -> list[str]:
@@ -108,7 +98,8 @@ def example_numbers(paths: Iterable[str], reference: Reference, files: Files = D
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = files.read_text(path, Report())
         if text is not None:
-            yield from numbers(text, with_other_dialects(read_document(text, path, reference), files))
+            about = reference_about(reference, path)
+            yield from numbers(text, with_other_dialects(read_document(text, path, about), files))
 
 
 OfDialect = Mapping[str, tuple[Diagnostic, ...]]
@@ -136,6 +127,7 @@ def found_claims(
     ``known`` is what differs from the dialects, if that has been found out.
     """
     known = of_dialects(text, path, reference, files) if known is None else known
+    reference = reference_about(reference, path)
     reading = read_document(text, path, reference)
     own = of_project(reading)
     found: list[Diagnostic] = []

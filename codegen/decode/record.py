@@ -109,7 +109,12 @@ class _RecordDecoder(Generic[Record]):
         for group, given in grouped.items():
             record = group.model(place=self._place, places=self._places, **given)
             values[group.attribute] = (*values.get(group.attribute, ()), record)
-        return self._cls(place=self._place, places=self._places, **values)
+        unread = tuple(
+            name
+            for name, key in self._keys.items()
+            if key.group is None and name in self._places and key.attribute not in values
+        )
+        return self._cls(place=self._place, places=self._places, unread=unread, **values)
 
     def _is_complete(self, group: Group, given: dict[str, Any]) -> bool:
         """Return whether a group has what it cannot do without; a key of it that is not written is reported."""

@@ -117,7 +117,8 @@ class Change:
     empty then. ``softened`` says why nobody breaks although it looks like it. ``place`` is in the new version, or in
     the old one if it is gone there; ``was_at`` is in the old one otherwise. ``messages`` are the names of the messages
     that are concerned, of the old or the new version; ``enum`` and ``entry`` are set where the change is one of an
-    enum. ``rows`` are the names by which the trace knows what is touched.
+    enum. ``rows`` are the names by which the trace knows what is touched; ``programs`` are those that it was found in,
+    by their names ("" is the project's own), empty where it concerns whatever program has these.
     """
 
     rule: ChangeRule
@@ -137,6 +138,7 @@ class Change:
     enum: str | None = None
     entry: str | None = None
     rows: tuple[str, ...] = ()
+    programs: tuple[str, ...] = ()
     reach: Reach = NOWHERE
 
     @property

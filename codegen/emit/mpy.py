@@ -3,6 +3,7 @@
 import os
 import re
 import subprocess
+import warnings
 from collections.abc import Container, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
@@ -116,19 +117,38 @@ def _made(
         )
         for path, (content, fault) in zip(wanted, outcomes, strict=True):
             if fault:
-                _report_fault(path, fault, "" if path in prepared else folder, report)
+                _report_fault(path, wanted[path], fault, "" if path in prepared else folder, report)
             result[f"{path.removesuffix('.py')}.mpy"] = content
+    for path, text in files.items():  # a main.py of the user stays as it is, and is started as surely
+        if path not in wanted and path not in unnumbered and path.endswith(".py") and isinstance(text, str):
+            _, fault = _compile(program, path, text, architecture)
+            if fault:
+                _report_fault(path, text, fault, folder, report)
     return {} if report.has_errors else result
 
 
-def _report_fault(path: str, fault: str, folder: str, report: Report) -> None:
+def _python_place(path: str, text: str) -> Place | None:
+    """Return where Python cannot read a text, to the column; None where it can. MicroPython names lines, if these."""
+    try:
+        with warnings.catch_warnings(action="ignore"):
+            compile(text, path, "exec", dont_inherit=True)
+    except SyntaxError as fault:
+        return Place(path, fault.lineno or 1, max(fault.offset or 1, 1))
+    except ValueError:  # a NUL
+        return None
+    return None
+
+
+def _report_fault(path: str, text: str, fault: str, folder: str, report: Report) -> None:
     """Report what mpy-cross says of a generated module, or of one in the ``folder`` of the user."""
     if not folder:
         hint = "bytecode runs on every board: codegen build --mpy bytecode, or machine_code: false in codegen.yaml"
         report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, hint)
         return
     line, said = _LINE.search(fault), _LAST.search(fault)
-    place = Place(os.path.join(folder, path), int(line[1]) if line else 1)
+    place = _python_place(os.path.join(folder, path), text) or Place(
+        os.path.join(folder, path), int(line[1]) if line else 1
+    )
     report.add(CODE_REFUSED, place, f"MicroPython's compiler refuses it: {said[0] if said else fault}")
 
 

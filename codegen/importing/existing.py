@@ -69,7 +69,7 @@ def senders(name: str, systems: Sequence[System], document: str) -> tuple[Sender
     about that program alone, one that such a program has replaced is not about it. Of the tables those are meant that
     cite the document, where any does: a program with a table that cites another one has said what is true of it.
     """
-    readers = tuple(system for system in systems if _reads(system, document)) or tuple(systems)
+    readers = tuple(system for system in systems if system.has_document(document)) or tuple(systems)
     found = tuple(Sender(system, tables) for system in readers if (tables := system.tables(name)))
     asked = tuple(
         Sender(each.system, tables)
@@ -77,11 +77,6 @@ def senders(name: str, systems: Sequence[System], document: str) -> tuple[Sender
         if (tables := tuple(table for table in each.tables if table.citation.requirement.place.file == document))
     )
     return asked or found
-
-
-def _reads(system: System, document: str) -> bool:
-    """Return whether a document is one of the requirements in the specification of a program."""
-    return any(requirement.place.file == document for requirement in system.spec.requirements)
 
 
 def table_of_project(text: str, message: PopulatedMessage) -> ExistingTable:

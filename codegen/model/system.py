@@ -190,6 +190,10 @@ class System:
         encoding = self.program.encoding if self.program else ParameterEncoding.C_CAST
         return encoding is ParameterEncoding.BYTEWISE and self.has_whole_parameters
 
+    def has_document(self, path: str) -> bool:
+        """Return whether the document with an absolute path is one of the requirements in its specification."""
+        return any(requirement.place.file == path for requirement in self.spec.requirements)
+
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""
         return tuple(table for table in self.messages if table.wire.name == message)

@@ -370,12 +370,16 @@ class Reading(Basis):
         return self.conversion.channel.when is not None
 
 
+SLOWEST_ASKED = Fraction(1000000, 0x3FFFFFFF)
+"""Hz of the longest interval that a ground station can ask for: what boards count without making an object."""
+
+
 @dataclass(frozen=True, slots=True)
 class Stream:
     """A stream with either a fixed ``rate`` in Hz or the ``parameter`` that sets it.
 
     ``data_stream`` is the number by which REQUEST_DATA_STREAM asks for it, or None; ``fastest`` the highest rate in Hz
-    that a ground station can ask for.
+    that a ground station can ask for, and that its parameter can set. Below ``SLOWEST_ASKED`` it is ``rate``.
     """
 
     name: str

@@ -26,7 +26,8 @@ from codegen.resolve.program.watchdog import resolve_watchdog
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 from codegen.resolve.quantities.state import resolve_components
 from codegen.resolve.receptions.receives import resolve_reception
-from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
+from codegen.resolve.streams import resolve_streams
+from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters
 from codegen.source import Place, shown_path
 
 BAD_PROJECT = Rule(

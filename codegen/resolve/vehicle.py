@@ -1,18 +1,16 @@
 """The board, the parameters and the streams of the specification, resolved."""
 
-import re
 from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.measure import DAY_S, find_unit, read_amount, read_rate, read_time
+from codegen.measure import find_unit, read_amount, read_time
 from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.code.storage import SMALL_INT_MAX
-from codegen.model.dialect.dialect import Dialect
 from codegen.model.spec.board import AdcSpec, BoardSpec
-from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
+from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement
 from codegen.model.units.unit import decimal, unit_named
-from codegen.model.vehicle import AdcChannel, Citation, Parameter, Stream
+from codegen.model.vehicle import AdcChannel, Citation, Parameter
 from codegen.pattern import pattern
 from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
@@ -34,12 +32,6 @@ BAD_PARAMETER = Rule(
     "all three are whole multiples of step and, in steps, fit a small integer of MicroPython. A whole type has a whole "
     "step and carries min and max; single values lie within them, and the default is one of them.",
     remedy="make min, default and max whole multiples of step, in this order",
-)
-BAD_STREAM = Rule(
-    "bad-stream",
-    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000. Its "
-    "data_stream is an entry of MAV_DATA_STREAM, and fastest is at most 1000 Hz.",
-    remedy="write an entry of MAV_DATA_STREAM, such as MAV_DATA_STREAM_EXTRA1, or leave data_stream out",
 )
 UNKNOWN_PARAMETER = Rule(
     "unknown-parameter",
@@ -318,76 +310,3 @@ def _choices(name: str, spec: ParameterSpec, problems: list[_Fault]) -> dict[Fra
 
 def _in_steps(value: Fraction, step: Fraction) -> int:
     return int(value / step)
-
-
-def resolve_streams(
-    spec: Spec,
-    dialect: Dialect,
-    parameters: Mapping[str, Parameter],
-    index: Mapping[str, Requirement],
-    report: Report,
-) -> dict[str, Stream]:
-    """The streams by name."""
-    streams = {}
-    for name, written in spec.streams.streams.items():
-        number = _data_stream(written, dialect, report)
-        stream = _resolve_stream(name, written, number, spec.parameters, parameters, index, report)
-        if stream is not None:
-            streams[name] = stream
-    return streams
-
-
-def _data_stream(spec: StreamSpec, dialect: Dialect, report: Report) -> int | None:
-    name, enum = spec.data_stream, dialect.enums.get("MAV_DATA_STREAM")
-    if name is None:
-        return None
-    entry = enum.entry(name) if enum else None
-    if entry is None or entry.value == 0:  # 0 stands for all of them
-        names = [entry.name for entry in enum.entries if entry.value] if enum else []
-        message = f"{name} is no single stream of MAV_DATA_STREAM"
-        report.add(BAD_STREAM, spec.at("data_stream"), message, did_you_mean(name, names))
-        return None
-    return entry.value
-
-
-def _resolve_stream(
-    name: str,
-    spec: StreamSpec,
-    number: int | None,
-    written: ParametersSpec,
-    parameters: Mapping[str, Parameter],
-    index: Mapping[str, Requirement],
-    report: Report,
-) -> Stream | None:
-    citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
-    if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
-        report.add(BAD_STREAM, spec.place, f"{name} cannot be the name of a stream", "use letters, digits and _")
-    if spec.has_unread("rate", "parameter"):
-        return None
-    if (spec.rate is None) == (spec.parameter is None):
-        report.add(
-            BAD_STREAM,
-            spec.place,
-            f"stream {name} needs exactly one of rate and parameter",
-            hint="rate: 1 Hz, or parameter: and the name of one in Hz",
-        )
-        return None
-    fastest = None if spec.fastest is None else read_rate(spec.fastest, spec.at("fastest"), report)
-    if spec.rate is not None:
-        rate = read_rate(spec.rate, spec.at("rate"), report)
-        return None if rate is None else Stream(name, rate, None, number, max(rate, fastest or rate), spec, citation)
-    assert spec.parameter is not None
-    parameter = find_parameter(spec.parameter, spec.at("parameter"), written, parameters, report)
-    if parameter is None:
-        return None
-    largest = parameter.maximum * parameter.step
-    if parameter.unit.name != "Hz" or parameter.minimum < 0 or largest > 1000 or parameter.step * DAY_S < 1:
-        report.add(
-            BAD_STREAM,
-            spec.at("parameter"),
-            f"{parameter.name} is not a rate from 0 to 1000 Hz",
-            related=[(parameter.spec.at("unit"), f"{parameter.name} is declared here")],
-            hint=f"declare {parameter.name} with unit: Hz, min: 0, max: 50 and step: 0.1",
-        )
-        return None
-    return Stream(name, None, parameter, number, fastest or largest, spec, citation)

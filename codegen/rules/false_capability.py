@@ -45,7 +45,7 @@ def check(system: System) -> Iterator[Diagnostic]:
             field = (message.wire.name, answer.covers.field.name)
             if field == _CAPABILITIES:
                 yield from _capabilities(answer, system)
-            elif field == _AUTOPILOT and system.has_whole_parameters:
+            elif field == _AUTOPILOT and _is_encoded(system):
                 yield from _autopilot(answer, system.program.encoding, system)
 
 
@@ -61,7 +61,7 @@ def _flag(name: str, answer: Answer, system: System) -> Iterator[Diagnostic]:
     assert system.program is not None
     encoding = system.program.encoding
     missions = any(reception.wire.name.startswith("MISSION_") for reception in system.receptions)
-    if system.has_whole_parameters and _OF_FLAG.get(name, encoding) is not encoding:
+    if _is_encoded(system) and _OF_FLAG.get(name, encoding) is not encoding:
         right = _CAST_FLAG if encoding is ParameterEncoding.C_CAST else _BYTE_FLAG
         hint = f"name {right} instead, or write encoding: {_OF_FLAG[name]} in parameters.yaml"
         yield _finding(answer, name, _WORDS[encoding], hint, system)
@@ -70,6 +70,11 @@ def _flag(name: str, answer: Answer, system: System) -> Iterator[Diagnostic]:
     elif name in _OF_MISSIONS and not missions:
         told = "missions are refused: no table of receives/ takes their messages"
         yield _finding(answer, name, told, "leave it out, or take MISSION_COUNT and MISSION_ITEM_INT in receives/")
+
+
+def _is_encoded(system: System) -> bool:
+    """Return whether parameters have an encoding that others may take for another; not where it was misspelt."""
+    return system.has_whole_parameters and not system.spec.parameters.has_unread("encoding")
 
 
 def _autopilot(answer: Answer, encoding: ParameterEncoding, system: System) -> Iterator[Diagnostic]:

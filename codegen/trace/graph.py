@@ -4,7 +4,7 @@ Criteria are named as tables cite them: ``FR-00068.3``, or ``FR-00068`` for a do
 """
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from enum import StrEnum
 from typing import ClassVar, NamedTuple
@@ -211,12 +211,13 @@ class Reached:
     tests: tuple[Test, ...]
 
 
-def reached(trace: Trace, name: str) -> Reached:
+def reached(trace: Trace, name: str, is_meant: Callable[[Row], bool] = lambda _: True) -> Reached:
     """Return what a row reaches: ``name`` is that of a message, a field (``BATTERY_STATUS.voltages``), a parameter...
 
-    A message reaches what its fields do. Of tests about a single message only those about this one count.
+    A message reaches what its fields do. Of tests about a single message only those about this one count, and of
+    several rows of one name, as programs may have, those that are meant.
     """
-    rows = [row for row in trace.rows if row.name == name or _is_field_of(row, name)]
+    rows = [row for row in trace.rows if (row.name == name or _is_field_of(row, name)) and is_meant(row)]
     criteria = sorted({row.criterion for row in rows})
     message = name.partition(".")[0]
     fields = any(row.kind in (Kind.MESSAGE, Kind.FIELD) for row in rows)

@@ -34,7 +34,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "load": {"model", *GROUND},
     "decode": {"load", "sources", "tool", "model", *GROUND},
     "resolve": {"answers", "derivations", "sources", "measure", "model", *GROUND},
-    "rules": {"loop", "measure", "model", *GROUND},
+    "rules": {"findings", "loop", "measure", "model", *GROUND},
     "summaries": {"model", *GROUND},
     "render": {"tool"},
     "emit": {"tool", *GROUND},

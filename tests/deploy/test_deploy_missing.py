@@ -364,11 +364,38 @@ def test_a_mistyped_line_is_told_where_it_is(project: Path, tmp_path: Path) -> N
     done, names = deployed(project, tmp_path / "flash")
     assert done.returncode == 1
     words = "error code-refused: MicroPython's compiler refuses it: SyntaxError: invalid syntax"
-    assert f"{os.path.join('parts', 'wheel.py')}:5:1: {words}" in done.stdout
+    assert f"{os.path.join('parts', 'wheel.py')}:5:12: {words}" in done.stdout
     assert "--mpy" not in done.stdout
     assert names == []
     done = codegen(tmp_path, "deploy", "--project", str(project), "--image", "image")
-    assert f"{os.path.join('project', 'parts', 'wheel.py')}:5:1: {words}" in done.stdout
+    assert f"{os.path.join('project', 'parts', 'wheel.py')}:5:12: {words}" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "words"),
+    [
+        ("import time\n\ndef turn(x:\n    return x\n", "3:9", "SyntaxError: invalid syntax"),
+        ("def turn():\n    pass\n\n\nbreak\n", "5:1", "SyntaxError: 'break'/'continue' outside loop"),
+        ("x = 1\nmatch x:\n    case 1:\n        pass\n", "2:1", "SyntaxError: invalid syntax"),  # Python reads it
+    ],
+)
+def test_a_main_of_ones_own_is_read_before_anything_is_copied(
+    project: Path, tmp_path: Path, text: str, place: str, words: str
+) -> None:
+    """It goes to the board as it is, where it would end at its first line; without a program nothing else starts."""
+    (project / "specs" / "vehicle.yaml").unlink()
+    assert codegen(project, "build").returncode == 0
+    (project / "main.py").write_text("import time\n")
+    assert "main.py" in deployed(project, tmp_path / "flash")[1]
+    (project / "main.py").write_text(text)
+    done, names = deployed(project, tmp_path / "other")
+    assert done.returncode == 1
+    assert f"main.py:{place}: error code-refused: MicroPython's compiler refuses it: {words}" in done.stdout
+    assert names == []
+    done = codegen(project, "deploy", "--image", "image")
+    assert done.returncode == 1
+    assert f"main.py:{place}: error code-refused" in done.stdout
+    assert not (project / "image").exists()
 
 
 def test_the_board_file_of_a_further_program_is_named(project: Path, tmp_path: Path) -> None:

@@ -172,3 +172,52 @@ def test_another_program_in_place_of_one_is_no_rename(compared: Compare) -> None
     assert code == 1
     assert told(found, "program-removed")
     assert told(found, "program-added") == [("lamp", None, "a further program, which sends ATTITUDE")]
+
+
+def own_parameters(specs: Path) -> None:
+    """The same ones, in a file of sail's own."""
+    shutil.copy(specs / "parameters.yaml", specs / "sail" / "parameters.yaml")
+
+
+def slower(path: Path) -> None:
+    replaced(path, "default: 5, min: 0, max: 25", "default: 4, min: 0, max: 25")
+
+
+@pytest.mark.parametrize(
+    ("edited", "programs"),
+    [("sail/parameters.yaml", {"sail"}), ("parameters.yaml", {"", "buoy"}), ("", {"", "sail", "buoy"})],
+)
+def test_a_change_reaches_the_files_of_its_programs(
+    fleet: Path, tmp_path: Path, edited: str, programs: set[str]
+) -> None:
+    """A parameter that two files state is one for each of their programs; what all have alike is nobody's alone."""
+    for side in ("old", "new"):
+        shutil.copytree(fleet / "specs", tmp_path / side / "specs")
+        if edited:
+            own_parameters(tmp_path / side / "specs")
+    slower(tmp_path / "new" / "specs" / (edited or "parameters.yaml"))
+    done = run(tmp_path, "diff", "old", "new", "--format", "json")
+    changes = [one for one in json.loads(done.stdout)["changes"] if one["rule"] == "parameter-default-changed"]
+    assert len(changes) == 1, changes
+    named = {"sail", "buoy", "common"}
+    reached = {symbol.partition("/")[0] for symbol in changes[0]["symbols"]}
+    assert {folder if folder in named else "" for folder in reached} == programs
+    suites = {test.split("/")[1] for test in changes[0]["tests"] if test.startswith("generated/")}
+    assert {folder if folder in named else "" for folder in suites} == programs
+
+
+def test_a_change_of_a_renamed_program_reaches_its_files_of_either_version(
+    compared: Callable[[Callable[[Path], None]], tuple[int, list[Any]]],
+) -> None:
+    """The old ones lie in the folder of the old name."""
+
+    def edit(specs: Path) -> None:
+        moved(specs)
+        shutil.copy(specs / "parameters.yaml", specs / "yawl" / "parameters.yaml")
+        slower(specs / "yawl" / "parameters.yaml")
+
+    (change,) = [one for one in compared(edit)[1] if one["rule"] == "parameter-default-changed"]
+    assert change["subject"] == "yawl: SR0_EXTRA1"
+    folders = {symbol.partition("/")[0] for symbol in change["symbols"]}
+    assert {"sail", "yawl"} <= folders
+    assert folders <= {"sail", "yawl", "common"}

@@ -76,6 +76,29 @@ def test_bytes_of_each_type(interpreter: str, tmp_path: Any) -> None:
             assert found == by_pymavlink(kind, value), (kind, value)
 
 
+@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
+def test_beyond_the_type_is_the_nearest_number(interpreter: str, tmp_path: Any) -> None:
+    """Code may set an attribute of a parameter to anything: no byte is cut off, so that 300 is never told as 44."""
+    asked: list[tuple[int, float, int]] = []
+    for kind in CODES:
+        low, high = limits(kind)
+        above = [high + 1, 2 * high + 45, high + 0.5, 1e30, math.inf]
+        asked += [(kind, value, high) for value in above]
+        asked += [(kind, value, low) for value in (low - 1, 2 * low - 45, low - 0.25, -1e30, -math.inf)]
+        asked += [(kind, 2.75, 3), (kind, high - 1, high - 1)]
+    names = [f"MAV_PARAM_TYPE_{name}" for name in ("UINT8", "INT8", "UINT16", "INT16", "UINT32", "INT32", "REAL32")]
+    (tmp_path / "dialect.py").write_text("".join(f"{name} = {getattr(common, name)}\n" for name in names), "utf-8")
+    told = [(kind, "inf" if value == math.inf else "-inf" if value == -math.inf else value) for kind, value, _ in asked]
+    script = SCRIPT.replace(
+        "json.loads(line)\n", "json.loads(line)\n    value = float(value) if value in ('inf', '-inf') else value\n"
+    )
+    (tmp_path / "script.py").write_text(script, "utf-8")
+    lines = "".join(f"{json.dumps(each)}\n" for each in told)
+    printed = interpret(interpreter, str(tmp_path / "script.py"), lines, (tmp_path, PROGRAM, FIRMWARE, MOCKS))
+    for (kind, value, expected), line in zip(asked, printed.splitlines(), strict=True):
+        assert json.loads(line)[1] == expected, (kind, value)
+
+
 def write(name: bytes, kind: int, data: bytes) -> bytes:
     """The frame of a PARAM_SET with four bytes for param_value."""
     message = common.MAVLink_param_set_message(1, 1, name, 0.0, kind)

@@ -53,6 +53,15 @@ def test_pages_are_well_formed(every: list[Program], longest: Program) -> None:
     assert [(path, wrong) for path, wrong in found if wrong] == []
 
 
+def test_browsers_find_the_encoding(every: list[Program]) -> None:
+    """They look for it in the first 1024 bytes, and a page may name all files of the specification in its head."""
+    stored = {path.name: path.read_text("utf-8") for path in (ROOT / "generated").rglob("*.html")}
+    pages = [stored, *(program.pages for program in every)]
+    late = [path for named in pages for path, text in named.items() if b'charset="utf-8"' not in text.encode()[:1024]]
+    assert late == []
+    assert "trace.html" in stored
+
+
 def test_the_check_of_the_form_bites() -> None:
     assert faults("<p><b>x</p></b>")
     assert faults("<p>")

@@ -150,3 +150,17 @@ def test_what_the_program_refuses(tmp_path: Path, flags: str, expected: list[str
 
 def test_missions_that_a_table_takes(tmp_path: Path) -> None:
     assert found(tmp_path, flags=capabilities("MISSION_INT"), receives=MISSION) == []
+
+
+def test_a_misspelt_encoding_is_said_once(tmp_path: Path) -> None:
+    """As what it is: nobody knows which one is meant, so that nothing is said of what HEARTBEAT and flags tell."""
+    flags = "{flags: [MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST, MAV_PROTOCOL_CAPABILITY_FTP]}"
+    for autopilot in (GENERIC, ARDUPILOT):
+        folder = tmp_path / str(autopilot == GENERIC)
+        said = [message for message, _ in found(folder, autopilot, "bytewize", flags)]
+        assert said == ["capabilities says MAV_PROTOCOL_CAPABILITY_FTP, and each request for files is refused"]
+        report = Report()
+        read_system(str(folder / "specs" / "codegen.yaml"), report)
+        assert [each.message for each in report if each.rule.id != "false-capability"] == [
+            "encoding is 'bytewize', not c_cast or bytewise"
+        ]

@@ -66,7 +66,9 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def _counts(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
-    counts = sorted({each.count for facts in reading.reference.parameters.values() for each in facts})
+    systems = reading.reference.systems
+    facts = (each for facts in reading.reference.parameters.values() for each in facts)
+    counts = sorted({len(each.parameters) for each in systems} if systems else {each.count for each in facts})
     for found in _COUNT.finditer(passage.text):
         if int(found["count"]) not in counts:
             text = f"there are {' or '.join(map(str, counts))} parameters, not {found['count']}"

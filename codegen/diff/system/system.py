@@ -64,6 +64,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     for change in (renamed(change, old[0], new[0]) for change in of_dialect):
         (found if used.is_concerned(change) else elsewhere).append(change)
     before = pairs.known
+    called_before = {each.new: each.old or "" for each in pairs.renamed}
     after = {system.spec.program: system for system in new}
     said_before = {name: _subjects(system) for name, system in before.items()}
     said_after = {name: _subjects(system) for name, system in after.items()}
@@ -85,7 +86,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             *bandwidth_changes(compared, system, known, threshold),
         ]
         judged = heard_in(heard_otherwise(own, known, system), notices)
-        found += [_named(change, name) for change in judged]
+        called = tuple(dict.fromkeys((name, called_before.get(name, name))))
+        found += [replace(_named(change, name), programs=called) for change in judged]
     found += [removed(system) for system in pairs.gone]
     found += requirement_changes(old[0], new[0])
     said_once = (*said_before.values(), *(_subjects(system) for system in pairs.gone))
@@ -131,12 +133,14 @@ def _cited(systems: Sequence[System], said: Iterable[Sequence[Subject]]) -> set[
 
 
 def _once(changes: Sequence[Change]) -> tuple[Change, ...]:
-    """The changes, those of further programs left out that stand at the same place and say the same as one before."""
-    seen = set()
-    found = []
+    """The changes; of several programs those as one, the first, that stand at the same place and say the same."""
+    found: dict[tuple[object, ...], Change] = {}
     for change in changes:
         key = change.rule.id, change.place, change.old, change.new, change.subject.rpartition(": ")[2]
-        if key not in seen:
-            seen.add(key)
-            found.append(change)
-    return tuple(found)
+        first = found.get(key)
+        if first is None:
+            found[key] = change
+        elif first.programs:
+            several = dict.fromkeys((*first.programs, *change.programs)) if change.programs else ()
+            found[key] = replace(first, programs=tuple(several))
+    return tuple(found.values())

@@ -139,7 +139,7 @@ def keys_of(model: type[Written]) -> tuple[Key, ...]:
 @cache
 def _keys_of(model: type[Written]) -> tuple[Key, ...]:
     hints = get_type_hints(model)
-    written = [field for field in fields(model) if field.name not in ("place", "places")]
+    written = [field for field in fields(model) if field.name not in ("place", "places", "unread")]
     return tuple(key for field in written for key in _keys(field, hints[field.name]))
 
 

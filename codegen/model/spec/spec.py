@@ -164,7 +164,8 @@ class StreamSpec(Written):
         default=None,
     )
     fastest: Amount | None = described(
-        "Highest rate that a ground station can ask for; default: the parameter's maximum, or the fixed rate.",
+        "Highest rate that a ground station can ask for, and no lower than the default: the parameter's maximum, or "
+        "the fixed rate.",
         default=None,
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)

@@ -13,7 +13,7 @@ from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.spec import ParametersSpec, Requirement
 from codegen.model.spec.state import StateSpec
 from codegen.model.units.unit import unit_named
-from codegen.model.vehicle import Citation, Cited, Component, Parameter
+from codegen.model.vehicle import SLOWEST_ASKED, Citation, Cited, Component, Parameter
 from codegen.model.watchdog import Watchdog
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands.commands import resolve_commands
@@ -111,6 +111,13 @@ def resolve_program(
                 hint=f"{key}: {'60 s' if key == 'report_every' else '1 Hz'}",
             )
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
+    if fastest is not None and fastest < SLOWEST_ASKED:
+        report.add(
+            BAD_PROGRAM,
+            spec.services.at("fastest"),
+            f"{spec.services.fastest} is less often than once in 1073 s, the longest interval that can be asked for",
+            hint="fastest: 0.001 Hz",
+        )
     silence_ms = read_time(spec.services.silence, unit_named("ms"), spec.services.at("silence"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
         return None

@@ -9,14 +9,27 @@ import dialect
 from micropython import const
 
 _FLOAT = "<f"
+_SIGNED = ("<b", "<h", "<i")
 _SIZE = const(4)  # bytes of param_value
 
 
 def put(wire, at, kind, value):
-    """Write a value into a payload as a MAV_PARAM_TYPE."""
+    """Write a value into a payload as a MAV_PARAM_TYPE.
+
+    Beyond what that carries, which code may set, the nearest number that it does goes out.
+    """
     code = _code(kind)
     pack_into("<I", wire, at, 0)
-    pack_into(code, wire, at, value if code == _FLOAT else int(value))
+    if code != _FLOAT:
+        values = 1 << 8 * calcsize(code)
+        smallest = -(values >> 1) if code in _SIGNED else 0
+        if value <= smallest:
+            value = smallest
+        elif value >= smallest + values:  # compared as it is: infinity is no integer
+            value = smallest + values - 1
+        else:
+            value = min(round(value), smallest + values - 1)
+    pack_into(code, wire, at, value)
 
 
 def number(wire, at, kind):

@@ -15,7 +15,8 @@ class Peer:
     """The other end of `socket`, which does not block; its readiness is reported by `key`.
 
     `error` is the exception, or the text, with which the connection has ended; None while it is there. `heard_ms` is
-    the time.ticks_ms() of its last frame, or of its beginning, and `is_heard` whether there was one.
+    the time.ticks_ms() of its last frame, or of its beginning, and `is_heard` whether there was one. `arrived` are the
+    bytes that came with the last receive().
     """
 
     def __init__(self, socket, key, now_ms):
@@ -25,11 +26,12 @@ class Peer:
         self.heard_ms = now_ms
         self.is_heard = False
         self.is_ready = False  # whether there may be something to read
+        self.arrived = 0
         self._unsent = b""  # the end of a frame that was sent in part
         self._is_full = False  # whether the socket did not take the last frame as a whole
         self._full_ms = None  # since when the socket is full, as noticed by send()
         self._kept = b""  # the beginning of a frame
-        self._kept_ms = None  # since when that beginning has not grown, as noticed by receive()
+        self._kept_ms = None  # since when one is kept, as noticed by check()
         self._is_shorter = False  # whether a start was given up, so that there may be a whole frame in what is kept
         self._brought = 0  # bytes that were received last, with what was kept
         self._guard = Guard()
@@ -66,6 +68,7 @@ class Peer:
                 return None
             data = b""
         self._is_shorter = False
+        self.arrived = len(data)  # what was kept is counted already
         if self._kept:
             data = self._kept + data
             self._kept = b""

@@ -50,7 +50,7 @@ class TcpPort(NetworkPort):
                 data = peer.receive()
                 if data:
                     self.ends[1] = peer
-                    self.received = (self.received + _len(data)) & _WRAP
+                    self.received = (self.received + peer.arrived) & _WRAP
                     return data
                 if peer.error is not None:
                     self._lose(peer)

@@ -287,13 +287,43 @@ def what_is_whole_behind_a_false_start_is_answered():
             assert not station.port.is_closed
     station.port.arrives(b"\xfd\xff\x00\x00\x00")
     run(craft, 3 * SECOND_US)
-    received = port.received
+    looked = []
+    for peer in port.peers:
+        peer.receive = lambda receive=peer.receive: looked.append(receive()) or looked[-1]
     run(craft, 3 * SECOND_US)
-    assert port.received == received, "what is given up is not looked at for ever"
+    assert [data for data in looked if data] == [], "what is given up is not looked at for ever"
     station.command(NOBODY)
     run(craft, SECOND_US)
     assert answers(station) == 1
     assert craft.connections[0].faults == 0
+
+
+def bytes_that_are_kept_count_once():
+    """Byte by byte, and behind starts that were given up: `received` is what has come over the connections."""
+    craft, port, _log = server()
+    port._timeout_ms = 10 * TIMEOUT_MS
+    station = GroundStation(End())
+    sent = []
+    opened, station.port = station.port, Kept(sent)
+    for _ in range(3):
+        station.command(NOBODY, 1.5)
+    frames = b"".join(sent)
+    run_passes(craft, 30)
+    for place in range(len(frames)):
+        opened.arrives(frames[place : place + 1])
+        run_passes(craft, 1)
+    run(craft, SECOND_US)
+    assert port.received == len(frames), (port.received, len(frames))
+    station.port = opened
+    assert answers(station) == 3
+    opened.arrives(b"\xfd\xff\x00\x00\x00" + frames)
+    run(craft, 4 * SECOND_US)
+    assert answers(station) == 3
+    assert port.received == 2 * len(frames) + 5
+    port.received = 0x3FFFFFFF
+    opened.arrives(frames)
+    run(craft, SECOND_US)
+    assert port.received == len(frames) - 1, "it is counted in 30 bits"
 
 
 class Sink:
@@ -567,6 +597,7 @@ CHECKS = (
     frames_come_in_any_pieces_from_several,
     hostile_bytes_hide_no_frame,
     what_is_whole_behind_a_false_start_is_answered,
+    bytes_that_are_kept_count_once,
     torn_writes_are_finished_first,
     a_connection_that_breaks_within_a_frame_is_not_used_again,
     a_reader_that_stands_still_is_closed,

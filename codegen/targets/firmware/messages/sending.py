@@ -1,11 +1,12 @@
 """Views of how a message is sent: about which instances and pages, and what is asked of the state before."""
 
+import math
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
 from codegen.model.price import HEAD_V1, HEAD_V2, frame_size
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Component, Quantity
+from codegen.model.vehicle import SLOWEST_ASKED, Component, Quantity
 from codegen.targets.firmware.words import Layout
 from codegen.targets.naming import builder_name, frame_name, message_about
 
@@ -143,10 +144,15 @@ def read_places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[s
 
 
 def shortest_us(message: PopulatedMessage, system: System) -> int:
-    """The shortest interval that a ground station can ask for, in microseconds."""
-    if message.stream is not None:
-        return 1000000 // max(1, int(message.stream.fastest))
-    return round(1000000 / system.program.fastest) if system.program else 0
+    """The shortest interval that a ground station can ask for, in microseconds: never faster than ``fastest``.
+
+    -1 stands for the rate of its stream, which is the fastest and slower than each interval that can be asked for; 0
+    for no limit.
+    """
+    fastest = message.stream.fastest if message.stream else system.program.fastest if system.program else None
+    if fastest is None:
+        return 0
+    return math.ceil(1000000 / fastest) if fastest >= SLOWEST_ASKED else -1
 
 
 def _tells(message: PopulatedMessage) -> str | None:

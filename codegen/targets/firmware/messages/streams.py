@@ -25,7 +25,8 @@ class StreamView:
     """A stream: its period, ``period_numerator / period_denominator`` ms, is fixed, or a parameter sets the rate.
 
     The rate in Hz is then ``steps * numerator / denominator``; ``minimum``, ``default`` and ``maximum`` are in steps.
-    ``data_stream`` is the number by which REQUEST_DATA_STREAM asks for it, and ``fastest_hz`` what it can ask for.
+    ``data_stream`` is the number by which REQUEST_DATA_STREAM asks for it, and ``fastest_hz`` what it can ask for in
+    whole Hz: 0 where it may go less often than once in a second only.
     """
 
     index: int
@@ -67,7 +68,8 @@ class StreamsView:
 
     ``component`` is the name of a link's component id. ``chosen`` are the bits of the generations that parameters
     choose, below the lines of ``choosing``; ``or_not_chosen`` goes behind another reason not to stream a message.
-    Nothing is due in more than 2 ** ``furthest_bits`` ms.
+    Nothing is due in more than 2 ** ``furthest_bits`` ms. ``is_seldom`` says whether a stream stays below 1 Hz,
+    ``keeps_own`` whether one goes so seldom that nothing else can be asked for.
     """
 
     imports: tuple[str, ...]
@@ -95,6 +97,8 @@ class StreamsView:
     shortest_us: str
     data_streams: str
     fastest_hz: str
+    is_seldom: bool
+    keeps_own: bool
     number_at: str
     numbered: bool
     generation_of: str
@@ -143,6 +147,8 @@ def streams_view(system: System) -> StreamsView:
         shortest_us=_tuple([message.shortest_us for message in messages]),
         data_streams=_tuple([stream.data_stream for stream in streams]),
         fastest_hz=_tuple([stream.fastest_hz for stream in streams]),
+        keeps_own=any(message.shortest_us < 0 for message in messages),
+        is_seldom=any(stream.fastest_hz == 0 for stream in streams),
         number_at=_tuple([message.number_at for message in messages]),
         numbered=system.program is not None and any(message.number_at is not None for message in messages),
         generation_of=_generation_of(messages, system) if system.generations else "",
@@ -268,6 +274,6 @@ def _stream(index: int, stream: Stream, system: System) -> StreamView:
         default=parameter.default if parameter else 0,
         maximum=parameter.maximum if parameter else 0,
         data_stream=stream.data_stream,
-        fastest_hz=max(1, int(stream.fastest)),
+        fastest_hz=int(stream.fastest),
         messages=tuple(_sent(message, system) for message in system.messages if message.stream is stream),
     )

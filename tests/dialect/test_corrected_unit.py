@@ -1,0 +1,99 @@
+"""A correction that contradicts the dialect's unit is told, with what that means to others, and can be waived."""
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from in_process import codegen
+
+COMMANDED = Path(__file__).resolve().parents[1] / "projects" / "commanded" / "specs"
+DRAFT = """<mavlink>
+  <messages>
+    <message id="50123" name="TANK">
+      <description>A tank.</description>
+      <field type="uint16_t" name="level" units="m">Level.</field>
+    </message>
+  </messages>
+</mavlink>
+"""
+
+
+def told(folder: Path, correction: str) -> list[str]:
+    """What is said of one correction of a project that has an overlay."""
+    shutil.copytree(COMMANDED, folder / "specs")
+    (folder / "specs" / "dialects" / "tank.xml").write_text(DRAFT)
+    (folder / "specs" / "fix.yaml").write_text(f"corrections:\n  - {{{correction}, reason: so, source: me}}\n")
+    project = folder / "specs" / "codegen.yaml"
+    overlays = "overlays: [dialects/command_cancel.xml"
+    assert overlays in project.read_text()
+    text = project.read_text().replace(overlays, f"{overlays}, dialects/tank.xml")
+    project.write_text(f"{text.rstrip()}\ncorrections: [fix.yaml]\n")
+    done = codegen(folder, "check")
+    assert done.returncode == 0, done.stdout
+    return re.findall(r"(?m)^specs/fix.yaml:2:5: warning corrected-unit: (.*)$", done.stdout)
+
+
+@pytest.mark.parametrize(
+    ("correction", "words"),
+    [
+        (
+            "message: ALTITUDE, fields: altitude_*, set: {units: cm}",
+            "ALTITUDE.altitude_monotonic: the dialect says units 'm', and 'cm' takes the place of it: "
+            "to others it is 100 times as much",
+        ),
+        (
+            "enum: MAV_CMD, entry: MAV_CMD_NAV_LOITER_TIME, param: 1, set: {units: min}",
+            "MAV_CMD_NAV_LOITER_TIME 1: the dialect says units 's', and 'min' takes the place of it: "
+            "to others it is 1/60 times as much",
+        ),
+        (
+            "message: ATTITUDE, field: roll, set: {units: m}",
+            "ATTITUDE.roll: the dialect says units 'rad', and 'm' takes the place of it, "
+            "which is a length and not an angle",
+        ),
+        (
+            "message: ATTITUDE, field: roll, set: {units: deg}",
+            "ATTITUDE.roll: the dialect says units 'rad', and 'deg' takes the place of it",
+        ),
+        (
+            'message: ATTITUDE, field: roll, set: {units: ""}',
+            "ATTITUDE.roll: the dialect says units 'rad', and the correction takes it away",
+        ),
+        (
+            'message: GPS_RAW_INT, field: eph, set: {multiplier: "1E-1"}',
+            "GPS_RAW_INT.eph: the dialect says multiplier '1E-2', and '1E-1' takes the place of it",
+        ),
+    ],
+)
+def test_another_unit_is_told(tmp_path: Path, correction: str, words: str) -> None:
+    """Once for all fields of a pattern, and whatever the project does with the message."""
+    assert told(tmp_path, correction) == [words]
+
+
+@pytest.mark.parametrize(
+    "correction",
+    [
+        'message: RC_CHANNELS, field: rssi, set: {units: "%"}',  # the dialect says it in words only
+        'message: GPS_RAW_INT, field: eph, set: {multiplier: "0.01"}',
+        "message: ALTITUDE, field: altitude_local, set: {description: In metres.}",
+        "message: TANK, field: level, set: {units: cm}",
+    ],
+)
+def test_what_contradicts_nobody_is_not(tmp_path: Path, correction: str) -> None:
+    """A unit where there was none, another spelling of a number, other attributes, and drafts of the project."""
+    assert told(tmp_path, correction) == []
+
+
+def test_it_can_be_waived(tmp_path: Path) -> None:
+    """As findings of documents can be: by its fingerprint."""
+    assert len(told(tmp_path, "message: ALTITUDE, field: altitude_local, set: {units: cm}")) == 1
+    found = json.loads(codegen(tmp_path, "check", "--format", "json").stdout)["findings"]
+    (fingerprint,) = [each["fingerprint"] for each in found if each["rule"] == "corrected-unit"]
+    waiver = {"id": "W-1", "rule": "corrected-unit", "document": "fix.yaml", "fingerprint": fingerprint}
+    waiver |= {"reason": "The receiver is ours.", "owner": "Ada", "expires": "2099-01-01"}
+    (tmp_path / "specs" / "waivers.yaml").write_text(json.dumps({"waivers": [waiver]}))
+    done = codegen(tmp_path, "check")
+    assert (done.returncode, done.stdout) == (0, ""), done.stdout
+    assert "1 waived" in done.stderr, done.stderr
