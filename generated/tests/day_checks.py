@@ -1,8 +1,8 @@
 # Generated from templates/tests/program/day_checks.py: do not edit.
-# Inputs: 938450bb5b97802c
+# Inputs: 4ef1db3f9a2c9473
 """A simulated day across the turn of ticks_ms(): no drift, no gap, and everything works after it.
 
-The hours around the turn have more passes than those before and after, in which ticks_us() turns as often.
+The hour around the turn has more passes than those before and after, in which ticks_us() turns as often.
 CPython, whose integers have no end that a sum could reach in a day, goes through an hour of it.
 """
 
@@ -18,11 +18,11 @@ from program_bench import (
 )
 from program_facts import CONTROL_US, FORCE_ARM, MEASURED, STREAMS
 
-STEP_US = 3200000  # between two passes
+STEP_US = 6400000  # between two passes
 NEAR_STEP_US = 800000  # around the turn
 DAY_S = 86400 if IS_MICROPYTHON else 3600
 DAY_US = DAY_S * SECOND_US
-PASSES = DAY_US * 11 // 24 // STEP_US  # before the turn, and after it
+PASSES = DAY_US * 23 // 48 // STEP_US  # before the turn, and after it
 NEAR_US = DAY_US - 2 * PASSES * STEP_US
 
 

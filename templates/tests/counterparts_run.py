@@ -223,6 +223,20 @@ def sent(links, state, name, about):
     return found
 
 
+def sent_anew(link, payloads, state, name, about):
+    """Return the sum of a message's frame where its payload is another one than the last, else 0.
+
+    Few messages tell a quantity. Where the payload is the same, the frame of it is that of before.
+    """
+    message = getattr(telemetry, "build_" + name)(state, *about)
+    payload = None if message is None else bytes(message.wire)
+    if payload == payloads.get(name, b""):
+        return 0
+    payloads[name] = payload
+    frame = getattr(telemetry, "encode_" + name)(link, state, *about)
+    return 0 if frame is None else crc32(bytes(frame))
+
+
 def links_of():
     """Return a link for each version of MAVLink."""
     return [Link(Wire(), SYSTEM_ID, COMPONENT_ID, version) for version in (2, 1)]
@@ -317,7 +331,7 @@ def limits_of_state():
 
     All others are unknown, or small numbers.
     """
-    links = links_of()
+    link, payloads = links_of()[0], {}
     state, board = new_state(Lot(0), Log())
     for base in (0, 1):
         for name, instances, attribute, _, values in QUANTITIES:
@@ -325,10 +339,10 @@ def limits_of_state():
                 setattr(getattr(state, name)[instance], attribute, values[base])
         words = array("i", state.words)
         for kind in QUANTITIES:
-            yield from limits_of(kind, links, state, board, words)
+            yield from limits_of(kind, link, payloads, state, board, words)
 
 
-def limits_of(kind, links, state, board, words):
+def limits_of(kind, link, payloads, state, board, words):
     """Yield what each of the numbers leaves, as the value of a quantity of the first instance."""
     name, _, attribute, elements, values = kind
     low, high = [each[0] if elements else each for each in values[-2:]]
@@ -336,7 +350,7 @@ def limits_of(kind, links, state, board, words):
         if isinstance(low, int) and isinstance(high, int) and low <= number <= high:
             state.words[:] = words
             setattr(getattr(state, name)[0], attribute, [number] * elements if elements else number)
-            told = [sent(links, state, table, abouts[0]) for table, abouts in TABLES]
+            told = [sent_anew(link, payloads, state, table, abouts[0]) for table, abouts in TABLES]
             for component in COMPONENTS:
                 getattr(state, "update_" + component)(board)
             told.append(summed(state))

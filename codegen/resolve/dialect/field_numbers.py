@@ -23,6 +23,18 @@ def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
 
     What the other attributes state is only looked at: they stay as they are written.
     """
+    if not (field.minimum is field.maximum is field.increment is field.default is None):  # few state any
+        _look_at(field, report)
+    if field.multiplier is None:
+        return _ONE
+    multiplier = exact_number(field.multiplier)
+    if multiplier is None or multiplier <= 0:
+        _report(field, "multiplier", field.multiplier, report)
+        return _ONE
+    return multiplier
+
+
+def _look_at(field: FieldDefinition, report: Report) -> None:
     for attribute, text in (("minValue", field.minimum), ("maxValue", field.maximum), ("increment", field.increment)):
         if text is not None and exact_number(text) is None:
             _report(field, attribute, text, report)
@@ -33,13 +45,6 @@ def field_multiplier(field: FieldDefinition, report: Report) -> Fraction:
     default = field.default
     if default is not None and entry_value(default) is None and exact_number(default) is None and default != "NaN":
         _report(field, "default", default, report)
-    if field.multiplier is None:
-        return _ONE
-    multiplier = exact_number(field.multiplier)
-    if multiplier is None or multiplier <= 0:
-        _report(field, "multiplier", field.multiplier, report)
-        return _ONE
-    return multiplier
 
 
 def _report(field: FieldDefinition, attribute: str, text: str, report: Report) -> None:

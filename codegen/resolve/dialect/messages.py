@@ -26,7 +26,7 @@ def merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, M
     for file in files:
         for message in file.messages:
             first = by_name.setdefault(message.name.lower(), message)
-            if _stated(first) != _stated(message):
+            if first is not message and _stated(first) != _stated(message):
                 is_respelt = first.name != message.name
                 what = f"is there as {first.name} already" if is_respelt else "is defined twice, and not alike"
                 problem = f"{message.name} {what}"

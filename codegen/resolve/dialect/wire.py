@@ -1,5 +1,6 @@
 """The layout of a message on the wire: order, offsets and lengths of its fields, and its CRC_EXTRA."""
 
+from binascii import crc_hqx
 from collections.abc import Iterable, Mapping
 
 from codegen.diagnostics import Report, Rule
@@ -20,24 +21,20 @@ PAYLOAD_TOO_LONG = Rule(
 )
 
 
-def _crc_table() -> tuple[int, ...]:
-    table = []
-    for index in range(256):
-        remainder = index
-        for _ in range(8):
-            remainder = (remainder >> 1) ^ (0x8408 if remainder & 1 else 0)
-        table.append(remainder)
-    return tuple(table)
-
-
-_CRC_TABLE = _crc_table()
+_REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+"""Each byte with its bits in the other order."""
 
 
 def crc_mcrf4xx(data: bytes, crc: int = 0xFFFF) -> int:
-    """CRC-16/MCRF4XX of ``data`` (reflected polynomial 0x8408), continued from ``crc``; 16 bits."""
-    for byte in data:
-        crc = (crc >> 8) ^ _CRC_TABLE[(crc ^ byte) & 0xFF]
-    return crc
+    """CRC-16/MCRF4XX of ``data`` (reflected polynomial 0x8408), continued from ``crc``; 16 bits.
+
+    That of Python's own library goes through bits in the other order.
+    """
+    return _reversed(crc_hqx(data.translate(_REVERSED), _reversed(crc)))
+
+
+def _reversed(crc: int) -> int:
+    return _REVERSED[crc & 0xFF] << 8 | _REVERSED[crc >> 8]
 
 
 def crc_extra(name: str, base_fields: Iterable[FieldDefinition]) -> int:

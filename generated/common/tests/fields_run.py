@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: 36f603544075e848
+# Inputs: 28aa3f8a72c1ebb6
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
@@ -10,7 +10,6 @@ where fields are attributes.
 """
 
 import json
-import sys
 
 import mavlink
 from fields import layout_of
@@ -20,13 +19,13 @@ LIVE = "BHIbhi"
 SIZES = {"B": 1, "H": 2, "I": 4, "Q": 8, "b": 1, "h": 2, "i": 4, "q": 8}
 
 
-def element(code, pattern, index):
-    """Return the value of an element: a pattern goes from the smallest over small ones to the largest."""
+def elements(code, pattern, indices):
+    """Return the values of elements: a pattern goes from the smallest over small ones to the largest."""
     if code in "fd":
-        return (0.0, -1.5, 1024.0, 0.25 * index)[pattern]
+        return [(0.0, -1.5, 1024.0, 0.25 * index)[pattern] for index in indices]
     bits = 8 * SIZES[code]
     low, high = (0, (1 << bits) - 1) if code.isupper() else (-(1 << bits - 1), (1 << bits - 1) - 1)
-    return (low, low + 1 + index % 7, high - 1 - index % 5, (index * 37 + 1) & high)[pattern]
+    return [(low, low + 1 + at % 7, high - 1 - at % 5, (at * 37 + 1) & high)[pattern] for at in indices]
 
 
 def values(fields, pattern):
@@ -36,9 +35,9 @@ def values(fields, pattern):
         if form[-1] == "s":
             found[name] = "abcdefgh"[: min(count, 2 * pattern)]
         elif count:
-            found[name] = [element(form[-1], pattern, index) for index in range(count)]
+            found[name] = elements(form[-1], pattern, range(count))
         else:
-            found[name] = element(form[-1], pattern, len(found))
+            found[name] = elements(form[-1], pattern, (len(found),))[0]
     return found
 
 
@@ -165,4 +164,8 @@ def misspelt(cls, fields):
     return found
 
 
-json.dump({cls.NAME: carried(cls) for cls in ALL}, sys.stdout)  # as one text it would need a large piece of the heap
+# One by one: as one text it would need a large piece of the heap, and json.dump() asks the system for every number.
+print("{")
+for at, kind in enumerate(ALL):
+    print(f'{"," if at else ""}{json.dumps(kind.NAME)}: {json.dumps(carried(kind))}')
+print("}")

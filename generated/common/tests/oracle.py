@@ -1,5 +1,5 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: 9c90d1170d4853d6
+# Inputs: d53e72594d6042f6
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
@@ -35,7 +35,13 @@ def dialects(about, messages, here, also=()):
             return [newest, shipped("v10", about["shipped"])]
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
-    return [_generated(files, about.get("corrections", ()), {*messages, *also}, wire) for wire in WIRES]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        plain = [_plain(file, folder, about.get("corrections", ()), {*messages, *also}) for file in files]
+        source = folder / "project.xml"
+        includes = "".join(f"<include>{file}</include>" for file in plain)
+        source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
+        return [_generated(source, wire) for wire in WIRES]
 
 
 def shipped_names(about, here):
@@ -62,19 +68,16 @@ def message_class(dialect, name):
     return getattr(dialect, f"MAVLink_{name.lower()}_message", None)
 
 
-def _generated(files, corrections, messages, wire):
-    with tempfile.TemporaryDirectory() as folder:
-        source, output = Path(folder) / "project.xml", Path(folder) / f"project_{wire}.py"
-        plain = [_plain(file, Path(folder), corrections, messages) for file in files]
-        includes = "".join(f"<include>{file}</include>" for file in plain)
-        source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
-        options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            mavgen.mavgen(options, [str(source)])
-        spec = importlib.util.spec_from_file_location(f"project_{wire}", output)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        return module
+def _generated(source, wire):
+    """Return the module that pymavlink's generator makes of an XML file, for a version of the protocol."""
+    output = source.with_name(f"project_{wire}.py")
+    options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        mavgen.mavgen(options, [str(source)])
+    spec = importlib.util.spec_from_file_location(f"project_{wire}", output)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def _plain(file, folder, corrections, messages):
@@ -87,8 +90,8 @@ def _plain(file, folder, corrections, messages):
     copy = folder / (file.name if is_shipped else f"own_{crc32(str(file).encode())}.xml")
     if copy.exists():
         return copy
+    copy.touch()  # files that include one another end here
     tree = ElementTree.parse(file)
-    tree.write(copy)  # files that include one another end here
     if is_shipped:
         for group in tree.iter("enums"):
             group.clear()

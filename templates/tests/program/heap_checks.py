@@ -9,6 +9,7 @@ import dialect
 
 STEP_US = 12800000  # between two passes, each of which has something to send
 DAY_US = 86400 * SECOND_US
+OFTEN = 24  # so many rounds of other requests between two lists of parameters; a quarter of the day has fifteen
 
 
 class Busy(Sink):
@@ -30,7 +31,7 @@ class Busy(Sink):
 
 
 def _requests():
-    """Return frames of a ground station that goes on asking."""
+    """Return frames of a ground station that goes on asking, now and then for all parameters: that takes longest."""
     from mavlink import Link  # noqa: PLC0415  only here
 
     link = Link(Sink(), 255, 190)
@@ -38,12 +39,13 @@ def _requests():
     made = [
         messages.Heartbeat(unknown=False).update(type=dialect.MAV_TYPE_GCS),
         messages.Ping(unknown=False).update(seq=7),
-        messages.ParamRequestList(unknown=False).update(**target),
         messages.CommandLong(unknown=False).update(command=410, **target),
         messages.CommandLong(unknown=False).update(command=dialect.MAV_CMD_REQUEST_MESSAGE, param1=148, **target),
         messages.RequestDataStream(unknown=False).update(req_message_rate=2, start_stop=1, **target),
     ]
-    return [bytes(link.encode(message)) for message in made] + [b"\xfd\x09noise"]
+    often = [bytes(link.encode(message)) for message in made] + [b"\xfd\x09noise"]
+    rarely = bytes(link.encode(messages.ParamRequestList(unknown=False).update(**target)))
+    return often * OFTEN + [rarely]
 
 
 def heap_is_constant_over_a_day():

@@ -410,6 +410,10 @@ def silent(_text):
     """Show nothing."""
 
 
+def unheard(_loop, _context):
+    """Say nothing of an exception that nobody waits for: a check looks at what the vehicle does."""
+
+
 def beats(seconds):
     """Return how many HEARTBEATs come at least in so many seconds."""
     for stream in STREAMS:
@@ -530,6 +534,9 @@ def live(vehicle, story):
     resets = []
 
     async def both():
+        if not IS_MICROPYTHON:  # it would print the whole stack for each task that a reset of the board has ended
+            asyncio.get_running_loop().set_exception_handler(unheard)
+
         async def board():
             try:
                 await vehicle.run()

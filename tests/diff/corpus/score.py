@@ -82,12 +82,18 @@ class Judged(NamedTuple):
 
 def pairs_of(folder: Path) -> list[Pair]:
     """The pairs of the files of a folder."""
-    return [_pair(each) for file in sorted(folder.glob("*.yaml")) for each in yaml.safe_load(file.read_text())]
+    return [_pair(each) for file in sorted(folder.glob("*.yaml")) for each in _written(file)]
 
 
 def pairs_in_words(file: Path) -> list[Pair]:
     """The pairs of a file that has nothing but what each is about, its judgement and both texts."""
-    return [_in_words(f"{file.stem}-{number}", each) for number, each in enumerate(yaml.safe_load(file.read_text()), 1)]
+    return [_in_words(f"{file.stem}-{number}", each) for number, each in enumerate(_written(file), 1)]
+
+
+def _written(file: Path) -> list[dict[str, Any]]:
+    """Return what is written of the pairs of a file, read by libyaml where there is one: nine times as fast."""
+    found: list[dict[str, Any]] = yaml.load(file.read_text(), getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506
+    return found
 
 
 def _in_words(name: str, written: dict[str, Any]) -> Pair:
