@@ -6,6 +6,7 @@ from fractions import Fraction
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.model.dialect.dialect import WireField
 from codegen.model.units.affine import AffineMap
+from codegen.model.units.finer_unit import as_fine_as
 from codegen.model.units.nearest_unit import nearest_unit
 from codegen.model.units.unit import NUMBER, Measure, Unit, conversion, map_words, read_measure, unit_named
 from codegen.source import Place
@@ -61,6 +62,14 @@ def obstacle(unit: Unit, other: Unit) -> str | None:
     if found is None or found.ratio is not None:
         return None
     return f"the firmware's whole numbers do not carry out {unit.name} {map_words(found)} = {other.name}"
+
+
+def other_steps(unit: Unit, stored: Unit) -> str:
+    """Return the hint for a ``stored`` to which no factor leads from ``unit``: one that is as fine."""
+    found = as_fine_as(unit, stored)
+    if unit.dimension != stored.dimension or found == unit:
+        return f"write a unit to which a factor leads from {unit.name or 'a number'}"
+    return f"stored: {found.name}, to which a factor leads from {unit.name}"
 
 
 def read_amount(text: str, unit: Unit, place: Place, report: Report, *, is_difference: bool = False) -> Fraction | None:

@@ -134,6 +134,12 @@ def _given(source: Source, output: Output, kept: Kept, around: Surroundings) -> 
     is_copied = factor == 1 and output.storage is kept.storage
     if not is_copied and not output.storage is kept.storage is Storage.SMALL:
         name, unit = output.name or source.name, output.unit.name
+        if output.storage is Storage.SMALL:
+            message = (
+                f"{name} * {factor} needs numbers of more than 30 bits: it goes from {output.low} to {output.high}"
+            )
+            around.bad("source", message, BAD_SOURCED, f"say what is plausible: min and max of {name} in board.yaml")
+            return None
         message = f"{name} needs {output.storage.words} words in steps of {unit or 1}, and cannot be scaled"
         around.bad("source", message, BAD_SOURCED, f"keep {around.name} as it comes, without stored, min and max")
         return None

@@ -1,44 +1,95 @@
 """Quantities that are kept more coarsely than a field could tell them, without a word in the table."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.answers.answer import Answer
+from codegen.model.quantities.source_kind import Output
+from codegen.model.spec.driver import OutputSpec
 from codegen.model.system import System
+from codegen.model.units.finer_unit import finer_unit
+from codegen.model.units.unit import Unit
 from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.source import Place
 
 RULE = Rule(
     "coarse-quantity",
     "A quantity is kept in whole units, since the table says no other 'stored' unit, and a field carries finer steps: "
     "what lies between is rounded away. Write 'stored' to say how finely it is kept, even where whole units are meant. "
-    "A quantity that goes out in float fields alone, and that nothing compares, is kept as a float.",
+    "A quantity that goes out in float fields alone, and that nothing compares, is kept as a float. What a class of "
+    "the project's gives (driver user) is no float: it is rounded to whole units of its output in board.yaml before it "
+    "is kept, so that 'stored' has to stand there.",
     Severity.WARNING,
     remedy="write stored: with a finer unit, or with the unit itself if that is meant",
 )
+Given = tuple[str, Output, Fraction, OutputSpec]
+"""The name of a number that code gives in whole units, the number, its factor, and where it is declared."""
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every field that carries a quantity which is kept in whole units, without 'stored'."""
+    """Every field that carries a quantity which is kept in whole units, without 'stored'; sums are as such fields."""
     for message in system.messages:
         for answer in message.answers:
-            for quantity in answer.carried:
-                if _is_coarse(answer, quantity):
-                    covers = answer.covers
-                    units = covers.field.definition.units
-                    finer = f"a {covers.field.type.name}{f' in {units}' if units else ''}"
-                    whole = f"whole {quantity.stored.name}" if quantity.stored.name else "whole numbers"
-                    yield Diagnostic(
-                        quantity.spec.place,
-                        RULE,
-                        f"{quantity.path} is kept in {whole}, and {message.name}.{covers.label} is {finer}",
-                        f"stored: {quantity.unit.name}, if whole units are meant" if quantity.unit.name else None,
-                        ((covers.written.place, f"{covers.label} takes it here"),),
-                    )
+            yield from _in_field(answer, message.name, system)
+    for component in system.components.values():
+        for basis in component.counted_on:
+            for given in _in_whole_units(basis.quantity, system):
+                for counted in basis.sums:
+                    yield _rounded(given, f"{counted.path} is summed up of it", counted.spec.place, "here")
+
+
+def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnostic]:
+    """Yield what is coarser than a field of a message tells it."""
+    covers = answer.covers
+    place, units, takes = covers.written.place, covers.field.definition.units, f"{covers.label} takes it here"
+    finer = f"{message}.{covers.label} is a {covers.field.type.name}{f' in {units}' if units else ''}"
+    for quantity in answer.carried:
+        if _is_coarse(answer, quantity):
+            whole = f"whole {quantity.stored.name}" if quantity.stored.name else "whole numbers"
+            hint = f"stored: {quantity.unit.name}, if whole units are meant" if quantity.unit.name else None
+            text = f"{quantity.path} is kept in {whole}, and {finer}"
+            yield Diagnostic(quantity.spec.place, RULE, text, hint, ((place, takes),))
+        for given in _in_whole_units(quantity, system):
+            if _carries_finer(answer, given[2]):
+                yield _rounded(given, finer, place, takes)
 
 
 def _is_coarse(answer: Answer, quantity: Quantity) -> bool:
     if quantity.kind is not QuantityKind.NUMBER or quantity.spec.stored is not None or quantity.storage.is_float:
         return False
     if quantity.derivation is not None and quantity.derivation.gives:
-        return False  # a sensor gives these steps: nothing lies between them
-    return not answer.covers.field.type.is_integer or any(scaling.factor > 1 for scaling in answer.scalings)
+        return False  # a sensor gives these steps: nothing lies between them, or its output is in whole units
+    return _carries_finer(answer, Fraction(1))
+
+
+def _carries_finer(answer: Answer, step: Fraction) -> bool:
+    """Return whether a field could tell apart what lies between two steps, each so many of the quantity's."""
+    return not answer.covers.field.type.is_integer or any(scaling.factor * step > 1 for scaling in answer.scalings)
+
+
+def _in_whole_units(quantity: Quantity, system: System) -> Iterator[Given]:
+    """The outputs that code gives as any numbers, and that are rounded to whole units: no table says how finely."""
+    if quantity.kind is not QuantityKind.NUMBER:
+        return
+    for name, output, factor in dict.fromkeys(quantity.derivation.gives):
+        declared = system.sources[name].whole_units(output)
+        if declared is not None:
+            yield f"{name}.{output.name}".rstrip("."), output, factor, declared
+
+
+def _rounded(given: Given, finer: str, place: Place, takes: str) -> Diagnostic:
+    """The finding that what code gives is rounded to whole units, at the output, with what is finer."""
+    name, output, _, declared = given
+    whole = f"whole {output.unit.name}" if output.unit.name else "whole numbers"
+    message = f"{name} is rounded to {whole} where it is read, and {finer}"
+    return Diagnostic(declared.place, RULE, message, _hint(output.unit, declared), ((place, takes),))
+
+
+def _hint(unit: Unit, declared: OutputSpec) -> str:
+    if not unit.name:
+        return "give the output a unit with steps, such as %, or let code of yours set the quantity"
+    ends = [abs(end) for end in (declared.min, declared.max) if end is not None]
+    finer = finer_unit(unit, max(ends) if len(ends) == 2 else None)
+    meant = f"stored: {unit.name} if whole units are meant"
+    return f"stored: {finer.name} at the output, or {meant}" if finer else f"a finer stored at the output, or {meant}"

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from codegen.diagnostics import Report
-from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
+from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle, other_steps
 from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.source_kind import Output
 from codegen.model.spec.driver import OutputSpec
@@ -42,7 +42,7 @@ def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output
             rule,
             spec.at("stored"),
             f"{message}: {why}" if why else message,
-            hint="leave stored out, or write a unit to which a factor leads from unit",
+            hint=other_steps(unit, step),
         )
     if steps is not None:
         low = -SMALL_INT_MAX if spec.min is None else spec.min * steps

@@ -29,7 +29,7 @@ PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
 def told(tmp_path, monkeypatch, capsys):
     """Return a call for the output of codegen check: for a field, the quantity m.q, the parameter PAR and the answer."""
 
-    def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10"):
+    def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10", sensor=""):
         quantity = f"{{doc: d, {quantity}}}"
         files = FILES | {
             "e.xml": f'<mavlink><enums>{ENUMS}</enums><messages><message id="54440" name="E"><description>d</description><field {field} '
@@ -37,6 +37,7 @@ def told(tmp_path, monkeypatch, capsys):
             "state.yaml": f"components:\n  m:\n    doc: d\n    quantities:\n      q: {quantity}\n",
             "parameters.yaml": f"parameters:\n  PAR: {{doc: d, {parameter}}}\n",
             "messages/e.yaml": f"{TABLE}{answer}\n",
+            "board.yaml": FILES["board.yaml"] + (f"sources:\n  s: {{driver: user, {sensor}}}\n" if sensor else ""),
         }
         for name, text in files.items():
             path = tmp_path / "specs" / name
@@ -162,6 +163,34 @@ def test_a_quantity_that_is_kept_more_coarsely_than_its_field(told, field, quant
     """A warning at the quantity, with what to write, unless it says itself how finely it is kept."""
     found = told(field, quantity, answer)
     assert ("specs/state.yaml:5:7: warning coarse-quantity: m.q is kept in whole V" in found) == is_coarse
+    assert "error" not in found
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "output", "hint"),
+    [
+        ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad, min: -4, max: 4", "stored: urad"),
+        ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad", "stored: mrad"),
+        (
+            'type="float" units="rad" invalid="NaN"',
+            "unit: rad, stored: mrad",
+            "unit: rad, min: -4, max: 4",
+            "stored: urad",
+        ),
+        ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad, stored: mrad", None),
+        ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad, stored: rad", None),
+        (MV, "unit: V", "unit: V, min: 0, max: 60", "stored: mV"),
+        (MV, "unit: mV", "unit: V, min: 0, max: 60", "stored: mV"),
+        (MV, "unit: mV", "unit: mV, min: 0, max: 60000", None),  # the field has no finer steps
+        ('type="uint16_t" multiplier="1E-2" invalid="UINT16_MAX"', "stale_after: 1 s", "min: 0, max: 99", "unit with"),
+        ('type="uint8_t" invalid="UINT8_MAX"', "stale_after: 1 s", "min: 0, max: 99", None),
+    ],
+)
+def test_a_number_that_code_gives_and_that_is_rounded_to_whole_units(told, field, quantity, output, hint):
+    """A warning at the output, whose read() gives a float: an angle in rad would be 0 or 57.3 degrees."""
+    found = told(field, f"{quantity}, source: s", "{state: m.q}", sensor=f"class: s.S, {output}")
+    assert ("specs/board.yaml:5:3: warning coarse-quantity: s is rounded to whole" in found) == (hint is not None)
+    assert hint is None or f"hint: {hint}" in found or f"hint: give the output a {hint} steps" in found
     assert "error" not in found
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from codegen.frozen import dataclass
 from codegen.model.code.storage import Storage, storage_of
 from codegen.model.quantities.simulated import SimulatedInput
+from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
 from codegen.model.units.unit import Unit
 from codegen.model.vehicle import Cited
@@ -147,6 +148,13 @@ class Source(ABC):
         Empty where a driver gives steps.
         """
         return ()
+
+    def whole_units(self, output: Output) -> OutputSpec | None:  # noqa: ARG002
+        """Return the declaration of an output of which code gives any number, and no table says how finely it is kept.
+
+        Then what lies between whole units is rounded away. None: it has steps of its own, or its table says which.
+        """
+        return None
 
     @property
     def tests(self) -> tuple[str, ...]:

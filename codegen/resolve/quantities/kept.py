@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
-from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
+from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle, other_steps
 from codegen.model.answers.scaling import rounded
 from codegen.model.code.letters import NUL, cut
 from codegen.model.code.storage import SMALL_INT_MAX, Storage, float_storage, storage_of
@@ -56,7 +56,7 @@ def resolve_kept(around: Surroundings) -> tuple[Kept, EnumDefinition | None] | N
             "stored",
             f"{message}: {why}" if why else message,
             UNCARRIED_CONVERSION if why else UNIT_MISMATCH,
-            hint="leave stored out, or write a unit to which a factor leads from unit",
+            hint=other_steps(unit, stored),
         )
         return None
     storage, (minimum, maximum) = _storage(around, kind, stored, steps, enum)

@@ -14,6 +14,7 @@ from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource, check_class
 from codegen.sources.module_names import taken_by
 
+_KEYS = ("unit", "stored", "min", "max")
 _CLASS = pattern(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
 
 
@@ -63,6 +64,12 @@ class User(Source):
     def given_in(self) -> tuple[Fraction, ...]:
         return self.steps
 
+    def whole_units(self, output: Output) -> OutputSpec | None:
+        spec = self.polling.spec
+        assert isinstance(spec, UserSpec)
+        declared = spec.outputs.get(output.name) or _single(spec)
+        return declared if declared.stored is None else None
+
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
         yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs", asks=False)
@@ -81,18 +88,22 @@ def resolve_user(spec: UserSpec, polling: Polling, around: Around) -> User | Non
         if owner not in (None, "MicroPython"):  # which has drivers, too
             around.bad("class", f"{owner} has a module {module} already", f"rename yours: class: my_{spec.class_name}")
         check_class(name, around.whole.user_modules.get(module), spec.at("class"), around)
-    single = {key: getattr(spec, key) for key in ("unit", "stored", "min", "max")}
     if spec.outputs:
-        for key, value in single.items():
-            if value is not None:
+        for key in _KEYS:
+            if getattr(spec, key) is not None:
                 around.bad(key, f"{key} is that of a single number, and there are outputs", "write it in outputs")
         found = [declared_output(name, each, around) for name, each in spec.outputs.items()]
     else:
-        found = [declared_output("", OutputSpec(place=spec.place, places=spec.places, doc=spec.doc, **single), around)]
+        found = [declared_output("", _single(spec), around)]
     if around.failed or None in found:
         return None
     outputs = [each for each in found if each is not None]
     return User(polling, tuple(each for each, _ in outputs), spec.class_name, tuple(steps for _, steps in outputs))
+
+
+def _single(spec: UserSpec) -> OutputSpec:
+    """The one number that it gives without ``outputs``, as if it were one of them."""
+    return OutputSpec(place=spec.place, places=spec.places, doc=spec.doc, **{key: getattr(spec, key) for key in _KEYS})
 
 
 USER = KindOfSource("user", UserSpec, resolve_user, "10 Hz")
