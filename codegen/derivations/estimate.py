@@ -11,6 +11,7 @@ from codegen.frozen import dataclass
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.spec.board import CurveSpec
 from codegen.model.spec.derivation import EstimateSpec, MeasuredSpec
+from codegen.model.units.finer_unit import finer_units
 from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure
 from codegen.model.vehicle import Instance, Quantity
 
@@ -21,7 +22,8 @@ BAD_ESTIMATE = Rule(
     "bad-estimate",
     "A quantity is estimated from a measured one of the same component, by a curve of board.yaml: two points or more, "
     "each an amount of the measured quantity and a number in the unit of the estimate, which rise or fall throughout "
-    "and keep to its limits. Where a fact chooses the points, there are points for the fact of every instance.",
+    "and keep to its limits. Both are whole numbers of the steps that are kept: a point between two would be another "
+    "one. Where a fact chooses the points, there are points for the fact of every instance.",
     remedy="write estimate_from: and the name of what an ADC measures in this component",
 )
 
@@ -149,7 +151,8 @@ class _Points:
 
     def read(self, count: int | None) -> tuple[tuple[int, int], ...] | None:
         """The points in stored steps, by those of the measured quantity; None after a finding."""
-        points = []
+        points: list[tuple[int, int]] = []
+        exact: list[Fraction] = []
         for amount, value in self.written.items():
             measure = read_measure(amount)
             factor = ratio(measure.unit, self.stored) if measure else None
@@ -176,20 +179,36 @@ class _Points:
                     "correct it, or widen min and max of the estimate",
                 )
                 return None
-            points.append((round(measure.value * factor * (count or 1)), int(steps)))
+            exact.append(measure.value * factor * (count or 1))
+            if exact[-1].denominator != 1:
+                of_count = f" times {count}" if (count or 1) > 1 else ""
+                name = self.stored.name or "number"
+                message = f"{amount}{of_count} is no whole {name}, and {self.measured} is kept in whole {name}"
+                self._bad(f".{amount}", message, self._finer_steps(count or 1))
+                return None
+            points.append((int(exact[-1]), int(steps)))
         points.sort()
         values = [value for _, value in points]
         is_steady = all(first < second for first, second in pairwise(values)) or all(
             first > second for first, second in pairwise(values)
         )
-        if len(points) < 2 or not is_steady:
+        if len(points) < 2 or not is_steady or any(first[0] == second[0] for first, second in pairwise(points)):
             self._bad(
                 "",
-                "a curve has two points or more, whose values rise or fall throughout",
+                "a curve has two points or more, at different amounts, whose values rise or fall throughout",
                 "leave out the points that turn back, or add some",
             )
             return None
         return tuple(points)
+
+    def _finer_steps(self, count: int) -> str:
+        """The hint for a point between two steps: the coarsest unit of which all points are whole numbers."""
+        measures = [measure for amount in self.written if (measure := read_measure(amount)) is not None]
+        for finer in sorted(finer_units(self.stored), key=lambda each: -each.scale):
+            factors = [(measure.value * count, ratio(measure.unit, finer)) for measure in measures]
+            if all(factor is not None and (value * factor).denominator == 1 for value, factor in factors):
+                return f"stored: {finer.name} at {self.measured}, or round it"
+        return f"round it, or keep {self.measured} more finely: stored"
 
     def _bad(self, below: str, message: str, hint: str) -> None:
         self.around.report.add(BAD_ESTIMATE, self.curve.at(self.key + below), message, hint)

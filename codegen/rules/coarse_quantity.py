@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.answers.answer import Answer
@@ -10,7 +11,7 @@ from codegen.model.spec.driver import OutputSpec
 from codegen.model.system import System
 from codegen.model.units.finer_unit import finer_unit
 from codegen.model.units.unit import Unit
-from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.source import Place
 
 RULE = Rule(
@@ -33,6 +34,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         for answer in message.answers:
             yield from _in_field(answer, message.name, system)
     for component in system.components.values():
+        yield from _estimated(component)
         for basis in component.counted_on:
             for given in _in_whole_units(basis.quantity, system):
                 for counted in basis.sums:
@@ -53,6 +55,26 @@ def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnost
         for given in _in_whole_units(quantity, system):
             if _carries_finer(answer, given[2]):
                 yield _rounded(given, finer, place, takes)
+
+
+def _estimated(component: Component) -> Iterator[Diagnostic]:
+    """Yield what is measured in whole units where a curve makes several steps of its estimate of each."""
+    for estimate in component.quantities.values():
+        curves = estimate.derivation.curves_by_instance
+        measured = component.quantities.get(estimate.derivation.sources[0]) if curves else None
+        if measured is None or measured.spec.stored is not None:
+            continue
+        pairs = [pair for curve in curves for pair in pairwise(curve)]
+        if any(abs(second[1] - first[1]) > second[0] - first[0] for first, second in pairs):
+            whole = f"whole {measured.stored.name}" if measured.stored.name else "whole numbers"
+            finer = finer_unit(measured.unit)
+            yield Diagnostic(
+                measured.spec.place,
+                RULE,
+                f"{measured.path} is kept in {whole}, and {estimate.path} is estimated of it, in finer steps",
+                f"stored: {finer.name if finer else measured.unit.name}" if measured.unit.name else None,
+                ((estimate.spec.place, "the estimate is here"),),
+            )
 
 
 def _is_coarse(answer: Answer, quantity: Quantity) -> bool:

@@ -733,6 +733,13 @@ ESTIMATES = [
     Case("bad-estimate", "board.yaml", POINTS, "        §{4.20 V: 100, 4.15 V: 85", "rise or fall throughout"),
     Case("bad-estimate", "board.yaml", POINTS, "        {4.20 V: §101, 4.15 V: 95", "101 is not within 0 to 100"),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 V: §95.5", "whole number of %"),
+    Case(
+        "bad-estimate", "board.yaml", "4.15 V: 95", "4.1505 V: §95", "4.1505 V times 3 is no whole mV, and voltage is"
+    ),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.1505 V: §95", "stored: uV at voltage, or round it"),
+    Case(
+        "bad-estimate", "board.yaml", POINTS, "        §{4.20 V: 100, 4.15 V: 96, 4150 mV: 95", "at different amounts"
+    ),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 A: §95", "no amount of voltage, which is in mV"),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "much: §95", "no amount of voltage, which is in mV"),
     Case("bad-estimate", "board.yaml", "    by:\n", "    points: {4 V: 1}\n    by:\n", "has points and points by"),

@@ -94,16 +94,16 @@ def test_a_mistake_is_found_where_it_stands(project: Path, file: str, old: str, 
     assert len(shown) == 1, shown
 
 
-def test_a_thermistor_is_a_curve(project: Path) -> None:
-    """Degrees by the volts at its divider: falling, below zero, and as fine as they are kept."""
+def measure_a_thermistor(project: Path, points: str, stored: str) -> None:
+    """Have the tank's input measure a thermistor by a curve, and one message tell its degrees."""
     change(project, "board.yaml", "multiplier: 40 %/V, offset: 0.4 V", "multiplier: 1")
     with (project / "specs" / "board.yaml").open("a") as file:
-        file.write("curves:\n  ntc: {points: {0.3 V: 120, 0.9 V: 60, 2.3 V: 0, 2.9 V: -20}}\n")
+        file.write(f"curves:\n  ntc: {{points: {{{points}}}}}\n")
     state = (project / "specs" / "state.yaml").read_text()
     level = re.compile(r"      level:\n.*?stale_after: 2 s}", re.DOTALL)
     (project / "specs" / "state.yaml").write_text(
         level.sub(
-            "      probe: {doc: At the divider., unit: V, stored: mV, source: level, stale_after: 2 s}\n"
+            f"      probe: {{doc: At the divider., unit: V, {stored}source: level, stale_after: 2 s}}\n"
             "      warmth: {doc: Of the fuel., unit: degC, stored: cdegC, min: -20, max: 120, estimate_from: probe, "
             "curve: ntc}",
             state,
@@ -116,6 +116,38 @@ def test_a_thermistor_is_a_curve(project: Path) -> None:
         "temperature: {state: tank.warmth}",
     )
     change(project, "messages/hygrometer_sensor.yaml", "humidity: {state: tank.level}", "humidity: {constant: 0}")
+
+
+def test_a_thermistor_is_a_curve(project: Path) -> None:
+    """Degrees by the volts at its divider: falling, below zero, and as fine as they are kept."""
+    measure_a_thermistor(project, "0.3 V: 120, 0.9 V: 60, 2.3 V: 0, 2.9 V: -20", "stored: mV, ")
     system, found = read(project)
     assert found == []
     assert system is not None
+
+
+@pytest.mark.parametrize(
+    ("points", "stored", "said"),
+    [
+        ("0.3 V: 120, 2.9 V: -20", "", "error bad-estimate: 0.3 V is no whole V, and probe is kept in whole V"),
+        ("0.3 V: 120, 2.95 V: -20", "", "hint stored: cV at probe, or round it"),
+        ("0.3 V: 120, 2.95 V: -20", "stored: dV, ", "error bad-estimate: 2.95 V is no whole dV"),
+        ("0.3 V: 120, 2.9005 V: -20", "stored: mV, ", "hint stored: uV at probe, or round it"),
+        (
+            "0 V: 120, 3 V: -20",
+            "",
+            "warning coarse-quantity: tank.probe is kept in whole V, and tank.warmth is estimated",
+        ),
+        ("0 V: 120, 3 V: -20", "", "hint stored: mV"),
+        ("0 V: 120, 3 V: -20", "stored: V, ", ""),
+        ("0 V: 120, 3 V: -20", "stored: mV, ", ""),
+    ],
+)
+def test_a_curve_has_its_points_where_they_are_written(project: Path, points: str, stored: str, said: str) -> None:
+    """They were rounded to the steps of what is measured: in whole volts a thermistor was 70 degrees off."""
+    measure_a_thermistor(project, points, stored)
+    report = Report()
+    read_system(str(project / "specs" / "codegen.yaml"), report)
+    shown = [f"{each.rule.severity.value} {each.rule.id}: {each.message} hint {each.hint}" for each in report]
+    assert len(shown) == bool(said), shown
+    assert not said or said in shown[0], shown

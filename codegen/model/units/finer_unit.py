@@ -17,7 +17,7 @@ def finer_unit(unit: Unit, most: Fraction | None = None) -> Unit | None:
 
     Without ``most``: thousandths, or what comes nearest to them. None where no prefix makes steps of less than one.
     """
-    finer = list(_finer(unit))
+    finer = list(finer_units(unit))
     if most is None:
         return max(finer, key=lambda each: _nearness(each, unit), default=None)
     within = [each for each in finer if (steps := ratio(unit, each)) and most * steps <= _DIGITS_OF_A_FLOAT]
@@ -32,11 +32,11 @@ def as_fine_as(unit: Unit, step: Unit) -> Unit:
     size = _size(step)
     if _size(unit) <= size:
         return unit
-    fine = [each for each in _finer(unit) if _size(each) <= size]
+    fine = [each for each in finer_units(unit) if _size(each) <= size]
     return max(fine, key=lambda each: each.scale, default=unit)
 
 
-def _finer(unit: Unit) -> Iterator[Unit]:
+def finer_units(unit: Unit) -> Iterator[Unit]:
     """The same unit with the prefixes of its first symbol that make it smaller: mm/s and cm/s of m/s."""
     match = _HEAD.fullmatch(unit.name)
     if match is None or match[1] not in symbols():
