@@ -5,9 +5,11 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle, other_steps
+from codegen.model.answers.scaling import rounded
 from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.source_kind import Output
 from codegen.model.spec.driver import OutputSpec
+from codegen.model.spec.population import Rounding
 from codegen.model.units.unit import ratio
 from codegen.pattern import pattern
 from codegen.sources.kind import BAD_SOURCE, Around
@@ -22,7 +24,10 @@ def in_tuple(items: Iterable[str]) -> str:
 
 
 def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output, Fraction] | None:
-    """An output as it is declared, and how many of its steps make one of its units; None after a finding."""
+    """An output as it is declared, and how many of its steps make one of its units; None after a finding.
+
+    A limit between two steps is the one that it is rounded to, as every number up to it is.
+    """
     found = Report()
     unit = find_unit(spec.unit, spec.at("unit"), found)
     step = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), found)
@@ -45,21 +50,16 @@ def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output
             hint=other_steps(unit, step),
         )
     if steps is not None:
-        low = -SMALL_INT_MAX if spec.min is None else spec.min * steps
-        high = SMALL_INT_MAX if spec.max is None else spec.max * steps
-        for key, end in (("min", Fraction(low)), ("max", Fraction(high))):
-            if end.denominator != 1 or abs(end) > SMALL_INT_MAX:
-                message = f"{key} is {end} steps of {step.name if step else ''}, no whole number of at most 30 bits"
-                found.add(
-                    BAD_SOURCE,
-                    spec.at(key),
-                    message,
-                    hint="make it a whole number of steps, or take a coarser unit for stored",
-                )
+        low = -SMALL_INT_MAX if spec.min is None else rounded(spec.min * steps, Rounding.NEAREST)
+        high = SMALL_INT_MAX if spec.max is None else rounded(spec.max * steps, Rounding.NEAREST)
+        for key, end in (("min", low), ("max", high)):
+            if abs(end) > SMALL_INT_MAX:
+                message = f"{key} is {end} steps of {step.name if step else ''}, more than 30 bits hold"
+                found.add(BAD_SOURCE, spec.at(key), message, hint="take a coarser unit for stored")
         if low > high:
             found.add(BAD_SOURCE, spec.at("max"), "max is below min", hint="swap them, or leave out one")
     around.report.extend(found)
     if list(found) or step is None or steps is None:
         around.failed = True
         return None
-    return Output(name, step, int(low), int(high), spec.doc or ""), steps
+    return Output(name, step, low, high, spec.doc or ""), steps

@@ -12,6 +12,7 @@ from codegen.cli import main
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "minimal"
 
 SONAR = "sonar: {driver: user, class: sonar.Sonar, unit: m, stored: mm, min: 0, max: 100}"
+SHAKEN = "sonar: {driver: user, class: sonar.Sonar, unit: G, stored: mm/s/s, min: -16, max: 16}"
 DEPTH = "depth: {doc: Depth., unit: m, stored: mm, source: sonar}"
 IMU = "imu: {driver: user, class: imu.Imu, outputs: {roll: {unit: rad, stored: mrad}, pitch: {unit: rad}}}"
 
@@ -88,7 +89,15 @@ CASES = [
     ("a sum of whole units", AMPERES.replace("stored: mA, ", ""), f"{CURRENT}{CONSUMED}",
      ["2:3: warning coarse-quantity: amperes is rounded to whole A where it is read, and boat.consumed is summed up",
       "hint: stored: mA at the output, or stored: A if whole units are meant"]),
-    ("a limit", SONAR.replace("100", "0.1234"), DEPTH, ["bad-source-driver: max is 617/5 steps of mm"]),
+    ("limits between two steps", SONAR.replace("100", "0.1234").replace("min: 0", "min: -0.0016"), DEPTH, []),
+    ("limits in another unit", SHAKEN,
+     "x: {doc: d, unit: mm/s/s, source: sonar, min: -156906, max: 156906, stale_after: 1 s}", []),
+    ("limits go to the nearest step", SONAR.replace("100", "0.1236").replace("min: 0", "min: -0.0016"),
+     DEPTH.replace("}", ", min: -0.001, max: 0.123, stale_after: 1 s}"),
+     ["source-beyond-limits: sonar gives boat.depth -2 to 124 mm"]),
+    ("a limit", SONAR.replace("100", "1100000"), DEPTH,
+     ["bad-source-driver: max is 1100000000 steps of mm, more than 30 bits hold",
+      "hint: take a coarser unit for stored"]),
     ("limits", SONAR.replace("100", "-1"), DEPTH, ["bad-source-driver: max is below min"]),
     ("both", IMU.replace("outputs", "unit: m, outputs"), "",
      ["unit is that of a single number, and there are outputs"]),
