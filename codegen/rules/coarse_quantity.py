@@ -95,8 +95,9 @@ def _in_whole_units(quantity: Quantity, system: System) -> Iterator[Given]:
     if quantity.kind is not QuantityKind.NUMBER:
         return
     for name, output, factor in dict.fromkeys(quantity.derivation.gives):
-        declared = system.sources[name].whole_units(output)
-        if declared is not None:
+        source = system.sources[name]
+        declared = source.declared(output) if source.given_in else None
+        if declared is not None and declared.stored is None:
             yield f"{name}.{output.name}".rstrip("."), output, factor, declared
 
 

@@ -149,11 +149,8 @@ class Source(ABC):
         """
         return ()
 
-    def whole_units(self, output: Output) -> OutputSpec | None:  # noqa: ARG002
-        """Return the declaration of an output of which code gives any number, and no table says how finely it is kept.
-
-        Then what lies between whole units is rounded away. None: it has steps of its own, or its table says which.
-        """
+    def declared(self, output: Output) -> OutputSpec | None:  # noqa: ARG002
+        """Return what the project declares an output to be; None where the driver is not the project's."""
         return None
 
     @property
@@ -173,6 +170,11 @@ class Source(ABC):
     def sets_clock(self) -> bool:
         """Return whether it knows the time since 1970: its microseconds stand behind the outputs, in four halves."""
         return False
+
+    @property
+    def keeps_limits(self) -> bool:
+        """Return whether its driver itself makes unknown what passes the limits of 32 bits or more, and never else."""
+        return True
 
     @property
     def tells_new(self) -> bool:

@@ -11,7 +11,7 @@ from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Verbatim
-from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OwnDriver
+from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OutputSpec, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
 from codegen.pattern import pattern
 from codegen.source import Place
@@ -44,6 +44,13 @@ class OwnSource(Source):
     @property
     def module(self) -> str:
         return self.polling.spec.driver
+
+    def declared(self, output: Output) -> OutputSpec:
+        return self.driver.spec.outputs[output.name]
+
+    @property
+    def keeps_limits(self) -> bool:
+        return False
 
     @property
     def own_modules(self) -> Mapping[str, str]:

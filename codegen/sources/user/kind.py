@@ -64,11 +64,10 @@ class User(Source):
     def given_in(self) -> tuple[Fraction, ...]:
         return self.steps
 
-    def whole_units(self, output: Output) -> OutputSpec | None:
+    def declared(self, output: Output) -> OutputSpec:
         spec = self.polling.spec
         assert isinstance(spec, UserSpec)
-        declared = spec.outputs.get(output.name) or _single(spec)
-        return declared if declared.stored is None else None
+        return spec.outputs.get(output.name) or _single(spec)
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")

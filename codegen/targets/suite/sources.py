@@ -7,7 +7,7 @@ from functools import cache
 
 from codegen.frozen import dataclass
 from codegen.model.answers.scaling import rounded
-from codegen.model.code.storage import SMALL_INT_MAX, Storage
+from codegen.model.code.storage import Storage
 from codegen.model.quantities.source_kind import Source
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.source import SourceSpec
@@ -116,12 +116,12 @@ def _facts(source: Source, system: System) -> SourceFacts:
             (output.low, output.high, steps.numerator, steps.denominator)
             for output, steps in zip(source.outputs, source.given_in, strict=False)
         ),
-        quantities=tuple(_quantity(each) for each in given_by(source, system, word_layout(system), {})),
+        quantities=tuple(_quantity(each, source) for each in given_by(source, system, word_layout(system), {})),
         criteria={aspect: criterion for aspect, criterion in cited.items() if criterion},
     )
 
 
-def _quantity(given: GivenView) -> QuantityFacts:
+def _quantity(given: GivenView, source: Source) -> QuantityFacts:
     quantity, output = given.quantity, given.output
     initial = quantity.initial
     assert not isinstance(initial, str)
@@ -136,21 +136,23 @@ def _quantity(given: GivenView) -> QuantityFacts:
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
         plain=max(output.low, min(output.high, 1)),
-        pairs=tuple(_pairs(given)),
+        pairs=tuple(_pairs(given, source)),
     )
 
 
-def _pairs(given: GivenView) -> list[Pair]:
-    """Ends, what lies beyond them, and where rounding turns; of a wide number the driver itself looks at the ends."""
+def _pairs(given: GivenView, source: Source) -> list[Pair]:
+    """Ends, what lies beyond them, and where rounding turns; of a wide number many drivers look at the ends."""
     output, factor = given.output, given.factor
     low, high = output.low, output.high
     handed = {low, high, low + 1, high - 1, 0, 1, -1, (low + high) // 2}
     if factor.denominator > 1:
         half, many = factor.denominator // 2, 7 * factor.denominator
         handed |= {part * sign for part in (half, half + 1, half - 1, many + half) for sign in (1, -1)}
-    beyond = {low - 1, high + 1} if output.storage is Storage.SMALL else set()
+    is_small = output.storage is Storage.SMALL
+    beyond = {low - 1, high + 1} if is_small or not source.keeps_limits else set()
+    smallest, largest = output.storage.limits
     inside = sorted(value for value in handed if low <= value <= high)
-    outside = sorted(value for value in beyond if abs(value) <= SMALL_INT_MAX)
+    outside = sorted(value for value in beyond if smallest <= value <= largest)
     return [
         *((value, rounded(Fraction(value) * factor, Rounding.NEAREST)) for value in inside),
         *((value, None) for value in (*outside, None)),

@@ -204,31 +204,35 @@ def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterat
     behind = sum(output.storage.words for output in source.outputs)
     if not source.tells_new:
         for each in given:
-            yield from _keeping(each)
+            yield from _keeping(each, keeps_limits=source.keeps_limits)
         return
     mask = behind + (4 if source.sets_clock else 0)
     yield f"new = values[{mask}]"
     for each in given:
         yield f"if new & {1 << source.outputs.index(each.output)}:"
-        yield from indented(list(_keeping(each)))
+        yield from indented(list(_keeping(each, keeps_limits=source.keeps_limits)))
     if sets_clock:
         yield f"if new & {1 << len(source.outputs)}:"
         yield f"    set_clock(words, {_CLOCK}, values, {behind})"
 
 
-def _keeping(given: GivenView) -> Iterator[str]:
+def _keeping(given: GivenView, *, keeps_limits: bool) -> Iterator[str]:
     """Put one value into its words; what is unknown or cannot be makes the quantity unknown."""
     quantity, output = given.quantity, given.output
     unit = output.unit.name
     what = f"{output.name or quantity.name}{f' [{unit}]' if unit else ''}"
     yield f"value = values[{given.place}]  # {what}"
     if output.storage is not Storage.SMALL:
-        known = ["if value != _UNKNOWN:"]
         put = [f"words[{given.word}] = value"]
-        more = range(1, output.storage.words)
-        put += [f"words[{given.word} + {half}] = values[{given.place + half}]" for half in more]
+        if keeps_limits:
+            known = ["if value != _UNKNOWN:"]
+            more = range(1, output.storage.words)
+            put += [f"words[{given.word} + {half}] = values[{given.place + half}]" for half in more]
+        else:
+            known = list(_plausible_halves(given))
+            put.append(f"words[{given.word} + 1] = above{'' if output.low >= 0 else ' & 0xFFFF'}")
     else:
-        known = [f"if {_plausible(output)}:"]
+        known = [f"if {_plausible(output, keeps_limits=keeps_limits)}:"]
         put = list(_scaled(given, output))
         if given.count is not None:
             put += [f"{given.count.name}(words, value, now_ms)", f"words[{given.word}] = value"]
@@ -241,8 +245,21 @@ def _keeping(given: GivenView) -> Iterator[str]:
     yield from indented(list(_unknown(given)))
 
 
-def _plausible(output: Output) -> str:
-    if (output.low, output.high) == (-SMALL_INT_MAX, SMALL_INT_MAX):
+def _plausible_halves(given: GivenView) -> Iterator[str]:
+    """Ask whether a number of 32 bits in halves is within its limits, without making a number of them.
+
+    The upper half may have its sign or not. What is no half, in the first place, is unknown as well.
+    """
+    output = given.output
+    upper = f"values[{given.place + 1}]"
+    yield f"above = {upper} & 0xFFFF" if output.low >= 0 else f"above = ({upper} & 0xFFFF ^ 0x8000) - 0x8000"
+    (least, low), (most, high) = divmod(output.low, 1 << 16), divmod(output.high, 1 << 16)
+    yield f"is_enough = 0 <= value <= 0xFFFF and (above > {least} or (above == {least} and value >= {low}))"
+    yield f"if is_enough and (above < {most} or (above == {most} and value <= {high})):"
+
+
+def _plausible(output: Output, *, keeps_limits: bool) -> str:
+    if keeps_limits and (output.low, output.high) == (-SMALL_INT_MAX, SMALL_INT_MAX):
         return "value != _UNKNOWN"
     return f"{output.low} <= value <= {output.high}"
 
