@@ -168,9 +168,9 @@ class Surroundings:
                 self.bad("source", f"board.yaml has no sensor {owner}", UNKNOWN_SOURCE, hint)
             self.failed = True
             return None
-        for output in source.outputs:
-            if output.name == part:
-                return source, output
+        found = source.output(part)
+        if found is not None:
+            return source, found
         names = [output.name for output in source.outputs]
         if not names:  # the driver's own, each with a finding
             self.failed = True
@@ -193,12 +193,14 @@ class Surroundings:
         if written is None:
             return ()
         names = (written.source,) if isinstance(written.source, str) else written.source
-        known = {
-            f"{source.name}.{output.name}".rstrip("."): (source, output)
-            for source in self.sources.values()
-            for output in source.outputs
-        }
-        return tuple(known[each] for each in names if each in known)
+        given = []
+        for each in names:
+            owner, _, part = each.partition(".")
+            source = self.sources.get(owner)
+            output = source.output(part) if source is not None else None
+            if source is not None and output is not None:
+                given.append((source, output))
+        return tuple(given)
 
     def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
         """A fact of board.yaml that counts something, by instance; None after a finding."""

@@ -97,6 +97,13 @@ class Source(ABC):
     def outputs(self) -> tuple[Output, ...]:
         """Return what it gives."""
 
+    def output(self, name: str) -> Output | None:
+        """Return the output that is called so; without a name the only one, whatever it is called."""
+        outputs = self.outputs
+        if not name and len(outputs) == 1:
+            return outputs[0]
+        return next((output for output in outputs if output.name == name), None)
+
     @property
     def name(self) -> str:
         """Return what board.yaml calls it."""
