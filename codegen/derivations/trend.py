@@ -63,6 +63,14 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
             hint="trend_of: a measured quantity, and window: 10 s",
         )
         return None
+    name, followed = written.trend_of, around.others.get(written.trend_of)
+    if followed is None:
+        around.no_quantity("trend_of", name, BAD_TREND)
+        return None
+    if followed.written(MeasuredSpec) is None:
+        message = f"{name} is {told_origin(followed)}, and a trend follows what the ADC of the component measures"
+        around.bad("trend_of", message, BAD_TREND, f"write adc and multiplier at {name}, or set {around.name} by code")
+        return None
     window = around.time_ms("window", written.window)
     if window is None:
         return None
@@ -75,15 +83,8 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
             )
         around.bad("window", f"{written.window} is not an even number of readings, 4 to 200", BAD_TREND, hint)
         return None
-    name, followed = written.trend_of, around.others.get(written.trend_of)
-    if followed is None:
-        around.no_quantity("trend_of", name, BAD_TREND)
-        return None
     unit = followed.stored or followed.unit
-    if followed.written(MeasuredSpec) is None:
-        message = f"{name} is {told_origin(followed)}, and a trend follows what the ADC of the component measures"
-        around.bad("trend_of", message, BAD_TREND, f"write adc and multiplier at {name}, or set {around.name} by code")
-    elif not _is_rate_of(unit, kept.stored):
+    if not _is_rate_of(unit, kept.stored):
         message = f"the change of {name} is kept in {unit}/s, not {kept.stored.name}"
         around.bad("stored", message, BAD_TREND, hint=f"stored: {unit or 1}/s")
     return Trend(name, int(readings), written)

@@ -81,7 +81,10 @@ class ParameterFamilies:
         prefix = parts[0].prefix
         if not name.startswith(prefix) or name == prefix:
             message = f"{name} does not begin with {prefix}, the prefix of the first {spec.for_each}"
-            self._report.add(BAD_FAMILY, spec.place, message, hint=f"call it {prefix}{name}, or leave out for_each")
+            hint = f"call it {prefix}{name.rpartition('_')[2]}, or leave out for_each"
+            if prefix and "_" in name:
+                hint = f"prefix: {name.partition('_')[0]}_ of the first {spec.for_each}, or {hint}"
+            self._report.add(BAD_FAMILY, spec.place, message, hint)
             return
         siblings = tuple(part.prefix + name.removeprefix(prefix) for part in parts)
         for part, own in zip(parts, siblings, strict=True):

@@ -17,6 +17,7 @@ BAD_INSTANCES = Rule(
     remedy="write defaults of parameters with for_each, and instances of components of state.yaml",
 )
 MOST_INSTANCES = 16
+MOST_LETTERS = 12
 
 _PREFIX = pattern(r"[A-Z][A-Z0-9_]{0,14}")
 
@@ -50,7 +51,7 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
     for number, each in enumerate(written, 1):
         if each.prefix is None:
             if needs_prefix:
-                hint = f"prefix: {name[:4].upper()}{number}_"
+                hint = f"prefix: {_usual_prefix(spec, name, number)}"
                 report.add(BAD_INSTANCES, each.place, f"this {name} has no prefix for its parameters", hint)
             continue
         place = each.at("prefix")
@@ -59,7 +60,7 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
                 BAD_INSTANCES,
                 place,
                 f"{each.prefix} cannot be the front of a parameter's name",
-                hint=f"write it like {name[:4].upper()}{number}_",
+                hint=f"write it like {_usual_prefix(spec, name, number)}",
             )
         first = owners.setdefault(each.prefix, place)
         if first is not place:
@@ -69,8 +70,20 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
                 place,
                 f"{each.prefix} is the prefix of another {name}",
                 related=related,
-                hint=f"write another one, such as {name[:4].upper()}{number}_",
+                hint=f"write another one, such as {_usual_prefix(spec, name, number)}",
             )
+
+
+def _usual_prefix(spec: Spec, name: str, number: int) -> str:
+    """A prefix that the parameters of the component take: of the first instance the beginning of their names.
+
+    ``CELL_`` and ``CELL2_`` for CELL_CAP, which is the parameter of the first one.
+    """
+    families = [each for each, written in spec.parameters.parameters.items() if written.for_each == name]
+    first = families[0].partition("_")[0] if families else ""
+    if not 0 < len(first) <= MOST_LETTERS or not all(each.startswith(f"{first}_") for each in families):
+        return f"{name[:4].upper()}{number}_"
+    return f"{first}_" if number == 1 else f"{first.rstrip('0123456789')}{number}_"
 
 
 def known_facts(spec: Spec, components: Mapping[str, Component]) -> list[str]:

@@ -32,6 +32,6 @@ def check(system: System) -> Iterator[Diagnostic]:
                     hint = f"stale_after: {3 * polling.period_us // 1000} ms, so that one failure changes nothing"
                     yield Diagnostic(quantity.spec.at("stale_after"), TOO_SHORT, message, hint, related=related)
                 elif trust.stale_after_ms is None and trust.invalid_after is None:
-                    hint = "add stale_after: 2 s"
+                    hint = "add stale_after: 2 s" if quantity.initial is None else "add invalid_after: 3"
                     message = f"nothing makes {quantity.path} unknown when {name} fails"
                     yield Diagnostic(quantity.spec.at("source"), FOR_EVER, message, hint)

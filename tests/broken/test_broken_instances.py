@@ -8,6 +8,7 @@ from test_broken_tables import BATTERY, Case, changed_copy, check_place, name_of
 
 from codegen.cli import main
 
+FIRST = "    - {prefix: BATT_, doc"
 SECOND = "    - prefix: BATT2_\n      doc"
 FAMILY = "  BATT_CAPACITY:\n"
 EACH = FAMILY + "    doc: Charge of the full pack.\n    for_each: battery\n"
@@ -18,6 +19,9 @@ CASES = [
     Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §BATT_", "prefix", is_alone=False),
     Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §batt2_", "batt2_", is_alone=False),
     Case("bad-instances", "board.yaml", SECOND, "    - §doc", "no prefix", is_alone=False),
+    # as its parameters are called: BATT_VOLT_PIN
+    Case("bad-instances", "board.yaml", SECOND, "    - §doc", "hint: prefix: BATT2_", is_alone=False),
+    Case("bad-instances", "board.yaml", FIRST, "    - §{doc", "hint: prefix: BATT_\n", is_alone=False),
     Case(
         "bad-instances",
         "state.yaml",
@@ -40,6 +44,14 @@ CASES = [
     Case("bad-parameter", "parameters.yaml", LAST, LAST + "    was: {rate: §1}\n", "rate is not a parameter name"),
     Case("bad-parameter", "parameters.yaml", LAST, LAST + "    was: {SR_EXT: §0}\n", "not 0 times"),
     # families
+    Case(
+        "bad-parameter-family",
+        "parameters.yaml",
+        FAMILY,
+        "  §PACK_CAPACITY:\n",
+        "hint: prefix: PACK_ of the first battery, or call it BATT_CAPACITY",
+        is_alone=False,
+    ),
     Case("bad-parameter-family", "parameters.yaml", FAMILY, "  §CAPACITY:\n", "BATT_", is_alone=False),
     Case("bad-parameter-family", "parameters.yaml", EACH, EACH.replace("battery", "§bat"), "battery", is_alone=False),
     Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per: §cells\n", "no component"),

@@ -70,6 +70,11 @@ CASES = [
      "      change: {doc: d, unit: m/s, stored: mm/s, trend_of: depth, window: 1 s}\n    update_rate: 10 Hz",
      ["bad-trend: depth is set by code, and a trend follows what the ADC of the component measures",
       "hint: write adc and multiplier at depth, or set change by code"]),
+    ("a trend of a sensor in a component without a rate", SONAR, DEPTH.replace("}", ", stale_after: 1 s}")
+     + "\n      change: {doc: d, unit: m/s, stored: mm/s, trend_of: depth, window: 1 s}",
+     ["bad-trend: depth is given by a sensor, and a trend follows"]),
+    ("for ever, but for an initial value", SONAR, DEPTH.replace("}", ", initial: 0}"),
+     ["warning believed-for-ever: nothing makes boat.depth unknown", "hint: add invalid_after: 3"]),
     ("a trend of a sensor", SONAR, DEPTH.replace("}", ", stale_after: 1 s}")
      + "\n      change: {doc: d, unit: m/s, stored: mm/s, trend_of: depth, window: 1 s}\n    update_rate: 10 Hz",
      ["bad-trend: depth is given by a sensor, and a trend follows"]),
