@@ -1,12 +1,14 @@
 """Rule for sensors beyond the limits of messages: values go out as they are, and no setter would report a limit."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answers.scaling import rounded
-from codegen.model.quantities.reach import reaches
+from codegen.model.quantities.reach import FieldReach, field_reaches
 from codegen.model.spec.population import Rounding
 from codegen.model.system import System
+from codegen.model.units.unit import decimal
 
 RULE = Rule(
     "source-beyond-limits",
@@ -16,23 +18,53 @@ RULE = Rule(
     "purpose.",
 )
 
+End = int | Fraction | None
+
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every quantity that sensors give, against the limits within which all messages carry it."""
-    told = reaches(system)
+    fields: dict[str, list[FieldReach]] = {}
+    for quantity, field in field_reaches(system):
+        fields.setdefault(quantity.path, []).append(field)
     for component in system.components.values():
         for quantity in component.quantities.values():
-            low, high = told[quantity.path]
             for name, output, factor in quantity.derivation.gives:
-                ends = [rounded(end * factor, Rounding.NEAREST) for end in (output.low, output.high)]
-                if low <= ends[0] <= ends[1] <= high:
-                    continue
-                unit = quantity.stored.name
+                low, high = (rounded(end * factor, Rounding.NEAREST) for end in (output.low, output.high))
                 given = f"{name}.{output.name}".rstrip(".")
-                yield Diagnostic(
-                    quantity.spec.at("source"),
-                    RULE,
-                    f"{given} gives {quantity.path} {ends[0]} to {ends[1]} {unit}".rstrip(),
-                    f"its limits, and those of the fields that carry it, leave {float(low):g} to {float(high):g}",
-                    ((system.sources[name].polling.spec.place, f"{name} is declared here"),),
-                )
+                narrow = [
+                    field for field in fields.get(quantity.path, ()) if _is_narrower(field.low, field.high, low, high)
+                ]
+                narrower = [(field.name, field.low, field.high) for field in narrow]
+                if _is_narrower(quantity.minimum, quantity.maximum, low, high):
+                    narrower.insert(0, (f"the limits of {quantity.path}", quantity.minimum, quantity.maximum))
+                if narrower:
+                    unit = quantity.stored.name
+                    related = [(system.sources[name].polling.spec.place, f"{name} is declared here")]
+                    related += [
+                        (field.answer.covers.written.place, f"{field.name} is limited here") for field in narrow
+                    ]
+                    left = "; ".join(_left(*each, unit) for each in narrower)
+                    yield Diagnostic(
+                        quantity.spec.at("source"),
+                        RULE,
+                        f"{given} gives {quantity.path} {f'{low} to {high} {unit}'.rstrip()}, and {left}",
+                        f"{_remedy(quantity.path, narrow)}, or narrow min and max of {given}",
+                        tuple(related),
+                    )
+
+
+def _remedy(path: str, narrow: list[FieldReach]) -> str:
+    if not narrow:
+        return f"widen min and max of {path}"
+    return f"write min and max at {' and '.join(field.name for field in narrow)}: limited on purpose"
+
+
+def _is_narrower(low: End, high: End, smallest: int, largest: int) -> bool:
+    return (low is not None and smallest < low) or (high is not None and largest > high)
+
+
+def _left(name: str, low: End, high: End, unit: str) -> str:
+    """Words for what some limits leave: ``HIGH_LATENCY2.altitude leaves -32768000 to 32767000 mm``."""
+    verb = "leave" if name.startswith("the limits") else "leaves"
+    ends = ["any number" if end is None else decimal(Fraction(end)) for end in (low, high)]
+    return f"{name} {verb} {' to '.join(ends)} {unit}".rstrip()

@@ -167,6 +167,23 @@ def test_a_quantity_that_is_kept_more_coarsely_than_its_field(told, field, quant
 
 
 @pytest.mark.parametrize(
+    ("field", "answer", "hint"),
+    [
+        ('type="int16_t" units="m" invalid="INT16_MAX"', "{state: m.q}", "E.f leaves -32768000 to 32766000 mm\n"),
+        ('type="int16_t" units="m"', "{state: m.q, min: -9}", "E.f leaves any number to 32767000 mm\n"),
+        ('type="int16_t" units="m"', "{state: m.q, max: 30000, min: -9}", None),
+        ('type="int32_t" units="mm"', "{state: m.q}", None),
+    ],
+)
+def test_a_sensor_that_passes_what_a_field_carries(told, field, answer, hint):
+    """The field is named, with all digits of what it leaves: the balloon is at 38 km."""
+    sensor = "class: s.S, unit: m, stored: mm, min: -40000, max: 90000"
+    found = told(field, "unit: m, stored: mm, source: s, invalid_after: 3, initial: 0", answer, sensor=sensor)
+    assert ("source-beyond-limits: s gives m.q -40000000 to 90000000 mm" in found) == (hint is not None), found
+    assert hint is None or (hint in found and "hint: write min and max at E.f: limited on purpose, or narrow" in found)
+
+
+@pytest.mark.parametrize(
     ("field", "quantity", "output", "hint"),
     [
         ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad, min: -4, max: 4", "stored: urad"),

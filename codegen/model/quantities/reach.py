@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from typing import NamedTuple
 
 from codegen.model.answers.answer import Answer
 from codegen.model.answers.scaling import Scaling
@@ -17,17 +18,34 @@ def reaches(system: System) -> Mapping[str, Reach]:
     Where a table has a ``min`` or a ``max`` of its own, its field is limited on purpose, and counts no further.
     """
     found = {quantity.path: (quantity.minimum, quantity.maximum) for quantity in _quantities(system)}
+    for quantity, field in field_reaches(system):
+        low, high = found[quantity.path]
+        found[quantity.path] = (
+            low if field.low is None else max(low, field.low),
+            high if field.high is None else min(high, field.high),
+        )
+    return found
+
+
+class FieldReach(NamedTuple):
+    """The smallest and the largest number that a field of a message carries; None where its table limits it."""
+
+    name: str
+    answer: Answer
+    low: int | Fraction | None
+    high: int | Fraction | None
+
+
+def field_reaches(system: System) -> Iterator[tuple[Quantity, FieldReach]]:
+    """Each quantity with each field that carries it, in stored units."""
     for message in system.messages:
         for answer in message.answers:
+            covers = answer.covers
             for quantity, scaling in zip(answer.carried, answer.scalings, strict=False):
-                low, high = found[quantity.path]
                 smallest, largest = _carried(answer, quantity, scaling)
-                if answer.covers.written.min is None:
-                    low = max(low, smallest)
-                if answer.covers.written.max is None:
-                    high = min(high, largest)
-                found[quantity.path] = low, high
-    return found
+                low = smallest if covers.written.min is None else None
+                high = largest if covers.written.max is None else None
+                yield quantity, FieldReach(f"{message.name}.{covers.label}", answer, low, high)
 
 
 def reach_words(quantity: Quantity, reach: Reach) -> str:
