@@ -279,10 +279,12 @@ def _quantity(quantity: Quantity, system: System) -> str:
         if quantity in answer.quantities
     ]
     limits = reach_words(quantity, reaches(system)[quantity.path])
-    told = "; what is set beyond them is limited in messages, counted, and told once" if limits else ""
+    told = "; what is set beyond them is limited in messages, counted, and told once"
+    if quantity.derivation.gives:
+        told = "; nothing is sent beyond them: what its sensor gives beyond what is plausible is unknown"
     titled = [
         ("kept as", f"{quantity.attribute}, {quantity.kept_in}"),
-        ("limits", limits + told),
+        ("limits", limits and limits + told),
         *quantity.derivation.story(quantity, system),
         ("initial", quantity.start),
         ("unknown", quantity.lost),

@@ -156,6 +156,8 @@ def test_its_suite_checks_them(folder: Path) -> None:
 def test_what_is_said_of_them_is_so(folder: Path) -> None:
     told = codegen(folder, "explain", "m.own").stdout
     assert "-1800000000 to 1800000000 degE7" in told
+    assert "what its sensor gives beyond what is plausible is unknown" in told
+    assert "counted" not in told
 
 
 @pytest.mark.parametrize(
