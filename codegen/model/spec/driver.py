@@ -61,7 +61,8 @@ class DriverSpec(Written):
     )
     keys: Mapping[str, DriverKeySpec] = described("The keys of a sensor, by name.", default_factory=dict)
     outputs: Mapping[str, OutputSpec] = described(
-        "The numbers that it gives, by name, in the order of its values, each in whole steps of stored."
+        "The numbers that it gives, by name, in the order of its values, each in whole steps of stored; one whose "
+        "limits need 32 bits has two values, its halves of 16 bits, the low one first."
     )
     rate: Amount | None = described("How often it is asked where a sensor says nothing. Default: 10 Hz.", default=None)
 
