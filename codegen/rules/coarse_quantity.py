@@ -6,11 +6,12 @@ from itertools import pairwise
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.answers.answer import Answer
+from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.quantities.source_kind import Output
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.system import System
 from codegen.model.units.finer_unit import finer_unit
-from codegen.model.units.unit import Unit
+from codegen.model.units.unit import Unit, ratio
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.source import Place
 
@@ -54,7 +55,10 @@ def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnost
             yield Diagnostic(quantity.spec.place, RULE, text, hint, ((place, takes),))
         for given in _in_whole_units(quantity, system):
             if _carries_finer(answer, given[2]):
-                yield _rounded(given, finer, place, takes)
+                steps = (
+                    wire_unit(covers.field) if covers.field.type.is_integer and covers.field.multiplier == 1 else None
+                )
+                yield _rounded(given, finer, place, takes, steps)
 
 
 def _estimated(component: Component) -> Iterator[Diagnostic]:
@@ -101,18 +105,23 @@ def _in_whole_units(quantity: Quantity, system: System) -> Iterator[Given]:
             yield f"{name}.{output.name}".rstrip("."), output, factor, declared
 
 
-def _rounded(given: Given, finer: str, place: Place, takes: str) -> Diagnostic:
-    """The finding that what code gives is rounded to whole units, at the output, with what is finer."""
+def _rounded(given: Given, finer: str, place: Place, takes: str, steps: Unit | None = None) -> Diagnostic:
+    """The finding that what code gives is rounded to whole units, at the output, with what is finer.
+
+    ``steps`` are those of the field, if it has some: then a number is rounded once.
+    """
     name, output, _, declared = given
     whole = f"whole {output.unit.name}" if output.unit.name else "whole numbers"
     message = f"{name} is rounded to {whole} where it is read, and {finer}"
-    return Diagnostic(declared.place, RULE, message, _hint(output.unit, declared), ((place, takes),))
+    return Diagnostic(declared.place, RULE, message, _hint(output.unit, declared, steps), ((place, takes),))
 
 
-def _hint(unit: Unit, declared: OutputSpec) -> str:
+def _hint(unit: Unit, declared: OutputSpec, steps: Unit | None) -> str:
     if not unit.name:
         return "give the output a unit with steps, such as %, or let code of yours set the quantity"
     ends = [abs(end) for end in (declared.min, declared.max) if end is not None]
     finer = finer_unit(unit, max(ends) if len(ends) == 2 else None)
+    if steps is not None and ratio(unit, steps) is not None:
+        finer = steps
     meant = f"stored: {unit.name} if whole units are meant"
     return f"stored: {finer.name} at the output, or {meant}" if finer else f"a finer stored at the output, or {meant}"

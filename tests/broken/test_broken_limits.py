@@ -198,6 +198,7 @@ def test_a_sensor_that_passes_what_a_field_carries(told, field, answer, hint):
         ('type="float" units="rad" invalid="NaN"', "unit: rad", "unit: rad, stored: rad", None),
         (MV, "unit: V", "unit: V, min: 0, max: 60", "stored: mV"),
         (MV, "unit: mV", "unit: V, min: 0, max: 60", "stored: mV"),
+        (MV.replace("mV", "cV"), "unit: V", "unit: V, min: 0, max: 60", "stored: cV"),  # so that it is rounded once
         (MV, "unit: mV", "unit: mV, min: 0, max: 60000", None),  # the field has no finer steps
         ('type="uint16_t" multiplier="1E-2" invalid="UINT16_MAX"', "stale_after: 1 s", "min: 0, max: 99", "unit with"),
         ('type="uint8_t" invalid="UINT8_MAX"', "stale_after: 1 s", "min: 0, max: 99", None),
