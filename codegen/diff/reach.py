@@ -47,7 +47,7 @@ def traces(old: Trace, new: Trace, systems: Iterable[System]) -> Traces:
 
 
 _Known = dict[tuple[str, tuple[str, ...]], Reach]
-"""What was found out, by the name of a row or of a criterion, and the programs."""
+"""The reaches that are known, by the name of a row or of a criterion, and the programs."""
 
 
 def with_reach(changes: Iterable[Change], found: Traces) -> tuple[Change, ...]:
