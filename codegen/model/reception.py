@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.answers.scaling import rounded
 from codegen.model.dialect.dialect import Kind, SentinelForm, WireField, WireMessage
-from codegen.model.spec.receive import ReceivedFieldSpec, ReceiveSpec
+from codegen.model.spec.receive import Otherwise, ReceivedFieldSpec, ReceiveSpec
 from codegen.model.vehicle import Citation, Cited, Quantity, QuantityKind
 
 SYSTEM_FIELDS = ("target_system", "target")
@@ -15,11 +15,44 @@ COMPONENT_FIELD = "target_component"
 
 
 @dataclass(frozen=True, slots=True)
+class Proviso:
+    """What another field of whole numbers has to say, so that a received one is a value.
+
+    ``numbers`` are masks where it ``is_of_flags``: all have to be set, and where it ``is_denied`` none may be. Others
+    are numbers on the wire of which it has to have one, or none. ``names`` are these as the table has them.
+    """
+
+    field: WireField
+    numbers: tuple[int, ...]
+    names: tuple[str, ...]
+    is_of_flags: bool
+    is_denied: bool
+
+    def holds(self, number: int) -> bool:
+        """Return whether the field says so with a number on the wire."""
+        met = [number & each == each if self.is_of_flags else number == each for each in self.numbers]
+        if self.is_denied:
+            return not any(met)
+        return all(met) if self.is_of_flags else any(met)
+
+    @property
+    def words(self) -> str:
+        """``when flags has ADSB_FLAGS_VALID_COORDS (1)``, for people."""
+        pairs = zip(self.names, self.numbers, strict=True)
+        shown = [name if name == str(number) else f"{name} ({number})" for name, number in pairs]
+        joined = (" and " if self.is_of_flags and not self.is_denied else " or ").join(shown)
+        return (
+            f"{'unless' if self.is_denied else 'when'} {self.field.name} {'has' if self.is_of_flags else 'is'} {joined}"
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class ReceivedField:
     """An element of a field, and the quantity that it sets to ``number * factor`` stored steps, rounded.
 
     Numbers on the wire from ``low`` to ``high`` are taken, others are counted; of a text both are 0. Before that,
     those of ``unchanged`` leave the quantity as it was, and those of ``absent`` set it unknown, as the sentinel does.
+    Where one of ``provisos`` does not hold it is no value, whatever its number.
     """
 
     field: WireField
@@ -32,6 +65,17 @@ class ReceivedField:
     citation: Citation
     unchanged: tuple[int | float, ...] = ()
     absent: tuple[int | float, ...] = ()
+    provisos: tuple[Proviso, ...] = ()
+
+    @property
+    def is_kept_otherwise(self) -> bool:
+        """Return whether the quantity stays as it was where a proviso does not hold."""
+        return self.quantity.kind is QuantityKind.BOOLEAN or self.spec.otherwise is Otherwise.UNCHANGED
+
+    @property
+    def proviso_words(self) -> str:
+        """What other fields have to say for it to be a value, for people, or nothing."""
+        return ", ".join(each.words for each in self.provisos)
 
     @property
     def label(self) -> str:

@@ -58,6 +58,7 @@ def _row(taken: ReceivedField) -> ReceivedRow:
         [] if field.type.is_integer or taken.is_text else ["NaN", "infinite"]
     )
     (unchanged if taken.is_kept_by_absence else unknown).extend(["MAVLink 1"] if taken.is_extension else [])
+    (unchanged if taken.is_kept_otherwise else unknown).extend(["otherwise"] if taken.provisos else [])
     return ReceivedRow(
         offset=taken.offset,
         size=field.size if taken.is_text else field.type.size,
@@ -66,7 +67,7 @@ def _row(taken: ReceivedField) -> ReceivedRow:
         unit=field.unit_text,
         quantity=quantity.path,
         conversion=conversion_words(taken),
-        taken=taken.range_words or "ASCII",
+        taken=", ".join(each for each in (taken.range_words or "ASCII", taken.proviso_words) if each),
         unknown=", ".join(unknown),
         unchanged=", ".join(unchanged),
         criterion=str(taken.citation),

@@ -194,3 +194,25 @@ def test_a_limit_that_the_dialect_states_ignores_what_was_taken(before):
     after = replace(system, receptions=tuple(narrower if each is table else each for each in system.receptions))
     (change,) = compare_systems(before[1], (after, *others)).changes
     assert (change.rule.id, change.weight) == ("field-taken-range-changed", "person")
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("state: stick.ahead", "state: stick.ahead, when: {enabled_extensions: bit 2}"),
+        ("state: stick.ahead", "state: stick.ahead, unless: {enabled_extensions: bit 2}"),
+    ],
+)
+def test_what_others_say_to_be_no_value_is_told(old, new, before, tmp_path):
+    """Who sends it without that flag, or with it, sets nothing any more, and nothing tells: with its words."""
+    for found in changes(before, tmp_path, (STICK, old, new)):
+        (change,) = [each for each in found if each.rule.id == "field-taken-value-changed"]
+        assert change.is_breaking
+        assert "enabled_extensions has bit 2 (4), otherwise unknown" in f"{change.old} {change.new}"
+
+
+def test_another_outcome_without_a_value_is_told(before, tmp_path):
+    """That a quantity stays as it was in place of becoming unknown."""
+    keys = "when: {enabled_extensions: bit 2}, otherwise: unchanged"
+    (found, _) = changes(before, tmp_path, (STICK, "state: stick.ahead", f"state: stick.ahead, {keys}"))
+    assert any("otherwise as it was" in f"{each.new}" for each in found)

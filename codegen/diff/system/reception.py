@@ -46,12 +46,15 @@ def _table(table: Reception) -> Subject:
 def _field(table: Reception, taken: ReceivedField) -> Subject:
     spec = taken.spec
     rounding = "" if taken.factor.denominator == 1 else f", {spec.rounding.value}"
+    otherwise = "otherwise as it was" if taken.is_kept_otherwise else "otherwise unknown"
+    provisos = f"{taken.proviso_words}, {otherwise}" if taken.provisos else ""
     facts = [
         Fact("sets", taken.quantity.path, rules.TAKEN_INTO, spec.at("state")),
         Fact("factor", f"{taken.factor}{rounding} to {taken.quantity.kept_in}", rules.TAKEN_AS, spec.at("state")),
         Fact("takes", taken.limit_words, rules.TAKEN_RANGE, spec.at("min" if spec.min is not None else "max")),
         Fact("unknown", taken.sentinel_words, rules.TAKEN_VALUE, spec.at("unknown")),
         Fact("left as it was by", taken.unchanged_words, rules.TAKEN_VALUE, spec.at("unchanged")),
+        Fact("is a value", provisos, rules.TAKEN_VALUE, spec.at("when" if spec.when else "unless")),
         Fact("answers to", str(taken.citation), CITATION, spec.at("requirement")),
     ]
     return Subject(

@@ -18,6 +18,17 @@ class Sender(StrEnum):
     OWN_SYSTEM = "own_system"
 
 
+class Otherwise(StrEnum):
+    """What a field sets that other fields say is no value."""
+
+    UNKNOWN = "unknown"
+    UNCHANGED = "unchanged"
+
+
+Said = str | Fraction | tuple[str | Fraction, ...]
+"""What another field is to say: a number, an entry of its enum or ``bit 2``, or a list of these."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReceivedFieldSpec(Written):
     """The quantity that one field, or one element of it, sets."""
@@ -37,6 +48,21 @@ class ReceivedFieldSpec(Written):
     )
     unknown: tuple[str | Fraction, ...] | None = described(
         "Numbers of the field that say that there is no value, beside the dialect's sentinel, likewise.", default=None
+    )
+    when: Mapping[str, Said] | None = described(
+        "Other fields of the message, and what they have to say for this one to be a value: flags that are all set "
+        "(entries of a bitmask, or bit 2), or numbers or entries of which each has one. {} says that it is a value "
+        "whatever others say.",
+        default=None,
+    )
+    unless: Mapping[str, Said] | None = described(
+        "Other fields, and what they may not say: flags of which none may be set, or numbers or entries that it may "
+        "not have.",
+        default=None,
+    )
+    otherwise: Otherwise = described(
+        "What becomes of the quantity where when or unless do not hold: unknown, or unchanged, as if nothing came.",
+        default=Otherwise.UNKNOWN,
     )
     rounding: Rounding = described("How a value between two stored steps is rounded.", default=Rounding.NEAREST)
     requirement: str | None = described("Criterion that asks for this field, such as FR-1.4.", default=None)

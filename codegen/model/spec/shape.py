@@ -220,8 +220,8 @@ def _shape(hint: Any) -> Shape:
         match members:
             case [only]:
                 return only
-            case [ListOf() as items, scalar] | [scalar, ListOf() as items]:
-                return ScalarOrList(scalar, items)  # type: ignore[arg-type]
+            case [ListOf() as items, *scalars] | [*scalars, ListOf() as items]:
+                return ScalarOrList(scalars[0] if len(scalars) == 1 else OneOf(tuple(scalars)), items)  # type: ignore[arg-type]
         return OneOf(tuple(members))  # type: ignore[arg-type]
     if origin is tuple:
         return ListOf(_shape(arguments[0]))

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
@@ -15,6 +16,7 @@ from codegen.resolve.population.population import BAD_TABLE_NAME, UNKNOWN_MESSAG
 from codegen.resolve.program.services import HEAD_ONLY
 from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 from codegen.resolve.quantities.quantity import LONGEST_NAME
+from codegen.resolve.receptions.provisos import resolve_provisos
 from codegen.resolve.receptions.taken_field import resolve_taken
 from codegen.source import Place
 
@@ -53,6 +55,8 @@ def resolve_reception(spec: ReceiveSpec, parts: Parts, report: Report) -> Recept
     aspects = cite_aspects(spec, parts.requirements, report)
     if wire is None:
         return None
+    conditions = tuple(_conditions(spec, wire, parts, report))
+    demanded = {field.name: number for field, number in conditions}
     fields: list[ReceivedField] = []
     places: dict[tuple[str, int], Place] = {}
     for key, written in spec.fields.items():
@@ -68,8 +72,8 @@ def resolve_reception(spec: ReceiveSpec, parts: Parts, report: Report) -> Recept
                     hint="keep one of them",
                 )
             taken = _taken(field, element, written, spec, parts, report)
-            fields += [] if taken is None else [taken]
-    conditions = tuple(_conditions(spec, wire, parts, report))
+            provisos = resolve_provisos(written, field, wire, demanded, parts.dialect, report)
+            fields += [] if taken is None else [replace(taken, provisos=provisos)]
     if citation is None:
         return None
     fields.sort(key=lambda each: each.offset)

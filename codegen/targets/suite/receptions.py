@@ -69,6 +69,16 @@ def _field(taken: ReceivedField) -> dict[str, object]:
         "unchanged": list(taken.unchanged),
         "unknown": list(taken.absent),
         "speaking": taken.speaking,
+        "provisos": [
+            {
+                "field": each.field.name,
+                "numbers": list(each.numbers),
+                "is_of_flags": each.is_of_flags,
+                "is_denied": each.is_denied,
+            }
+            for each in taken.provisos
+        ],
+        "otherwise": taken.spec.otherwise.value,
         "is_extension": taken.is_extension,
         "initial": quantity.initial if isinstance(quantity.initial, str) else None,
         "stale_ms": quantity.trust.stale_after_ms if quantity.ages else None,

@@ -58,6 +58,8 @@ class Model:
         path = _path(field)
         if version == 1 and field["is_extension"]:
             outcome = AS_IT_WAS if 0 in field["unchanged"] else None
+        elif not all(_holds(each, values.get(each["field"], 0)) for each in field["provisos"]):
+            outcome = AS_IT_WAS if field["otherwise"] == "unchanged" else None
         elif field["kind"] == "text":
             outcome = _text(field, values[field["field"]])
         else:
@@ -77,6 +79,14 @@ class Model:
 
 def _path(field):
     return field["component"] + "." + field["attribute"]
+
+
+def _holds(proviso, number):
+    """Return whether another field says with its number that this one is a value."""
+    met = [number & each == each if proviso["is_of_flags"] else number == each for each in proviso["numbers"]]
+    if proviso["is_denied"]:
+        return not any(met)
+    return all(met) if proviso["is_of_flags"] else any(met)
 
 
 def _text(field, value):

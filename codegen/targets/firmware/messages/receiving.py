@@ -19,6 +19,7 @@ from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import Sender
 from codegen.model.system import System
 from codegen.model.vehicle import QuantityKind
+from codegen.targets.firmware.messages.provisos import broken
 from codegen.targets.firmware.messages.wire_numbers import Machine, Plain, bare, number_of
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
@@ -239,6 +240,9 @@ class _Statements:
         forget = ["pass"] if is_boolean else [f"{self._word(taken.quantity.attribute)} = {UNKNOWN}"]
         if taken.is_extension:
             yield "counts[2] != 0", "MAVLink 1 does not have it", ["pass"] if taken.is_kept_by_absence else forget
+        if taken.provisos:
+            no_value = ["pass"] if taken.is_kept_otherwise else forget
+            yield broken(taken.provisos, self._code), "others say that it is no value", no_value
         if not taken.field.type.is_integer:
             exponent = 0x7F80 if taken.field.type.size == 4 else 0x7FF0
             kept = ["pass"] if taken.is_kept_by_nan else forget
@@ -357,6 +361,9 @@ class _Statements:
         tests: list[tuple[str, str, list[str]]] = []
         if taken.is_extension:
             tests.append(("counts[2] != 0", "MAVLink 1 does not have it", [f"{place} = {UNKNOWN}"]))
+        if taken.provisos:
+            no_value = ["pass"] if taken.is_kept_otherwise else [f"{place} = {UNKNOWN}"]
+            tests.append((broken(taken.provisos, self._code), "others say that it is no value", no_value))
         tests.append((is_cut, "not ASCII", [f"counts[0] = {self._number}", self._counted()]))
         if taken.sentinel is not None:
             tests.append(("value == 0", "unknown", [f"{place} = {UNKNOWN}"]))

@@ -4,13 +4,13 @@ What has to come of them the suite computes by itself: templates/tests/receives/
 """
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.code.storage import Storage
-from codegen.model.dialect.dialect import Kind
-from codegen.model.reception import ReceivedField, Reception
+from codegen.model.dialect.dialect import Kind, WireField
+from codegen.model.reception import Proviso, ReceivedField, Reception
 from codegen.model.spec.receive import Sender
 from codegen.model.system import System
 
@@ -48,6 +48,7 @@ class _Cases:
         self._table = table
         self._own = system.system_id, system.component_id
         self._plain = {each.label: _plain(each) for each in table.fields}
+        self._said = _said([proviso for each in table.fields for proviso in each.provisos], {})
         # The value of a quantity after this is seen at the next change.
         is_own = table.spec.sender is Sender.OWN_SYSTEM
         self._sender = (self._own[0], self._own[1] % 255 + 1) if is_own else GROUND_STATION
@@ -64,28 +65,44 @@ class _Cases:
         by_range = own if is_asked and "range" not in table.aspects else table.cited("range")
         by_sentinel = own if is_asked and "sentinel" not in table.aspects else table.cited("sentinel")
         for name, value in _taken_values(taken).items():
-            yield self._case(f"{taken.label}-{name}", own, self._message(), self._message({taken.label: value}))
+            yield self._case(
+                f"{taken.label}-{name}",
+                own,
+                self._message(taken=taken),
+                self._message({taken.label: value}, taken=taken),
+            )
         for name, value in _refused_values(taken).items():
-            yield self._case(f"{taken.label}-{name}", by_range, self._message(), self._message({taken.label: value}))
+            yield self._case(
+                f"{taken.label}-{name}",
+                by_range,
+                self._message(taken=taken),
+                self._message({taken.label: value}, taken=taken),
+            )
         for name, value in _unknown_values(taken).items():
             values = {f"{taken.field.name}[{taken.speaking}]" if taken.field.is_array else taken.label: value}
             values = {taken.label: value} if taken.is_text else values
-            yield self._case(f"{taken.label}-{name}", by_sentinel, self._message(), self._message(values))
+            yield self._case(
+                f"{taken.label}-{name}", by_sentinel, self._message(taken=taken), self._message(values, taken=taken)
+            )
         for number in taken.unchanged:
-            steps = (self._message(), self._message({taken.label: number}))
+            steps = (self._message(taken=taken), self._message({taken.label: number}, taken=taken))
             yield self._case(f"{taken.label}-unchanged-{number}", by_sentinel, *steps)
             yield self._case(f"{taken.label}-unchanged-{number}-alone", by_sentinel, *steps[1:])
+        for number, (field, said) in enumerate(_broken(taken.provisos), 1):
+            steps = (self._message(taken=taken), self._message(others={field: said}, taken=taken))
+            yield self._case(f"{taken.label}-no-value-{number}", by_sentinel, *steps)
+            yield self._case(f"{taken.label}-no-value-{number}-alone", by_sentinel, *steps[1:])
         after_ms = taken.quantity.trust.stale_after_ms
         if taken.quantity.ages and after_ms is not None:
             cited = table.cited("stale_after") or own
-            yield self._case(f"{taken.label}-in-time", cited, self._message(), {"ms": after_ms})
-            yield self._case(f"{taken.label}-too-old", cited, self._message(), {"ms": after_ms + 1})
-            refreshed = (self._message(), {"ms": after_ms}, self._message(), {"ms": after_ms})
+            yield self._case(f"{taken.label}-in-time", cited, self._message(taken=taken), {"ms": after_ms})
+            yield self._case(f"{taken.label}-too-old", cited, self._message(taken=taken), {"ms": after_ms + 1})
+            refreshed = (self._message(taken=taken), {"ms": after_ms}, self._message(taken=taken), {"ms": after_ms})
             yield self._case(f"{taken.label}-again", cited, *refreshed)
             for number in taken.unchanged:  # it grows stale as if that message had not come
-                left = self._message({taken.label: number})
+                left = self._message({taken.label: number}, taken=taken)
                 yield self._case(
-                    f"{taken.label}-left-{number}", cited, self._message(), {"ms": after_ms}, left, {"ms": 1}
+                    f"{taken.label}-left-{number}", cited, self._message(taken=taken), {"ms": after_ms}, left, {"ms": 1}
                 )
 
     def _of_table(self) -> Iterator[ReceptionCase]:
@@ -134,14 +151,19 @@ class _Cases:
         others: Mapping[str, int] | None = None,
         sender: tuple[int, int] | None = None,
         version: int = 2,
+        taken: ReceivedField | None = None,
     ) -> Step:
-        """A frame of the message, of plain values but for some; ``others`` are fields that the table does not take."""
+        """A frame of the message, of plain values but for some; ``others`` are fields that the table does not take.
+
+        Other fields say that ``taken`` is a value, and as far as that is possible beside it all others are.
+        """
         system, component = self._table.targets
         about = {field.name: number for field, number in self._table.conditions}
         about |= {field.name: own for field, own in zip((system, component), self._own, strict=True) if field}
+        said = {} if taken is None else _said(taken.provisos, self._said)
         step: dict[str, object] = {
             "message": self._table.wire.name,
-            "values": {**about, **self._plain, **(values or {}), **(others or {})},
+            "values": {**self._plain, **self._said, **said, **about, **(values or {}), **(others or {})},
             "from": list(sender or self._sender),
         }
         return step | ({"version": version} if version != 2 else {})
@@ -166,6 +188,53 @@ def _plain(taken: ReceivedField) -> Value:
     while number in taken.special:
         number -= 1
     return number
+
+
+def _said(provisos: Sequence[Proviso], before: Mapping[str, int]) -> dict[str, int]:
+    """The numbers of other fields with which all provisos hold that can; flags that none asks for are as ``before``."""
+    found: dict[str, int] = {}
+    for field in {each.field.name: each.field for each in provisos}.values():
+        of_field = [each for each in provisos if each.field.name == field.name]
+        wanted = [number for each in of_field if not each.is_denied for number in each.numbers]
+        denied = [number for each in of_field if each.is_denied for number in each.numbers]
+        if of_field[0].is_of_flags:
+            bits = before.get(field.name, 0)
+            for mask in wanted:
+                bits |= mask
+            for mask in denied:
+                bits &= ~(mask & ~_united(wanted) or mask)
+            found[field.name] = _signed(field, bits)
+        else:
+            candidates = (*wanted, *range(len(denied) + 1))
+            found[field.name] = next((each for each in candidates if each not in denied), candidates[0])
+    return found
+
+
+def _broken(provisos: Sequence[Proviso]) -> Iterator[tuple[str, int]]:
+    """Yield fields, each with a number of it with which one of the provisos does not hold, all others do that can."""
+    held = _said(provisos, {})
+    for each in provisos:
+        field, number = each.field, held[each.field.name]
+        for said in each.numbers:
+            if each.is_of_flags:
+                yield field.name, _signed(field, number | said if each.is_denied else number & ~said)
+            elif each.is_denied:
+                yield field.name, said
+        if not each.is_of_flags and not each.is_denied:
+            yield field.name, next(other for other in range(len(each.numbers) + 1) if other not in each.numbers)
+
+
+def _united(masks: Sequence[int]) -> int:
+    bits = 0
+    for mask in masks:
+        bits |= mask
+    return bits
+
+
+def _signed(field: WireField, bits: int) -> int:
+    """The number that a field has with these bits."""
+    bits &= (1 << 8 * field.type.size) - 1
+    return bits if bits <= field.type.maximum else bits - (1 << 8 * field.type.size)
 
 
 def _taken_values(taken: ReceivedField) -> dict[str, Value]:
