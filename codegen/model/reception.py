@@ -221,6 +221,17 @@ class Reception(Cited):
         system = next((field for name in SYSTEM_FIELDS if (field := self.wire.field(name))), None)
         return system, self.wire.field(COMPONENT_FIELD)
 
+    def looks_at(self, name: str, taken: ReceivedField) -> bool:
+        """Return whether what another field says of one is heeded: by the table, by its own provisos, or by code.
+
+        ``when: {}`` says that nothing is to be heeded.
+        """
+        if taken.spec.when == {} or any(each.field.name == name for each in taken.provisos):
+            return True
+        return any(each.field.name == name for each in self.fields) or any(
+            field.name == name for field, _ in self.conditions
+        )
+
     @property
     def has_extensions(self) -> bool:
         """Return whether it takes fields that MAVLink 1 does not have."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.dialect.dialect import Kind
-from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_values
+from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_negative, stated_values
 from codegen.model.reception import COMPONENT_FIELD, SYSTEM_FIELDS, ReceivedField, Reception
 from codegen.model.system import System
 
@@ -27,6 +27,9 @@ def check(system: System) -> Iterator[Diagnostic]:
             ignored = stated_nan(taken.field.definition.description) if taken.field.type.kind is Kind.FLOAT else None
             if ignored is not None and ignored.is_left and not _is_nan_treated(taken):
                 yield _finding(table, taken, ignored)
+            below = stated_negative(taken.field.definition.description)
+            if below is not None and taken.low < 0 and taken.spec.unknown != ():
+                yield _negative(table, taken, below)
             for stated in stated_values(taken.field.definition.description):
                 if not _is_treated(stated, taken):
                     yield _finding(table, taken, stated)
@@ -55,5 +58,16 @@ def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Dia
         RULE,
         f"{label} has a number with a meaning of its own, {stated.words!r}, and it is taken as {becomes}",
         f"write {key}: [{stated.text}], or {key}: [] where that does not hold",
+        ((taken.field.definition.place, "the dialect says so here"),),
+    )
+
+
+def _negative(table: Reception, taken: ReceivedField, words: str) -> Diagnostic:
+    """Return the finding that numbers below 0, which mean that there is no value, are taken."""
+    return Diagnostic(
+        taken.spec.place,
+        RULE,
+        f"{table.wire.name}.{taken.label} has numbers with a meaning of their own, {words!r}, and takes them as values",
+        "write min: 0, which keeps them out, or unknown: [] where they are values here",
         ((taken.field.definition.place, "the dialect says so here"),),
     )

@@ -110,7 +110,10 @@ requirement: FR-1.10
 @pytest.mark.usefixtures("checked")
 @pytest.mark.parametrize(
     ("before", "after"),
-    [("where: {type_mask: 3576}\n", ""), ("", "  type_mask: {state: stick.bits}\n")],
+    [
+        ("where: {type_mask: 3576, coordinate_frame: 1}\n", ""),
+        ("where: {coordinate_frame: 1}\n", "  type_mask: {state: stick.bits}\n"),
+    ],
     ids=["where", "taken"],
 )
 def test_a_table_that_looks_at_the_mask_is_right(tmp_path, capsys, before, after):
@@ -140,4 +143,5 @@ def test_a_mask_that_nobody_looks_at_is_told(tmp_path, capsys):
         "warning untreated-mask: SET_POSITION_TARGET_LOCAL_NED.type_mask says with POSITION_TARGET_TYPEMASK_X_IGNORE"
         in out
     )
-    assert "hint: take it, for code to look at: type_mask: {state: ...}, or write where: {type_mask: 0}" in out
+    assert "hint: write the bit of each field: unless: {type_mask: ...}, or take it: type_mask: {state: ...}, or" in out
+    assert "or write where: {type_mask: 0}" in out

@@ -63,13 +63,14 @@ _LEFT = (
     r"\bignor(?:e|ed|ing)\b|\bno (?:change|override)\b|\bunchanged\b|\bnot (?:be )?changed?\b|\bleaves?\b|\bkeeps?\b|"
     r"\bmaintain(?:s|ed)?\b|\b(?:do|does) not (?:set|change)\b|\bdon't (?:set|change)\b"
 )
-_FAILED = r"\bunknown\b|\bfailed\b|\bfailure\b"
+_FAILED = r"\bunknown\b|\bfailed\b|\bfailure\b|\binvalid\b"
 _NONE = (
     r"\breleases?\b|\b(?:un|not )(?:specified|used|available)\b|\bnot set\b|\bunavailable\b|\binvalid\b|\bdisabled?\b|"
     r"\b(?:no|not) (?:\w+ )?(?:known|provided?|supplied|supported|measured?|estimated?|valid|applicable|required)\b|"
     r"\bdoes not (?:provide|measure|support|have)\b|\bunlimited\b|\binfinite\b|\bno limit\b"
 )
 
+_NEGATIVE = r"\b[Nn]egative values?(?: ?:| indicates?| means?)? (?P<words>[^.;,()]{0,70})"
 _NAN = r"[^.;:,()]{0,50}(?<!maps to )\bNaN\b[^.;()]{0,70}"
 
 
@@ -98,6 +99,14 @@ def stated_values(description: str) -> Iterator[StatedValue]:
             if is_told or is_odd:
                 told.add(text.lower())
                 yield StatedValue("0" if text.lower() == "zero" else text, match[0].strip(), is_left)
+
+
+def stated_negative(description: str) -> str | None:
+    """Return the words that say that there is no value below 0, as in "Negative value: Unknown distance"."""
+    match = _compiled(_NEGATIVE).search(description)
+    if match is None or not _compiled(rf"{_FAILED}|{_NONE}|\bno measurement\b").search(match["words"]):
+        return None
+    return match[0].strip()
 
 
 def stated_nan(description: str) -> StatedValue | None:
