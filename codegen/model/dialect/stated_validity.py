@@ -74,21 +74,21 @@ def _by_own_words(
         yield StatedValidity(other, field.name, match[0], f"when: {{{field.name}: {match[1]}}}")
     if _compiled(_NO_CONDITION).search(text):
         return
-    for match in _compiled(_ENTRY).finditer(text):
+    for named in _compiled(_ENTRY).finditer(text):
         for judge in message.fields:
             enum = enums.get(judge.definition.enum or "")
-            if judge is not field and enum is not None and enum.entry(match[1]) is not None:
-                yield StatedValidity(field.name, judge.name, match[0], f"when: {{{judge.name}: {match[1]}}}")
+            if judge is not field and enum is not None and enum.entry(named[1]) is not None:
+                yield StatedValidity(field.name, judge.name, named[0], f"when: {{{judge.name}: {named[1]}}}")
 
 
 def _by_words(judge: WireField, message: WireMessage) -> Iterator[StatedValidity]:
     """Yield what the words of a field say of others: of those that they name, or of all that are measured."""
     text = judge.definition.description
-    for match in _compiled(_LISTED).finditer(text):
+    for listed in _compiled(_LISTED).finditer(text):
         flag = "MAV_BOOL_TRUE" if judge.definition.enum == "MAV_BOOL" else ""
         proviso = f"when: {{{judge.name}: {flag}}}" if flag else ""
-        for name in _names(match[1]):
-            yield StatedValidity(name, judge.name, match[0].strip(), proviso)
+        for name in _names(listed[1]):
+            yield StatedValidity(name, judge.name, listed[0].strip(), proviso)
     if not judge.type.is_integer:
         return
     if match := _compiled(_WHICH).search(text):
@@ -118,17 +118,17 @@ def _by_flags(judge: WireField, message: WireMessage, enums: Mapping[str, EnumDe
         return
     for entry in enum.entries:
         when = f"when: {{{judge.name}: {entry.name}}}"
-        for match in _compiled(_LISTED).finditer(entry.description):
-            for name in _names(match[1]):
-                yield StatedValidity(name, judge.name, f"{entry.name}: {match[0].strip()}", when)
+        for listed in _compiled(_LISTED).finditer(entry.description):
+            for name in _names(listed[1]):
+                yield StatedValidity(name, judge.name, f"{entry.name}: {listed[0].strip()}", when)
         if match := _compiled(_UPDATED).search(entry.description):
             yield StatedValidity(match[1], judge.name, f"{entry.name}: {match[0]}", f"{when}, otherwise: unchanged")
     for field in message.fields:
         if field is judge:
             continue
-        entry = _named_for(field.definition, enum)
-        if entry is not None:
-            yield StatedValidity(field.name, judge.name, entry.name, f"when: {{{judge.name}: {entry.name}}}")
+        flag = _named_for(field.definition, enum)
+        if flag is not None:
+            yield StatedValidity(field.name, judge.name, flag.name, f"when: {{{judge.name}: {flag.name}}}")
         unhealthy = next((each for each in enum.entries if each.name.endswith("_UNHEALTHY")), None)
         if unhealthy is not None and is_measured(field):
             proviso = f"unless: {{{judge.name}: {unhealthy.name}}}"
