@@ -16,7 +16,7 @@ COMPONENT_FIELD = "target_component"
 
 @dataclass(frozen=True, slots=True)
 class Proviso:
-    """What another field of whole numbers has to say, so that a received one is a value.
+    """A demand on another field of whole numbers, without which a received one is no value.
 
     ``numbers`` are masks where it ``is_of_flags``: all have to be set, and where it ``is_denied`` none may be. Others
     are numbers on the wire of which it has to have one, or none. ``names`` are these as the table has them.
@@ -74,7 +74,7 @@ class ReceivedField:
 
     @property
     def proviso_words(self) -> str:
-        """What other fields have to say for it to be a value, for people, or nothing."""
+        """Return the demands on other fields without which it is no value, for people, or nothing."""
         return ", ".join(each.words for each in self.provisos)
 
     @property

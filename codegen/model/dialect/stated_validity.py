@@ -1,4 +1,4 @@
-"""What a dialect says of when fields of a message are values: bits, flags and numbers of other fields of it.
+"""Statements of a dialect about when fields of a message are values: bits, flags and numbers of other fields of it.
 
 It says so in words of the field ("Valid data if bit 2 of enabled_extensions field is set"), in words of the other one
 ("Position fields (x, y, z) contain valid ..."), in words of its flags ("The field vz contains valid data."), or by the

@@ -19,14 +19,14 @@ class Sender(StrEnum):
 
 
 class Otherwise(StrEnum):
-    """What a field sets that other fields say is no value."""
+    """The outcome for the quantity of a field that other fields say is no value."""
 
     UNKNOWN = "unknown"
     UNCHANGED = "unchanged"
 
 
 Said = str | Fraction | tuple[str | Fraction, ...]
-"""What another field is to say: a number, an entry of its enum or ``bit 2``, or a list of these."""
+"""The demand on another field: a number, an entry of its enum or ``bit 2``, or a list of these."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

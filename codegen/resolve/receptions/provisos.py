@@ -1,4 +1,4 @@
-"""What other fields of a received message have to say, so that one is a value: ``when`` and ``unless``."""
+"""The demands on other fields of a received message without which one is no value: ``when`` and ``unless``."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
