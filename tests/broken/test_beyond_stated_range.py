@@ -123,6 +123,7 @@ def test_limits_beyond_the_words_are_told(checked, message, field, quantity, say
         ("ATTITUDE", "yaw", "unit: deg, stored: cdeg, min: -180, max: 180", ""),
         ("ATTITUDE", "yaw", "unit: rad", ""),
         ("ATTITUDE", "yaw", "unit: deg, stored: cdeg, min: 0, max: 360", ", max: 180"),
+        ("ATTITUDE", "yaw", "unit: deg, stored: cdeg, min: -180, max: 360", ", max: 200"),
         ("ATTITUDE", "yawspeed", "unit: rad/s, min: -10, max: 10", ""),
         ("GLOBAL_POSITION_INT", "hdg", "unit: deg, stored: cdeg, min: 0, max: 359.99", ""),
         ("SET_ATTITUDE_TARGET", "thrust", "min: -1, max: 1", ""),

@@ -136,7 +136,7 @@ def test_tables_that_look_at_what_others_say_are_right(checked):
         ("SET_POSITION_TARGET_LOCAL_NED", "vx: {state: added.speed%s}", "mask", "says with POSITION_TARGET_TYPEMASK_X_IGNORE", "unless: {type_mask: ...}"),
         ("DISTANCE_SENSOR", "signal_quality: {state: added.percent%s}", "value", "'1 = invalid signal', and it is taken as a value", "write unknown: [1]"),
         ("OPTICAL_FLOW", "ground_distance: {state: added.metres%s}", "value", "'Negative value: Unknown distance', and takes them as values", "write min: 0"),
-        ("ALTITUDE", "bottom_clearance: {state: added.metres%s}", "value", "'negative value indicates no measurement available'", "write min: 0"),
+        ("ALTITUDE", "bottom_clearance: {state: added.metres, min: -5%s}", "value", "'negative value indicates no measurement available'", "write min: 0"),
     ],
 )  # fmt: skip
 def test_a_field_that_is_taken_whatever_others_say_is_told(checked, message, field, rule, says, hint):
