@@ -27,6 +27,11 @@ def name_of(quantity: Quantity, component: Component, instance: int) -> str:
     return quantity.path if component.instances == 1 else f"{quantity.path}-{instance + 1}"
 
 
+def criterion_of(quantity: Quantity, component: Component) -> str:
+    """The criterion that asks for a quantity, or for its component, or nothing."""
+    return str(quantity.citation or component.citation or "")
+
+
 def owner_of(quantity: Quantity, instance: int) -> dict[str, object]:
     """Where the state has it."""
     return {"component": quantity.component, "instance": instance, "attribute": quantity.attribute}

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity
-from codegen.targets.suite.amounts.case import CURVE, AmountCase, name_of, nearest, owner_of
+from codegen.targets.suite.amounts.case import CURVE, AmountCase, criterion_of, name_of, nearest, owner_of
 from codegen.targets.suite.amounts.read import count_for, input_of, is_gone, reading_of, value_at
 
 Points = tuple[tuple[int, int], ...]
@@ -30,7 +30,7 @@ def curve_cases(system: System) -> Iterator[AmountCase]:
                         "readings": found,
                     }
                     name = f"{name_of(quantity, component, instance)}-follows_its_curve"
-                    yield AmountCase(name, str(quantity.citation or ""), CURVE, facts)
+                    yield AmountCase(name, criterion_of(quantity, component), CURVE, facts)
 
 
 def _readings(

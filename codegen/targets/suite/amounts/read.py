@@ -65,7 +65,7 @@ def _settings(reading: Reading, instance: int, system: System) -> dict[str, int]
     switch, when = component.switch, reading.conversion.channel.when
     represented = reading.quantity.derivation.represented
     refused = {0} | ({represented.steps} if represented else set())
-    for parameter in dict.fromkeys(_deciding(reading)):
+    for parameter in _deciding(reading):
         every = by_instance(parameter, system.parameters, component.instances)
         if parameter is switch:
             found |= {parameter_attribute(each.name): 0 for each in every}

@@ -1,50 +1,24 @@
-"""Cases of sums over time of what sensors give: a simulated minute with both signs, and a pause that is a gap."""
+"""Cases of sums over time of what sensors give, with what they leave of a full store and how long that lasts."""
 
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from codegen.frozen import dataclass
-from codegen.model.answers.scaling import rounded
 from codegen.model.quantities.basis import Basis
-from codegen.model.quantities.source_kind import Output
-from codegen.model.spec.population import Rounding
 from codegen.model.system import System
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Quantity, by_instance
 from codegen.targets.naming import parameter_attribute
-from codegen.targets.suite.amounts.case import SUM, AmountCase, name_of, nearest, owner_of
-
-_MINUTE_MS = 60000
-_MOST_TURNS = 3000
-_LONGEST_MS = 500
-"""Between two turns, so that a minute takes few."""
-_ENOUGH = 3
-"""Steps of a sum that show it."""
+from codegen.targets.suite.amounts.case import SUM, AmountCase, criterion_of, name_of, nearest, owner_of
+from codegen.targets.suite.amounts.minute import Given, Phase, added, given_to, most_of, phases_of
 
 
-class _Given(NamedTuple):
-    """A quantity that a sensor gives to an instance: its place among the numbers of the driver, and the factor."""
+class _Store(NamedTuple):
+    """A remainder ``left`` of a full store of so many steps of the sum; ``lasting`` are times that it lasts."""
 
-    quantity: Quantity
-    sensor: str
-    output: Output
-    place: int
-    factor: Fraction
-
-    def kept(self, handed: int) -> int:
-        """Return what the state keeps of a number that the driver hands over."""
-        return rounded(handed * self.factor, Rounding.NEAREST)
-
-
-@dataclass(frozen=True, slots=True)
-class _Phase:
-    """So many turns, ``every_ms``, in each of which the sensors hand over the same numbers, by sensor and place."""
-
-    turns: int
-    every_ms: int
-    of: int
-    times: int
+    left: Quantity
+    size: Fraction
+    lasting: tuple[Quantity, ...]
 
 
 def sum_cases(system: System) -> Iterator[AmountCase]:
@@ -53,40 +27,42 @@ def sum_cases(system: System) -> Iterator[AmountCase]:
         for basis in component.counted_on:
             for instance in range(component.instances):
                 for quantity in basis.sums:
-                    yield _case(quantity, basis, instance, system)
+                    yield from _cases(quantity, basis, instance, system)
 
 
-def _case(quantity: Quantity, basis: Basis, instance: int, system: System) -> AmountCase:
+def _cases(quantity: Quantity, basis: Basis, instance: int, system: System) -> Iterator[AmountCase]:
+    """The case, but of a sum whose limits leave nothing to sum up."""
     component, found = basis.component, quantity.derivation.sums
     assert found is not None
-    of = _given(basis.quantity, instance, system)
-    times = None if found.times is None else _given(component.quantities[found.times], instance, system)
-    phases = _phases(quantity, of, times)
-    settings, sizes = _stores(quantity, basis, instance, phases, (of, times), system)
+    of = given_to(basis.quantity, instance, system)
+    times = None if found.times is None else given_to(component.quantities[found.times], instance, system)
+    phases = phases_of(quantity, of, times)
+    if not phases:
+        return
+    settings, stores = _stores(quantity, basis, instance, most_of(phases, quantity, of, times), system)
     told: list[dict[str, object]] = []
     total = Fraction(0)
     for number, phase in enumerate(phases):
-        if number and phase.every_ms <= _gap_ms(of):
-            total += _added(phase, quantity, of, times)
-        steps = nearest(total)
-        kept = [[quantity.attribute, steps]]
-        kept += [[each.attribute, _left(each, steps, size)] for each, size in sizes]
-        hands = [[given.sensor, given.place, handed] for given, handed in _handed(phase, of, times)]
-        told.append({"turns": phase.turns, "every_ms": phase.every_ms, "hands": hands, "kept": kept})
-    facts = {**owner_of(quantity, instance), "parameters": settings, "masks": _masks(of, times, system), "phases": told}
-    return AmountCase(
-        f"{name_of(quantity, component, instance)}-is_summed_up", str(quantity.citation or ""), SUM, facts
-    )
+        total += added(phase, quantity, of, times)
+        kept: list[list[object]] = [[quantity.attribute, nearest(total)]]
+        kept += [[each.left.attribute, _left(each, nearest(total))] for each in stores]
+        if number < 2:  # the mean is what is drawn, as long as that is always the same
+            kept += [line for each in stores for line in _lasting(each, nearest(total), of.amount(phase.of), quantity)]
+        told.append(
+            {"turns": phase.turns, "every_ms": phase.every_ms, "hands": _handed(phase, of, times), "kept": kept}
+        )
+    facts = {"parameters": settings, "masks": _masks(of, times, system), "phases": told}
+    name, owner = f"{name_of(quantity, component, instance)}-is_summed_up", owner_of(quantity, instance)
+    yield AmountCase(name, criterion_of(quantity, component), SUM, {**owner, **facts})
 
 
-def _given(quantity: Quantity, instance: int, system: System) -> _Given:
-    sensor, output, factor = quantity.derivation.gives[instance]
-    outputs = system.sources[sensor].outputs
-    before = outputs[: outputs.index(output)]
-    return _Given(quantity, sensor, output, sum(each.storage.words for each in before), factor)
+def _handed(phase: Phase, of: Given, times: Given | None) -> list[list[object]]:
+    """Sensors, places and numbers, that which is multiplied by first: products are of the newest values."""
+    first = [] if times is None else [(times, phase.times)]
+    return [[given.sensor, given.place, handed] for given, handed in (*first, (of, phase.of))]
 
 
-def _masks(of: _Given, times: _Given | None, system: System) -> dict[str, list[int]]:
+def _masks(of: Given, times: Given | None, system: System) -> dict[str, list[int]]:
     """By sensors that tell what is new: the place of that among their numbers, and the bits with which all is."""
     found = {}
     for given in (each for each in (of, times) if each is not None):
@@ -97,79 +73,12 @@ def _masks(of: _Given, times: _Given | None, system: System) -> dict[str, list[i
     return found
 
 
-def _handed(phase: _Phase, of: _Given, times: _Given | None) -> list[tuple[_Given, int]]:
-    """What is handed over, what is multiplied first: products are of the newest values."""
-    return [*([] if times is None else [(times, phase.times)]), (of, phase.of)]
-
-
-def _gap_ms(given: _Given) -> int:
-    return given.quantity.trust.stale_after_ms or 0
-
-
-def _added(phase: _Phase, quantity: Quantity, of: _Given, times: _Given | None) -> Fraction:
-    """What the turns of a phase add, in steps of the sum: amounts and seconds, in base units."""
-    seconds = Fraction(phase.turns * phase.every_ms, 1000)
-    amount = of.kept(phase.of) * of.quantity.stored.scale * seconds
-    if times is not None:
-        amount *= times.kept(phase.times) * times.quantity.stored.scale
-    return amount / quantity.stored.scale
-
-
-def _phases(quantity: Quantity, of: _Given, times: _Given | None) -> list[_Phase]:
-    """One turn that begins, a minute in which the sign changes, a gap, and a little more.
-
-    What is handed over is large, and less only where the sum would pass its limits; where a minute of it is less than
-    some steps of the sum, it takes longer.
-    """
-    every_ms = min(_LONGEST_MS, *(_gap_ms(each) or _LONGEST_MS for each in (of, times) if each is not None))
-    third, most = max(1, _MINUTE_MS // every_ms // 3), _MOST_TURNS // 3
-    for less in range(24):
-        sizes = _sizes(of, times, less)
-        for turns in [each for each in (third, 4 * third, 16 * third) if each == third or each <= most]:
-            phases = _minute(quantity, of, turns, every_ms, sizes)
-            totals = _totals(phases, quantity, of, times)
-            if min(totals) < quantity.minimum or max(totals) > quantity.maximum:
-                break
-            if totals[1] >= _ENOUGH or 4 * turns > most:
-                after = [_Phase(1, _gap_ms(of) + 1, sizes[0], sizes[2]), _Phase(3, every_ms, sizes[0], sizes[2])]
-                return [*phases, *after]
-    return phases
-
-
-def _sizes(of: _Given, times: _Given | None, less: int) -> tuple[int, int, int]:
-    """Most of what can be handed over above and below zero, and of what that is multiplied by; less by halves."""
-    above, below = (max(1, end * 5 // (7 << less)) for end in (of.output.high, max(0, -of.output.low)))
-    return above, below, 0 if times is None else max(1, times.output.high * 4 // (7 << min(less // 2, 4)))
-
-
-def _minute(quantity: Quantity, of: _Given, turns: int, every_ms: int, sizes: tuple[int, int, int]) -> list[_Phase]:
-    above, below, times = sizes
-    sooner_ms, fewer = every_ms - every_ms // 5, times - times // 4
-    phases = [_Phase(1, every_ms, above, times), _Phase(turns, every_ms, above, times)]
-    if of.output.low >= 0:
-        return [*phases, _Phase(turns, sooner_ms, max(1, above // 3), fewer)]
-    phases.append(_Phase(turns, sooner_ms, -max(1, below * 3 // 5), fewer))
-    return [*phases, _Phase(turns, every_ms, -below, times)] if quantity.minimum < 0 else phases
-
-
-def _totals(phases: list[_Phase], quantity: Quantity, of: _Given, times: _Given | None) -> list[Fraction]:
-    found = [Fraction(0)]
-    for phase in phases[1:]:
-        found.append(found[-1] + _added(phase, quantity, of, times))
-    return found
-
-
 def _stores(
-    quantity: Quantity,
-    basis: Basis,
-    instance: int,
-    phases: list[_Phase],
-    given: tuple[_Given, _Given | None],
-    system: System,
-) -> tuple[dict[str, int], list[tuple[Quantity, Fraction]]]:
-    """Parameters of full stores of which some is left, and each remainder with its store in steps of the sum."""
-    settings, sizes = {}, []
-    drawn = max(map(abs, _totals(phases, quantity, *given)))
+    quantity: Quantity, basis: Basis, instance: int, drawn: Fraction, system: System
+) -> tuple[dict[str, int], list[_Store]]:
+    """Parameters of full stores of which something is left, and these."""
+    settings: dict[str, int] = {}
+    stores = []
     for each in basis.given:
         rest = each.derivation.remains
         if rest is None or rest.after != quantity.name:
@@ -180,17 +89,26 @@ def _stores(
         if own.choices:
             steps = min(own.choices, key=lambda choice: abs(choice - steps))
         settings[parameter_attribute(own.name)] = steps
-        sizes.append((each, steps * step))
-    return settings, sizes
+        lasting = [one for one in basis.given if one.derivation.lasts and one.derivation.lasts.left == each.name]
+        stores.append(_Store(each, steps * step, tuple(lasting)))
+    return settings, stores
 
 
-def _left(quantity: Quantity, after: int, size: Fraction) -> int | None:
+def _left(store: _Store, after: int) -> int | None:
     """What is left of a store, in its own steps or as a share."""
-    left = min(max(size - after, Fraction(0)), size)
-    rest = quantity.derivation.remains
+    rest = store.left.derivation.remains
     assert rest is not None
-    if not size:
+    if not store.size:
         return None
+    left = min(max(store.size - after, Fraction(0)), store.size)
     if rest.share is not None:
-        left = left / size * unit_named("%").scale * 100 / quantity.stored.scale
-    return min(nearest(left), int(quantity.maximum))
+        left = left / store.size * 100 * unit_named("%").scale / store.left.stored.scale
+    return min(nearest(left), int(store.left.maximum))
+
+
+def _lasting(store: _Store, after: int, drawn: Fraction, quantity: Quantity) -> Iterator[list[object]]:
+    """How long what is left lasts at what is drawn, in whole steps; that is in base units."""
+    left = min(max(store.size - after, Fraction(0)), store.size) * quantity.stored.scale
+    for each in store.lasting:
+        lasts = min(int(left / drawn / each.stored.scale), int(each.maximum)) if drawn > 0 and store.size else None
+        yield [each.attribute, lasts]

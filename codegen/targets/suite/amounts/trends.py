@@ -7,7 +7,7 @@ from codegen.model.quantities.device import Exact
 from codegen.model.system import System
 from codegen.model.units.unit import Unit
 from codegen.model.vehicle import Component, Quantity, Reading
-from codegen.targets.suite.amounts.case import TREND, AmountCase, name_of, owner_of, stored_of
+from codegen.targets.suite.amounts.case import TREND, AmountCase, criterion_of, name_of, owner_of, stored_of
 from codegen.targets.suite.amounts.read import input_of, is_gone, reading_of, value_at
 
 
@@ -23,7 +23,7 @@ def trend_cases(system: System) -> Iterator[AmountCase]:
                 told = _told(quantity, reading, instance, system)
                 facts = {**owner_of(quantity, instance), **input_of(reading, instance, system), "told": told}
                 name = f"{name_of(quantity, component, instance)}-is_the_change_per_second"
-                yield AmountCase(name, str(quantity.citation or ""), TREND, facts)
+                yield AmountCase(name, criterion_of(quantity, component), TREND, facts)
 
 
 def _told(quantity: Quantity, reading: Reading, instance: int, system: System) -> list[list[object]]:
