@@ -1,5 +1,5 @@
 # Generated from templates/tests/amounts/amounts_run.py: do not edit.
-# Inputs: dd2424d3495a5f6a
+# Inputs: 9eb611bf5f667404
 """Cases about amounts: what a device shows, what a curve gives, what sums up and how fast something changes.
 
 The true drivers are run here, against models of their devices. As a program it prints one JSON object: what went wrong
@@ -106,7 +106,7 @@ def expect(found, expected, *about):
 
 
 def arrives(case, bench, place):
-    """What a sensor's device shows is what the state keeps: by its data sheet, to the nearest step, with its sign."""
+    """The state keeps what a sensor's device shows: by its data sheet, to the nearest step, with its sign."""
     sensor = case["sensor"]
     assert sensor not in bench.faults, bench.faults[sensor]
     for scene, expected in enumerate(case["kept"]):

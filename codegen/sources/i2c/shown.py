@@ -1,4 +1,4 @@
-"""What monitors show in the generated suite: their registers for a voltage and a current, by their data sheets."""
+"""The registers of monitors in the generated suite for a voltage and a current, by their data sheets."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""What a receiver of satellites says in the generated suite: lines of NMEA 0183 about a place, and its amounts."""
+"""The lines of NMEA 0183 of a receiver of satellites in the generated suite about a place, and its amounts."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction

@@ -104,7 +104,7 @@ def expect(found, expected, *about):
 
 
 def arrives(case, bench, place):
-    """What a sensor's device shows is what the state keeps: by its data sheet, to the nearest step, with its sign."""
+    """The state keeps what a sensor's device shows: by its data sheet, to the nearest step, with its sign."""
     sensor = case["sensor"]
     assert sensor not in bench.faults, bench.faults[sensor]
     for scene, expected in enumerate(case["kept"]):

@@ -23,7 +23,7 @@ class AmountCase(NamedTuple):
 
 
 def name_of(quantity: Quantity, component: Component, instance: int) -> str:
-    """What the suite calls one instance of a quantity: ``cell.used``, of several ``cell.used-2``."""
+    """Return what the suite calls one instance of a quantity: ``cell.used``, of several ``cell.used-2``."""
     return quantity.path if component.instances == 1 else f"{quantity.path}-{instance + 1}"
 
 
@@ -33,7 +33,7 @@ def criterion_of(quantity: Quantity, component: Component) -> str:
 
 
 def owner_of(quantity: Quantity, instance: int) -> dict[str, object]:
-    """Where the state has it."""
+    """Return where the state has it."""
     return {"component": quantity.component, "instance": instance, "attribute": quantity.attribute}
 
 

@@ -1,4 +1,4 @@
-"""How the suite lets an ADC read one instance: the parameters that switch it on alone, its input, counts for values."""
+"""The reading of one instance by an ADC in the suite: the parameters that switch it on alone, its input, counts for values."""
 
 from collections.abc import Iterator
 
@@ -26,7 +26,7 @@ def reading_of(name: str, component: Component) -> Reading | None:
 
 
 def value_at(reading: Reading, instance: int, count: int, system: System) -> int:
-    """What is kept of a count, by the formula of the requirement and the default factors."""
+    """Return what is kept of a count, by the formula of the requirement and the default factors."""
     conversion, instances = reading.conversion, reading.component.instances
     factors = [factors_by_instance(each, system.parameters, instances)[instance] for each in conversion.factors]
     return converted(reading.quantity, conversion, count, *(each.default for each in factors))

@@ -95,7 +95,7 @@ def _stores(
 
 
 def _left(store: _Store, after: int) -> int | None:
-    """What is left of a store, in its own steps or as a share."""
+    """Return what is left of a store, in its own steps or as a share."""
     rest = store.left.derivation.remains
     assert rest is not None
     if not store.size:
@@ -107,7 +107,7 @@ def _left(store: _Store, after: int) -> int | None:
 
 
 def _lasting(store: _Store, after: int, drawn: Fraction, quantity: Quantity) -> Iterator[list[object]]:
-    """How long what is left lasts at what is drawn, in whole steps; that is in base units."""
+    """Yield how long what is left lasts at what is drawn, in whole steps; that is in base units."""
     left = min(max(store.size - after, Fraction(0)), store.size) * quantity.stored.scale
     for each in store.lasting:
         lasts = min(int(left / drawn / each.stored.scale), int(each.maximum)) if drawn > 0 and store.size else None
