@@ -1,4 +1,4 @@
-"""The reading of one instance by an ADC in the suite: the parameters that switch it on alone, its input, counts for values."""
+"""The reading of one instance by an ADC in the suite: parameters that switch it on alone, its input, and counts."""
 
 from collections.abc import Iterator
 
