@@ -7,6 +7,7 @@ from dataclasses import replace
 from codegen.model.system import System
 from codegen.model.test_record import specification_hash
 from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.suite.amounts.file import amount_tests
 from codegen.targets.suite.behaviour import checks_of_behaviour
 from codegen.targets.suite.cases.messages import conversion_cases, message_cases
 from codegen.targets.suite.cases.receptions import reception_cases
@@ -55,6 +56,7 @@ def _tests(system: System) -> Iterator[Test]:
     received = ((case.requirement, case.identifier) for case in reception_cases(system))
     yield from _grouped(f"{folder}/test_receives.py", "test_receives", received)
     yield from _grouped(f"{folder}/test_sources.py", "test_source", source_checks(system))
+    yield from _grouped(f"{folder}/test_amounts.py", "test_amount", amount_tests(system))
     yield from _of_program(system, folder)
     yield from _of_receiver(system, folder)
 

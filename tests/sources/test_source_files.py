@@ -33,7 +33,7 @@ def test_each_folder_has_its_own(sensors: System) -> None:
     """The project's own drivers are firmware; what stands in for hardware, and tests, are not."""
     assert brought(sensors, "firmware") == DRIVERS | IN_MACHINE_CODE | OWN
     assert brought(sensors, "mocks") == {"mock_i2c", "mock_pulse", "sim_monitor", "sim_nmea"}
-    assert brought(sensors, "tests") == {"nmea_driver", "nmea_lines"}
+    assert brought(sensors, "tests") == {"nmea_driver", "nmea_lines", "monitor_device", "nmea_device", "pulse_device"}
     assert len(mock_paths(sensors)) == len(set(mock_paths(sensors))) == 4
 
 

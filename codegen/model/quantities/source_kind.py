@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.model.code.storage import Storage, storage_of
+from codegen.model.quantities.device import Device
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
@@ -167,6 +168,13 @@ class Source(ABC):
         Those whose name ends in ``_driver.py`` are run: they print what went wrong in each of their CHECKS.
         """
         return ()
+
+    def device(self, number: int) -> Device | None:  # noqa: ARG002
+        """Return its device, for checks of the whole way from there to the state, worked out from its data sheet.
+
+        ``number`` is its place among all sensors: each shows other amounts. None where nobody has a model of it.
+        """
+        return None
 
     @property
     def cause(self) -> str:

@@ -6,11 +6,13 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.measure import read_amount
+from codegen.model.quantities.device import Device
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.quantities.source_kind import FAULTS, Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Amount, described
 from codegen.model.spec.source import SourceSpec
 from codegen.model.units.unit import Unit, decimal, unit_named
+from codegen.sources.i2c.shown import Sheet, monitor_device
 from codegen.sources.kind import Around
 from codegen.sources.wires import Bus, bus
 
@@ -32,7 +34,8 @@ class MonitorSpec(SourceSpec):
 class Chip:
     """The data of one chip: the volts of a step of the bus and of the shunt, with the most steps of each.
 
-    ``codes`` has what stands for so many conversions that are averaged; ``kind`` is the word for the driver.
+    ``codes`` has what stands for so many conversions that are averaged; ``kind`` is the word for the driver. ``sheet``
+    are the same and more numbers as the data sheet has them, for checks that take nothing from here.
     """
 
     kind: str
@@ -42,6 +45,7 @@ class Chip:
     shunt_step: Fraction
     most_shunt: int
     codes: dict[int, int]
+    sheet: Sheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +81,13 @@ class Monitor(Source):
     @property
     def mocks(self) -> tuple[str, ...]:
         return ("i2c/mocks/mock_i2c.py", "i2c/mocks/sim_monitor.py")
+
+    @property
+    def tests(self) -> tuple[str, ...]:
+        return ("i2c/tests/monitor_device.py",)
+
+    def device(self, number: int) -> Device:
+        return monitor_device(self.chip.sheet, (self.bus.number, self.address), self.shunt, self.average, number)
 
     def simulated(self, output: Output, steps: Fraction) -> SimulatedInput | None:
         if output.name not in ("voltage", "current"):

@@ -6,12 +6,14 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.measure import read_time
+from codegen.model.quantities.device import Device
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Amount, described
 from codegen.model.spec.source import SourceSpec
 from codegen.model.units.unit import NUMBER, unit_named
 from codegen.sources.kind import Around, KindOfSource
+from codegen.sources.nmea.shown import shown
 from codegen.sources.wires import Serial, serial
 
 _HUNDREDTHS = replace(NUMBER, name="steps of 1E-2", scale=Fraction(1, 100))
@@ -110,7 +112,10 @@ class NmeaReceiver(Source):
 
     @property
     def tests(self) -> tuple[str, ...]:
-        return ("nmea/tests/nmea_driver.py", "nmea/tests/nmea_lines.py")
+        return ("nmea/tests/nmea_driver.py", "nmea/tests/nmea_lines.py", "nmea/tests/nmea_device.py")
+
+    def device(self, number: int) -> Device:
+        return Device("nmea_device", {"uart": self.line.number}, tuple(shown(number)))
 
     def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
         settings = {"uart": self.line.number, "output": output.name, "steps": float(steps)}

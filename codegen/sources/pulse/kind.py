@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator
 from enum import StrEnum
+from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.measure import read_time
 from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.quantities.device import Device, Exact, Shown
 from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Amount, described
 from codegen.model.spec.source import SourceSpec
@@ -65,6 +67,13 @@ class PulseInput(Source):
         return ("pulse/mocks/mock_pulse.py",)
 
     @property
+    def tests(self) -> tuple[str, ...]:
+        return ("pulse/tests/pulse_device.py",)
+
+    def device(self, number: int) -> Device:
+        return Device("pulse_device", {"gpio": self.gpio}, tuple(_shown(number)))
+
+    @property
     def opened(self) -> str:
         pull = "" if self.pull is Pull.NONE else f", machine.Pin.PULL_{self.pull.upper()}"
         return f"Pulse(lambda: machine.Pin({self.gpio}, machine.Pin.IN{pull}), {self.gate_ms})"
@@ -82,6 +91,27 @@ class PulseInput(Source):
 
     def words(self) -> str:
         return f"pulses at GPIO {self.gpio}"
+
+
+_PERIODS_US = (4000, 3125, 2500, 2000, 1600, 1250, 1000, 800)
+"""Times from one pulse to the next, each of which makes whole millihertz."""
+
+
+def _shown(number: int) -> Iterator[Shown]:
+    """Pulses in two bursts, between which it is asked: the frequency is that of the second one alone."""
+    count = 0
+    for scene in range(2):
+        period = _PERIODS_US[(number + 3 * scene) % len(_PERIODS_US)]
+        high, bursts = period * (number % 3 + 1) // 5, (3 + number % 5 + scene, 7 + number % 11)
+        count += sum(bursts)
+        yield Shown(
+            {"high_us": high, "low_us": period - high, "bursts": list(bursts)},
+            {
+                "count": Exact(Fraction(count), NUMBER),
+                "frequency": Exact(Fraction(1000000, period), unit_named("Hz")),
+                "width": Exact(Fraction(high, 1000000), unit_named("s")),
+            },
+        )
 
 
 def resolve_pulse(spec: PulseSpec, polling: Polling, around: Around) -> PulseInput | None:

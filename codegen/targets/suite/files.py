@@ -11,6 +11,7 @@ from codegen.targets.firmware.readings.board import BoardView, ReaderView, board
 from codegen.targets.firmware.words import aged_words, word_layout
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text
+from codegen.targets.suite.amounts.file import render_amount_suite
 from codegen.targets.suite.behaviour import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.suite.cases.file import cases_text
 from codegen.targets.suite.facts.components import ComponentFacts, component_facts
@@ -107,6 +108,7 @@ def render_suite(system: System) -> dict[str, str]:
     drawn = rendered(f"{_COUNTERPARTS}.j2", counterparts_view(system, components, readings))
     files[_COUNTERPARTS] = headed(drawn, origin)
     files |= render_source_suite(system)
+    files |= render_amount_suite(system)
     files |= render_reception_suite(system)
     return files if system.program is None else files | render_program_suite(system, system.program)
 

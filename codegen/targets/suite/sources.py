@@ -74,8 +74,8 @@ def render_source_suite(system: System) -> dict[str, str]:
         return {}
     files = {path.replace(_FOLDER, "tests"): text for path, text in copied_files(_FOLDER).items()}
     brought = source_files(system, "tests")
-    if brought:
-        files |= brought
+    files |= brought
+    if any(path.endswith("_driver.py") for path in brought):
         files |= {path.replace(_DRIVERS, "tests"): text for path, text in copied_files(_DRIVERS).items()}
     view = tuple(_facts(source, system) for source in system.polled)
     paths = [specification_file(system, f"{name}.yaml") for name in ("board", "state")]

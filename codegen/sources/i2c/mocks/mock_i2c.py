@@ -1,4 +1,8 @@
-"""An I2C bus of a host: devices are models of their registers, which a test can break. machine.I2C is this class."""
+"""An I2C bus of a host: devices are models of what they answer, which a test can break. machine.I2C is this class.
+
+There are devices with registers of 16 bits (Device), with registers of 8 bits (Bytes), and without registers
+(Commands).
+"""
 
 import errno
 
@@ -9,12 +13,13 @@ _devices = {}
 
 
 class Device:
-    """A device with registers of 16 bits.
+    """A device with registers of 16 bits, the high byte first.
 
     `registers` are their values by number, `read_only` the numbers of those that cannot be set. While it is `absent`
     nobody answers; `failures` is how many of the next transfers fail, and `delay_us` the time that each takes. With
     `is_stuck` nothing that is written changes anything. `on_read(number)` and `on_write(number, value)` are called
-    before and after; `transfers` counts.
+    before and after; `transfers` counts. What is read without the number of a register is of the one that was written
+    last.
     """
 
     def __init__(self, registers, read_only=()):
@@ -27,6 +32,7 @@ class Device:
         self.transfers = 0
         self.on_read = None
         self.on_write = None
+        self._number = 0
 
     def answer(self):
         """Take part in a transfer; OSError if it fails."""
@@ -50,6 +56,102 @@ class Device:
             self.registers[number] = value
             if self.on_write is not None:
                 self.on_write(number, value)
+
+    def fill(self, number, buffer):
+        """Read registers from a number on, in functions of few variables: those of larger ones lie on the heap."""
+        at = 0
+        while at < len(buffer):
+            _put(buffer, at, self.read(number))
+            number += 1
+            at += 2
+
+    def store(self, number, data):
+        """Set registers from a number on."""
+        if len(data) % 2:
+            raise OSError(errno.EIO)  # half a register
+        for at in range(0, len(data), 2):
+            self.write(number + at // 2, data[at] << 8 | data[at + 1])
+
+    def received(self, data):
+        """Take what is written without more: the number of a register, and what is to be stored from there on."""
+        if len(data):
+            self._number = data[0]
+            self.store(data[0], data[1:])
+
+    def give(self, buffer):
+        """Read without more, from the register that was written last."""
+        self.fill(self._number, buffer)
+
+
+class Bytes(Device):
+    """The same with registers of 8 bits; `registers` has a byte for a number, or some in a row from there on.
+
+    What is read without the number of a register goes on behind what was read before.
+    """
+
+    def __init__(self, registers, read_only=()):
+        single = {}
+        for number, value in registers.items():
+            for at, byte in enumerate([value] if isinstance(value, int) else value):
+                single[number + at] = byte
+        Device.__init__(self, single, read_only)
+
+    def read(self, number):
+        """Return a register, 0xFF where there is none."""
+        return Device.read(self, number) & 0xFF
+
+    def fill(self, number, buffer):
+        """Read registers from a number on."""
+        at = 0
+        while at < len(buffer):
+            buffer[at] = self.read(number)
+            number += 1
+            at += 1
+
+    def store(self, number, data):
+        """Set registers from a number on."""
+        for at in range(len(data)):
+            self.write(number + at, data[at])
+
+    def give(self, buffer):
+        """Read without more, and go on behind that."""
+        self.fill(self._number, buffer)
+        self._number += len(buffer)
+
+
+class Commands(Device):
+    """A device without registers: `answers` has, by the bytes that were written last, what is read then.
+
+    A transfer with which it can do nothing fails. `written` has what arrived; `on_write(data, None)` is called then.
+    """
+
+    def __init__(self, answers):
+        Device.__init__(self, {})
+        self.answers = dict(answers)
+        self.written = []
+
+    def received(self, data):
+        """Take a command."""
+        self.written.append(bytes(data))
+        if self.on_write is not None:
+            self.on_write(bytes(data), None)
+
+    def give(self, buffer):
+        """Give the answer to the last command, and ones behind it, as a bus reads that nobody pulls down."""
+        answer = self.answers.get(self.written[-1] if self.written else b"")
+        if answer is None:
+            raise OSError(errno.EIO)
+        for at in range(len(buffer)):
+            buffer[at] = answer[at] if at < len(answer) else 0xFF
+
+    def fill(self, number, buffer):
+        """Take a number as a command, and give its answer."""
+        self.received(bytes([number]))
+        self.give(buffer)
+
+    def store(self, number, data):
+        """Take a number and what follows as a command."""
+        self.received(bytes([number]) + bytes(data))
 
 
 def attach(bus, address, device):
@@ -75,10 +177,10 @@ class I2C:
         return [at for at in range(8, 120) if (found := _devices.get(self.id << 8 | at)) and not found.absent]
 
     def readfrom_mem_into(self, address, number, buffer, addrsize=8):  # noqa: ARG002
-        """Read registers, the high byte first."""
+        """Read registers."""
         device = self._device(address)
         device.answer()
-        _fill(buffer, device, number)
+        device.fill(number, buffer)
 
     def readfrom_mem(self, address, number, size, addrsize=8):
         """Return what registers have."""
@@ -87,11 +189,29 @@ class I2C:
         return bytes(buffer)
 
     def writeto_mem(self, address, number, data, addrsize=8):  # noqa: ARG002
-        """Set registers, the high byte first."""
+        """Set registers."""
         device = self._device(address)
         device.answer()
-        for at in range(0, len(data), 2):
-            device.write(number + at // 2, data[at] << 8 | data[at + 1])
+        device.store(number, data)
+
+    def readfrom_into(self, address, buffer, stop=True):  # noqa: ARG002
+        """Read into a buffer."""
+        device = self._device(address)
+        device.answer()
+        device.give(buffer)
+
+    def readfrom(self, address, size, stop=True):
+        """Return what is read."""
+        buffer = bytearray(size)
+        self.readfrom_into(address, buffer, stop)
+        return bytes(buffer)
+
+    def writeto(self, address, data, stop=True):  # noqa: ARG002
+        """Write; return how many bytes were taken."""
+        device = self._device(address)
+        device.answer()
+        device.received(data)
+        return len(data)
 
     def _device(self, address):
         device = _devices.get(self.id << 8 | address)
@@ -100,18 +220,10 @@ class I2C:
         return device
 
 
-def _fill(buffer, device, number):
-    """Read registers into a buffer, in functions of few variables: those of larger ones lie on the heap."""
-    at = 0
-    while at < len(buffer):
-        _put(buffer, at, device.read(number))
-        number += 1
-        at += 2
-
-
 def _put(buffer, at, value):
     buffer[at] = value >> 8
-    buffer[at + 1] = value & 0xFF
+    if at + 1 < len(buffer):
+        buffer[at + 1] = value & 0xFF
 
 
 machine.I2C = I2C
