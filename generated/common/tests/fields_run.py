@@ -167,5 +167,5 @@ def misspelt(cls, fields):
 # One by one: as one text it would need a large piece of the heap, and json.dump() asks the system for every number.
 print("{")
 for at, kind in enumerate(ALL):
-    print(f'{"," if at else ""}{json.dumps(kind.NAME)}: {json.dumps(carried(kind))}')
+    print(f"{',' if at else ''}{json.dumps(kind.NAME)}: {json.dumps(carried(kind))}")
 print("}")
