@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _LINE_END = pattern(r"\r\n?|\n")
 _TAG = pattern(r"(?i)<(/?(?:br|sup|del|s|strike))\b")
 _TAGS = {"br": " ", "sup": "^", "/sup": ""}
-"""The text in place of a tag: without it two numbers, or one and its exponent, would be one. Of others nothing is seen."""
+"""The text in place of a tag: without it two numbers, or one and its exponent, would be one. Others are not seen."""
 _STRUCK = "~~"
 """As Markdown writes it: what is struck is not what is said."""
 _MARKUP = pattern(r"[\\`*_\[\]<>&!]")

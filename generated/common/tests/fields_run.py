@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: 28aa3f8a72c1ebb6
+# Inputs: 051b5b5d2fcd3634
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
