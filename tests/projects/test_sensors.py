@@ -94,6 +94,7 @@ EXPECTED: dict[str, Any] = {
         "broken": [None, 0, None],
     },
     "not converted": [12000, 500, 60000],
+    "converts still": [],
     "converts no more": "error: power: it does not convert",
     "converts again": [10000, 500, 50000, "notice: power works again"],
     "one failure": [10000, 500, 50000, "notice: power works again", 2],

@@ -32,6 +32,8 @@ outputs:
   distance: {unit: m, stored: mm, min: 0, max: 100}
 """
 
+GPS = PICO + "gps: {driver: nmea, uart: 1, tx: 8, rx: 9}"
+SPEED = "speed: {doc: d, unit: m/s, source: gps.speed, stale_after: 1 s}"
 AMPERES = "amperes: {driver: user, class: a.A, unit: A, stored: mA, min: -20, max: 20, rate: 10 Hz}"
 VOLTS = "\n  volts: {driver: adc, gpio: 26, multiplier: 1, samples: 1, rate: 10 Hz}"
 CURRENT = "current: {doc: d, unit: A, stored: mA, source: amperes, stale_after: 2 s}"
@@ -135,6 +137,23 @@ CASES = [
      ["4:27: error shared-port: a and b both take UART 1"]),
     ("too soon", SONAR, DEPTH.replace("}", ", stale_after: 100 ms}"),
      ["error stale-before-reading: boat.depth is old after 100 ms, and sonar is asked every 100 ms"]),
+    ("before a conversion", PICO + INA.replace("}", ", average: 512}"),
+     CURRENT.replace("amperes, stale_after: 2 s", "power.current, stale_after: 1.3 s") + CONSUMED,
+     ["error stale-before-reading: boat.current is old after 1300 ms, and power gives a new value every 1300 ms",
+      "hint: stale_after: 3900 ms, so that one failure changes nothing, or another average of power"]),
+    ("after a conversion", PICO + INA.replace("}", ", average: 512}"),
+     CURRENT.replace("amperes, stale_after: 2 s", "power.current, stale_after: 1301 ms") + CONSUMED, []),
+    ("a conversion of an INA219", PICO + SOLAR.strip().replace("}", ", average: 128, rate: 100 Hz}"),
+     "volts: {doc: d, unit: V, source: solar.voltage, stale_after: 160 ms}",
+     ["stale-before-reading: boat.volts is old after 160 ms, and solar gives a new value every 160 ms"]),
+    ("before a fix", GPS, SPEED,
+     ["error stale-before-reading: boat.speed is old after 1000 ms, and gps gives a new value every 1100 ms",
+      "hint: stale_after: 3300 ms, so that one failure changes nothing, or another fixes of gps"]),
+    ("after a fix", GPS, SPEED.replace("1 s", "1.2 s"), []),
+    ("after one of five", GPS.replace("}", ", fixes: 5 Hz}"), SPEED, []),
+    ("no rate of fixes", GPS.replace("}", ", fixes: 2000 Hz}"), "", ["bad-time: 2000 Hz is not a rate"]),
+    ("silent between two", GPS.replace("}", ", fixes: 0.25 Hz}"), "",
+     ["bad-source-driver: it counts as failed after 3000 ms, before a fix comes every 4000 ms", "silence: 12000 ms"]),
     ("for ever", SONAR, DEPTH, ["warning believed-for-ever: nothing makes boat.depth unknown when sonar fails"]),
     ("beyond", SONAR, DEPTH.replace("}", ", min: 0, max: 50, invalid_after: 3}"),
      ["error source-beyond-limits: sonar gives boat.depth 0 to 100000 mm", "leave 0 to 50000"]),

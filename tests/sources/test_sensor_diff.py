@@ -16,6 +16,7 @@ SOLAR = "i2c: 0, sda: 4, scl: 5, address: 0x41, shunt: 100 mOhm, average: "
 EDITS = [
     ("baud rate", "uart: 1,", "uart: 1, baud: 38400,"),
     ("pin", "rx: 9", "rx: 21"),
+    ("a fix", "uart: 1,", "uart: 1, fixes: 5 Hz,"),
     ("silence", "uart: 1,", "uart: 1, silence: 9 s,"),
     ("address", "address: 0x41", "address: 0x42"),
     ("shunt", "100 mOhm", "50 mOhm"),

@@ -180,6 +180,16 @@ class Source(ABC):
         return ()
 
     @property
+    def renewed_us(self) -> int:
+        """Return the longest time from one new value to the next while it works, in us: it may take several turns."""
+        return self.polling.period_us
+
+    @property
+    def renewed_key(self) -> str:
+        """Return the key that decides this."""
+        return "rate"
+
+    @property
     def silence_ms(self) -> int | None:
         """Return the time in ms without anything new after which it counts as failed; None: it always has something."""
         return None

@@ -32,7 +32,8 @@ class MonitorSpec(SourceSpec):
 class Chip:
     """The data of one chip: the volts of a step of the bus and of the shunt, with the most steps of each.
 
-    ``codes`` has what stands for so many conversions that are averaged; ``kind`` is the word for the driver.
+    ``longest_us`` is the longest time of one conversion, by the data sheet, as the driver sets it up. ``codes`` has
+    what stands for so many conversions that are averaged; ``kind`` is the word for the driver.
     """
 
     kind: str
@@ -41,6 +42,7 @@ class Chip:
     most_bus: int
     shunt_step: Fraction
     most_shunt: int
+    longest_us: int
     codes: dict[int, int]
 
 
@@ -87,7 +89,22 @@ class Monitor(Source):
     @property
     def opened(self) -> str:
         code = self.chip.codes[self.average]
-        return f"{self.chip.kind.capitalize()}(lambda: {self.bus.opened}, {self.address:#x}, {code})"
+        wait_ms = -(-2 * self.conversion_us // 1000)  # twice as long as any chip takes
+        return f"{self.chip.kind.capitalize()}(lambda: {self.bus.opened}, {self.address:#x}, {code}, {wait_ms})"
+
+    @property
+    def conversion_us(self) -> int:
+        """Return the longest time that it takes to a new value, in us: of the bus and of the shunt, averaged."""
+        return 2 * self.chip.longest_us * self.average
+
+    @property
+    def renewed_us(self) -> int:
+        period_us = self.polling.period_us
+        return -(-self.conversion_us // period_us) * period_us
+
+    @property
+    def renewed_key(self) -> str:
+        return "average" if self.conversion_us > self.polling.period_us else "rate"
 
     @property
     def cause(self) -> str:

@@ -297,8 +297,11 @@ device.registers[6] = 0
 device.registers[2] = 8000
 sources.power.turn()
 found["not converted"] = pack(state)
-for _ in range(20):
-    sources.power.turn()
+mock_time.advance_us(78000)  # twice 16 conversions of 1.21 ms, of the bus and of the shunt
+sources.power.turn()
+found["converts still"] = list(told)
+mock_time.advance_us(1000)
+sources.power.turn()
 found["converts no more"] = told[-1]
 device.registers[6] = 8
 mock_time.advance_us(1000000)
