@@ -10,8 +10,8 @@ TOO_SHORT = Rule(
     "stale-before-reading",
     "What a sensor gives is forgotten before it gives a new value, so that the quantity is unknown meanwhile, and a "
     "sum of it counts nothing: each pause is a gap. Make stale_after longer than the time between two values: that of "
-    "the rate, of the conversions that a monitor averages (average), or of the fixes of a receiver (fixes), with the turns "
-    "in which it is asked.",
+    "the rate, of the conversions that a monitor averages (average), or of the fixes of a receiver (fixes), with the "
+    "turns in which it is asked.",
 )
 FOR_EVER = Rule(
     "believed-for-ever",

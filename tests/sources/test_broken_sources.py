@@ -133,6 +133,21 @@ CASES = [
     ("another bus", PICO + INA + SOLAR.replace("sda: 4", "sda: 8"), "",
 
      ["shared-port: SDA of I2C 0 is GPIO 4 for power, and GPIO 8 for solar", "hint: sda: 4"]),
+    ("another clock", PICO + INA.replace("}", ", frequency: 100 kHz}") + SOLAR, "",
+     ["4:3: error shared-port: I2C 0 runs at 100 kHz for power, and at 400 kHz for solar",
+      "hint: frequency: 100 kHz"]),
+    ("another clock behind", PICO + INA + SOLAR.replace("}", ", frequency: 50 kHz}"), "",
+     ["3:3: error shared-port: I2C 0 runs at 50 kHz for solar, and at 400 kHz for power"]),
+    ("one clock", PICO + INA.replace("}", ", frequency: 100 kHz}") + SOLAR.replace("}", ", frequency: 0.1 MHz}"), "",
+     []),
+    ("another bus with another clock", PICO + INA.replace("}", ", frequency: 100 kHz}")
+     + SOLAR.replace("i2c: 0, sda: 4, scl: 5", "i2c: 1, sda: 6, scl: 7"), "", []),
+    ("the clock of an own driver", PICO + OWN.replace("}", ", frequency: 100 kHz}") + SOLAR, "",
+     ["error shared-port: I2C 0 runs at 100 kHz for own, and at 400 kHz for solar"]),
+    ("no clock of an own driver", PICO + OWN.replace("}", ", frequency: 100 s}"), "",
+     ["3:92: error unit-mismatch: 100 s is a time"]),
+    ("too fast a clock of an own driver", PICO + OWN.replace("}", ", frequency: 5 MHz}"), "",
+     ["3:92: error bad-source-driver: 5 MHz is no clock of 10 kHz to 1 MHz", "hint: frequency: 400 kHz"]),
     ("a shared UART", PICO + "a: {driver: nmea, uart: 1, tx: 8, rx: 9}\n  b: {driver: nmea, uart: 1, tx: 4, rx: 5}", "",
      ["4:27: error shared-port: a and b both take UART 1"]),
     ("too soon", SONAR, DEPTH.replace("}", ", stale_after: 100 ms}"),
@@ -249,6 +264,27 @@ def test_a_driver_whose_outputs_cannot_be_read_is_one_finding(folder, monkeypatc
     told = capsys.readouterr().out
     assert (code, told.count(": error ")) == (1, 1), told
     assert "specs/drivers/laser.yaml:10:13: error wrong-type: a mapping is wanted here" in told
+
+
+def test_a_driver_says_the_clock_of_its_bus(folder, monkeypatch, capsys):
+    """Its sensors have it unless they say another one, and it is that of the bus that is opened."""
+    driver = folder / "specs" / "drivers" / "laser.yaml"
+    driver.write_text(DRIVER.replace("bus: i2c", "bus: i2c\nfrequency: 50 kHz"))
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    found = []
+    for said in ("", ", frequency: 400 kHz"):
+        (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN.replace('}', said + '}')}{SOLAR}\n")
+        found.append((main(["check"]), capsys.readouterr().out))
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN}\n")
+    built = main(["build"])
+    driver.write_text(DRIVER)
+    opened = (folder / "generated" / "firmware" / "sources.py").read_text()
+    shutil.rmtree(folder / "generated")
+    assert [code for code, _ in found] == [1, 0]
+    assert "shared-port: I2C 0 runs at 50 kHz for own, and at 400 kHz for solar" in found[0][1]
+    assert built == 0
+    assert "machine.I2C(0, sda=machine.Pin(4), scl=machine.Pin(5), freq=50000)" in opened
 
 
 def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):

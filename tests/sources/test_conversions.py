@@ -65,7 +65,7 @@ for line in open("cases.txt"):
 def monitor(chip: Chip, average: int, period_us: int) -> Monitor:
     spec = MonitorSpec.__new__(MonitorSpec)
     polling = Polling(None, {}, "power", period_us, None, 1000, spec)
-    bus = Bus(0, 4, 5, frozenset(), frozenset(), "machine.I2C(0, freq=400000)")
+    bus = Bus(0, 400000, 4, 5, frozenset(), frozenset(), "machine.I2C(0, freq=400000)")
     return Monitor(polling, chip, bus, 0x40, Fraction(1, 1000), average)
 
 

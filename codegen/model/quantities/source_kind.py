@@ -68,6 +68,14 @@ class PinUse(NamedTuple):
     shared: str = ""
 
 
+class ClockUse(NamedTuple):
+    """The clock of a bus as a sensor wants it: the bus, its frequency in Hz, and the key that says so."""
+
+    bus: str
+    frequency: int
+    key: str
+
+
 class SourceFact(NamedTuple):
     """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it.
 
@@ -209,6 +217,11 @@ class Source(ABC):
     def place(self) -> str:
         """Return where it alone is on something that is shared, such as an address of a bus; else empty."""
         return ""
+
+    @property
+    def clock(self) -> ClockUse | None:
+        """Return at which clock it wants a bus that others may be on, too; None where there is none."""
+        return None
 
     # the simulation
 
