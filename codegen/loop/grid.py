@@ -39,7 +39,7 @@ def _turns(periods_us: tuple[int, ...], control_us: int, most: int) -> Iterator[
             again[index] = -(-(times + 1) * period_us // control_us)
             heapreplace(due, (again[index], index))
             waiting.add(index)
-        done = ()
+        done: tuple[int, ...] = ()
         if waiting:
             ordered = enumerate(sorted(waiting))
             done = tuple(index for place, index in ordered if place < most or again[index] <= number + 1)

@@ -30,7 +30,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         for port, key in ((source.port, "uart"), (source.place, "address")):
             if not port:
                 continue
-            place = spec.at(key)
+            place = spec.at(f"keys.{key}" if f"keys.{key}" in spec.places else key)  # of an own driver
             owner, first = owners.setdefault(port, (source.name, place))
             if first is not place:
                 message = f"{owner} and {source.name} both take {port}"

@@ -113,6 +113,11 @@ EXPECTED: dict[str, Any] = {
     # 359 degrees, mounted the other way round and by 2.5 degrees.
     "compass": [181.5, 48],
     "strong field": [18150, None],
+    "raised": [
+        "error: sonar: OSError: no file",
+        "error: sonar: ValueError: no echo",
+        "error: needle: no answer at 0x1e on I2C 0",
+    ],
     # Every 20 ms are 50 Hz; 600 pulses every 333 us after a pause; 9000 every 100 us; faster than can be told.
     "pulses": [
         [0, 0, None],

@@ -18,6 +18,7 @@ IMU = "imu: {driver: user, class: imu.Imu, outputs: {roll: {unit: rad, stored: m
 INA = "power: {driver: ina226, i2c: 0, sda: 4, scl: 5, shunt: 2 mOhm}"
 SOLAR = "\n  solar: {driver: ina219, i2c: 0, sda: 4, scl: 5, address: 0x41, shunt: 1 mOhm}"
 OWN = "own: {driver: laser, gain: 2, fast: true, trigger: 3, i2c: 0, sda: 4, scl: 5}"
+PLACED = "{driver: placed, i2c: 0, sda: 4, scl: 5, address: 0x40}"
 PICO = "board: pico_2\n"
 DRIVER = """\
 doc: A laser.
@@ -133,6 +134,16 @@ CASES = [
     ("another bus", PICO + INA + SOLAR.replace("sda: 4", "sda: 8"), "",
 
      ["shared-port: SDA of I2C 0 is GPIO 4 for power, and GPIO 8 for solar", "hint: sda: 4"]),
+    ("the address of own drivers", PICO + f"one: {PLACED}\n  two: {PLACED}", "",
+     ["4:58: error shared-port: one and two both take address 0x40 of I2C 0", "hint: give two another address"]),
+    ("the address of an own driver and another", PICO + INA + f"\n  own: {PLACED}", "",
+     ["4:58: error shared-port: power and own both take address 0x40 of I2C 0"]),
+    ("another address", PICO + INA + f"\n  own: {PLACED.replace('0x40', '0x41')}", "", []),
+    ("one address on another bus", PICO + INA
+     + f"\n  own: {PLACED.replace('i2c: 0, sda: 4, scl: 5', 'i2c: 1, sda: 6, scl: 7')}", "", []),
+    ("an address that is not said", PICO + INA.replace("}", ", address: 0x42}")
+     + f"\n  own: {PLACED.replace(', address: 0x40', '')}", "",
+     ["4:3: error shared-port: power and own both take address 0x42 of I2C 0"]),
     ("another clock", PICO + INA.replace("}", ", frequency: 100 kHz}") + SOLAR, "",
      ["4:3: error shared-port: I2C 0 runs at 100 kHz for power, and at 400 kHz for solar",
       "hint: frequency: 100 kHz"]),
@@ -173,7 +184,7 @@ CASES = [
     ("beyond", SONAR, DEPTH.replace("}", ", min: 0, max: 50, invalid_after: 3}"),
      ["error source-beyond-limits: sonar gives boat.depth 0 to 100000 mm", "leave 0 to 50000"]),
     ("no driver file", PICO + "own: {driver: lase, address: 1}", "",
-     ["error unknown-driver: there is no driver lase\n  hint: did you mean laser or pulse?"]),
+     ["error unknown-driver: there is no driver lase\n  hint: did you mean laser or pulse or placed?"]),
     ("an own driver", PICO + OWN, "", []),
     ("a key of it", PICO + OWN.replace("gain", "gian"), "", ["no key gian", "did you mean gain?"]),
     ("a missing key", PICO + OWN.replace("gain: 2, ", ""), "", ["gain is missing, which the driver laser needs"]),
@@ -210,6 +221,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "specs" / "drivers").mkdir()
     (folder / "specs" / "drivers" / "laser.yaml").write_text(DRIVER)
     (folder / "specs" / "parameters.yaml").write_text(SIZES)
+    placed = DRIVER.partition("keys:")[0] + "keys: {address: {doc: a, default: 0x42}}\noutputs: {distance: {unit: m}}\n"
+    (folder / "specs" / "drivers" / "placed.yaml").write_text(placed)
+    (folder / "specs" / "drivers" / "placed.py").write_text("class Laser:\n    pass\n")
     (folder / "specs" / "drivers" / "laser.py").write_text("class Laser:\n    pass\n")
     return folder
 

@@ -166,7 +166,7 @@ class Source(ABC):
 
     @property
     def cause(self) -> str:
-        """Return what is wrong where nothing answers, in the operator's words."""
+        """Return what is wrong where its driver raises OSError, in the operator's words; empty: that says its name."""
         return "no answer"
 
     @property

@@ -64,10 +64,33 @@ class OwnSource(Source):
         return self.wires.port if isinstance(self.wires, Serial) else ""
 
     @property
+    def address(self) -> int | None:
+        """Return where it is on its I2C bus, by the key of this name; None without one."""
+        given = dict(self.arguments).get("address", "") if isinstance(self.wires, Bus) else ""
+        return int(given) if _WHOLE.fullmatch(given) else None
+
+    @property
+    def place(self) -> str:
+        return f"address {self.address:#x} of {self.line}" if self.address is not None else ""
+
+    @property
+    def line(self) -> str:
+        """Return the words for what it is connected to; empty for nothing that codegen opens."""
+        if isinstance(self.wires, Bus):
+            return f"I2C {self.wires.number}"
+        return self.wires.port if self.wires else ""
+
+    @property
+    def cause(self) -> str:
+        if not self.line or isinstance(self.wires, Serial):
+            return f"{self.line} does not work" if self.line else ""
+        return "no answer on " + self.line if self.address is None else f"no answer at {self.address:#x} on {self.line}"
+
+    @property
     def clock(self) -> ClockUse | None:
         if not isinstance(self.wires, Bus):
             return None
-        return ClockUse(f"I2C {self.wires.number}", self.wires.frequency, "keys.frequency")
+        return ClockUse(self.line, self.wires.frequency, "keys.frequency")
 
     def pins(self) -> Iterator[PinUse]:
         if self.wires is not None:

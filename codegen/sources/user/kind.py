@@ -63,6 +63,10 @@ class User(Source):
     def given_in(self) -> tuple[Fraction, ...]:
         return self.steps
 
+    @property
+    def cause(self) -> str:
+        return ""  # nobody knows what an OSError of it means
+
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
         yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs", asks=False)

@@ -370,6 +370,30 @@ compass.registers[1] = 1001
 sources.needle.turn()
 found["strong field"] = [state.compass.heading_cdeg, state.compass.field]
 
+# What a class of the user raises is told by its name, what a bus does not answer by the place on it.
+
+
+class Failing:
+    error = OSError("no file")
+
+    def read(self):
+        raise self.error
+
+
+class Module:
+    Sonar = Failing
+
+
+sys.modules["sonar"] = Module
+raised = []
+for Failing.error in (OSError("no file"), ValueError("no echo")):
+    state, sources = fresh()
+    sources.sonar.turn()
+    raised.append(told[-1])
+state, sources = fresh()
+sources.needle.turn()
+found["raised"] = raised + [told[-1]]
+
 # Pulses.
 state, sources = fresh()
 turns = []
