@@ -178,6 +178,13 @@ CASES = [
     ("after a fix", GPS, SPEED.replace("1 s", "1.2 s"), []),
     ("after one of five", GPS.replace("}", ", fixes: 5 Hz}"), SPEED, []),
     ("no rate of fixes", GPS.replace("}", ", fixes: 2000 Hz}"), "", ["bad-time: 2000 Hz is not a rate"]),
+    ("a small buffer", GPS.replace("}", ", baud: 115200, buffer: 512}"), "",
+     ["3:68: error bad-source-driver: 576 bytes come between two turns at 115200 bits per second, and 512 have room",
+      "hint: buffer: 1152, or a higher rate"]),
+    ("a buffer for a fast line", GPS.replace("}", ", baud: 115200, buffer: 576}"), "", []),
+    ("a fast line that is asked seldom", GPS.replace("}", ", baud: 115200, rate: 0.1 Hz}"), "",
+     ["3:66: error bad-source-driver: 115200 bytes come between two turns at 115200 bits", "hint: rate: 20 Hz"]),
+    ("a fast line", GPS.replace("}", ", baud: 115200}"), "", []),
     ("silent between two", GPS.replace("}", ", fixes: 0.25 Hz}"), "",
      ["bad-source-driver: it counts as failed after 3000 ms, before a fix comes every 4000 ms", "silence: 12000 ms"]),
     ("for ever", SONAR, DEPTH, ["warning believed-for-ever: nothing makes boat.depth unknown when sonar fails"]),
@@ -299,6 +306,27 @@ def test_a_driver_says_the_clock_of_its_bus(folder, monkeypatch, capsys):
     assert "shared-port: I2C 0 runs at 50 kHz for own, and at 400 kHz for solar" in found[0][1]
     assert built == 0
     assert "machine.I2C(0, sda=machine.Pin(4), scl=machine.Pin(5), freq=50000)" in opened
+
+
+@pytest.mark.parametrize(
+    ("baud", "rate", "room", "taken"),
+    [
+        (9600, "20 Hz", 512, ""),
+        (38400, "20 Hz", 512, ",240,"),
+        (115200, "20 Hz", 1152, ",720,"),
+        (115200, "90 Hz", 512, ",160,"),
+    ],
+)
+def test_a_receiver_takes_what_its_line_brings(baud, rate, room, taken, folder, monkeypatch):
+    """A turn takes a quarter more than comes at this speed until the next one, and twice as much may wait."""
+    gps = f"gps: {{driver: nmea, uart: 1, tx: 8, rx: 9, baud: {baud}, rate: {rate}}}"
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {gps}\n")
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    assert main(["build"]) == 0
+    made = (folder / "generated" / "firmware" / "sources.py").read_text()
+    shutil.rmtree(folder / "generated")
+    assert f"timeout=0,rxbuf={room}){taken})," in "".join(made.split()), made
 
 
 def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):

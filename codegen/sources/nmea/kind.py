@@ -38,6 +38,9 @@ SAID = {
 }
 """Its faults in a simulation."""
 
+_BUFFER = 512
+_MOST_BUFFER = 65536
+_PIECE = 128  # bytes that a turn takes, as the driver has it, where no more come
 _OFF = 20  # a fix is late by at most this part of the time between two: clocks differ, and lines take their time
 _MODULES = ("nmea", "nmea_plain", "nmea_viper", "sentences_plain", "sentences_viper")
 
@@ -50,7 +53,9 @@ class NmeaSpec(SourceSpec):
     tx: int = described("GPIO number of the UART's output.")
     rx: int = described("GPIO number of the UART's input.")
     baud: int = described("Bits per second.", default=9600)
-    buffer: int = described("Bytes that wait between two turns.", default=512)
+    buffer: int | None = described(
+        "Bytes that wait between two turns. Default: 512, or what comes in the time of two turns.", default=None
+    )
     fixes: Amount = described("How often the receiver gives a fix, such as 5 Hz.", default=Amount("1 Hz"))
     silence: Amount | None = described("Time without a line after which it has failed. Default: 3 s.", default=None)
 
@@ -82,7 +87,8 @@ class NmeaReceiver(Source):
 
     @property
     def opened(self) -> str:
-        return f"Nmea(lambda: {self.line.opened})"
+        piece = brought(self.line.baud, self.polling) * 5 // 4  # a turn may be late
+        return f"Nmea(lambda: {self.line.opened}{f', {piece}' if piece > _PIECE else ''})"
 
     @property
     def cause(self) -> str:
@@ -136,9 +142,21 @@ class NmeaReceiver(Source):
         return f"NMEA 0183 on UART {self.line.number}, {self.line.baud} bits per second"
 
 
+def brought(baud: int, polling: Polling) -> int:
+    """Return how many bytes a line of so many bits per second brings from one turn to the next at most."""
+    return -(-baud * polling.period_us // 10000000)
+
+
 def resolve_nmea(spec: NmeaSpec, polling: Polling, around: Around) -> NmeaReceiver | None:
     """The UART; None after a finding."""
-    line = serial(spec, spec.baud, spec.buffer, around)
+    comes = brought(spec.baud, polling)
+    size = max(_BUFFER, 2 * comes) if spec.buffer is None else spec.buffer
+    if comes > _MOST_BUFFER // 2 or size < comes:
+        message = f"{comes} bytes come between two turns at {spec.baud} bits per second, and {size} have room"
+        key, more = ("rate", NMEA.rate) if comes > _MOST_BUFFER // 2 else ("buffer", f"{2 * comes}, or a higher rate")
+        around.bad(key, message, hint=f"{key}: {more}")
+        return None
+    line = serial(spec, spec.baud, size, around)
     rate = read_rate(spec.fixes, spec.at("fixes"), around.report)
     silent = 3000
     if spec.silence is not None:
