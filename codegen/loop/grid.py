@@ -19,7 +19,8 @@ _MOST_PASSES = 4000
 def slots(jobs: tuple[Job, ...], system: System, program: Program) -> Iterator[tuple[Job, ...]]:
     """Yield what is done in each slot, from the first one on, for ever. In that every job is due.
 
-    A slot has so many jobs at most, in their order; others that are due have their turn in the next one.
+    A slot has so many jobs at most, in their order; others that are due have their turn in the next one, unless they
+    are due again in that.
     """
     for done in _turns(tuple(job.period_us for job in jobs), program.control_us, jobs_of_a_pass(system, program)):
         yield tuple(jobs[index] for index in done)
@@ -29,14 +30,19 @@ def _turns(periods_us: tuple[int, ...], control_us: int, most: int) -> Iterator[
     """Yield the indexes of what is done in each slot: thousands of these are looked at, and in most nothing is due."""
     due = [(0, index) for index in range(len(periods_us))]  # in which slot each is due next: a heap
     waiting: set[int] = set()
+    again = [0] * len(periods_us)  # in which slot each that waits is due once more
     for number in count():
         while due[0][0] == number:
             index = due[0][1]
             period_us = periods_us[index]
             times = number * control_us // period_us
-            heapreplace(due, (-(-(times + 1) * period_us // control_us), index))
+            again[index] = -(-(times + 1) * period_us // control_us)
+            heapreplace(due, (again[index], index))
             waiting.add(index)
-        done = tuple(sorted(waiting)[:most]) if waiting else ()
+        done: tuple[int, ...] = ()
+        if waiting:
+            ordered = enumerate(sorted(waiting))
+            done = tuple(index for place, index in ordered if place < most or again[index] <= number + 1)
         waiting.difference_update(done)
         yield done
 

@@ -3,12 +3,15 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.quantities.source_kind import Source
 from codegen.model.system import System
 
 TOO_SHORT = Rule(
     "stale-before-reading",
-    "What a sensor gives is forgotten before it is asked again, so that the quantity is unknown most of the time. Make "
-    "stale_after longer than the time between two readings.",
+    "What a sensor gives is forgotten before it gives a new value, so that the quantity is unknown meanwhile, and a "
+    "sum of it counts nothing: each pause is a gap. Make stale_after longer than the time between two values: that of "
+    "the rate, of the conversions that a monitor averages (average), or of the fixes of a receiver (fixes), with the "
+    "turns in which it is asked.",
 )
 FOR_EVER = Rule(
     "believed-for-ever",
@@ -24,14 +27,22 @@ def check(system: System) -> Iterator[Diagnostic]:
         for quantity in component.quantities.values():
             trust = quantity.trust
             for name, _, _ in quantity.derivation.gives:
-                polling = system.sources[name].polling
-                if trust.stale_after_ms is not None and trust.stale_after_ms * 1000 <= polling.period_us:
-                    message = f"{quantity.path} is old after {trust.stale_after_ms} ms"
-                    message += f", and {name} is asked every {polling.period_us // 1000} ms"
-                    related = ((polling.spec.at("rate"), "the rate is stated here"),)
-                    hint = f"stale_after: {3 * polling.period_us // 1000} ms, so that one failure changes nothing"
+                source = system.sources[name]
+                if trust.stale_after_ms is not None and trust.stale_after_ms * 1000 <= source.renewed_us:
+                    message = f"{quantity.path} is old after {trust.stale_after_ms} ms, and {_renewed(source)}"
+                    key = source.renewed_key
+                    related = ((source.polling.spec.at(key), f"{key} is stated here"),)
+                    hint = f"stale_after: {3 * source.renewed_us // 1000} ms, so that one failure changes nothing"
+                    hint += "" if key == "rate" else f", or another {key} of {name}"
                     yield Diagnostic(quantity.spec.at("stale_after"), TOO_SHORT, message, hint, related=related)
                 elif trust.stale_after_ms is None and trust.invalid_after is None:
                     hint = "add stale_after: 2 s" if quantity.initial is None else "add invalid_after: 3"
                     message = f"nothing makes {quantity.path} unknown when {name} fails"
                     yield Diagnostic(quantity.spec.at("source"), FOR_EVER, message, hint)
+
+
+def _renewed(source: Source) -> str:
+    """Return the words for how often a new value comes."""
+    if source.renewed_key == "rate":
+        return f"{source.name} is asked every {source.polling.period_us // 1000} ms"
+    return f"{source.name} gives a new value every {source.renewed_us // 1000} ms"

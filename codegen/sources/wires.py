@@ -4,9 +4,15 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from codegen.frozen import dataclass
+from codegen.measure import read_amount
 from codegen.model.board_model import shown_pins
 from codegen.model.quantities.source_kind import PinUse
-from codegen.sources.kind import Around
+from codegen.model.spec.described import Amount
+from codegen.model.units.unit import unit_named
+from codegen.sources.kind import BAD_SOURCE, Around
+
+USUAL_CLOCK = "400 kHz"
+"""The clock of an I2C bus where nobody says another one."""
 
 
 class SerialKeys(Protocol):
@@ -56,9 +62,10 @@ class Serial:
 
 @dataclass(frozen=True, slots=True)
 class Bus:
-    """An I2C bus: ``opened`` is the expression that opens it."""
+    """An I2C bus: ``opened`` is the expression that opens it, and ``frequency`` its clock in Hz."""
 
     number: int
+    frequency: int
     sda: int
     scl: int
     data: frozenset[int]
@@ -94,6 +101,19 @@ def serial(spec: SerialKeys, baud: int, size: int, around: Around) -> Serial | N
     return Serial(spec.uart, baud, spec.tx, spec.rx, uart.tx & board.free, uart.rx & board.free, opened)
 
 
+def clock(written: Amount | str | None, usual: str, around: Around, key: str = "frequency") -> int:
+    """Return the clock of an I2C bus in Hz, as written at a key, or as usual; 0 after a finding."""
+    place = around.spec.at(key)
+    frequency = read_amount(written or usual, unit_named("Hz"), place, around.report)
+    if frequency is None or frequency.denominator != 1 or not 10000 <= frequency <= 1000000:
+        around.failed = True
+        if frequency is not None:
+            message = f"{written or usual} is no clock of 10 kHz to 1 MHz"
+            around.report.add(BAD_SOURCE, place, message, f"frequency: {USUAL_CLOCK}")
+        return 0
+    return int(frequency)
+
+
 def bus(spec: BusKeys, frequency: int, around: Around) -> Bus | None:
     """The I2C bus; None after a finding."""
     board = around.known_board(f"I2C {spec.i2c}")
@@ -112,4 +132,4 @@ def bus(spec: BusKeys, frequency: int, around: Around) -> Bus | None:
     around.pin("scl", spec.scl, found.scl, f"scl of I2C {spec.i2c}", board)
     pins = f", sda=machine.Pin({spec.sda}), scl=machine.Pin({spec.scl})" if board.tells_i2c_pins else ""
     opened = f"machine.I2C({spec.i2c}{pins}, freq={frequency})"
-    return Bus(spec.i2c, spec.sda, spec.scl, found.sda & board.free, found.scl & board.free, opened)
+    return Bus(spec.i2c, frequency, spec.sda, spec.scl, found.sda & board.free, found.scl & board.free, opened)

@@ -21,8 +21,11 @@ def connect(courses, now_ms, start_ms):  # noqa: ARG001 - as other inputs, see s
     class SimulatedPoller(plain):
         """A sensor whose driver is another one where the scenario says what is true of it."""
 
-        def __init__(self, name, driver, *rest):
-            plain.__init__(self, name, Driver(found[name], now_ms) if name in found else driver, *rest)
+        def __init__(self, name, driver, functions, limit_us, retry_ms, cause, log):
+            if name in found:
+                driver = Driver(found[name], now_ms)
+                cause = cause or "no answer"  # of this driver that is what an OSError means
+            plain.__init__(self, name, driver, functions, limit_us, retry_ms, cause, log)
 
     polling.Poller = SimulatedPoller
 

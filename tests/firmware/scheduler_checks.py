@@ -153,6 +153,24 @@ def order_is_control_and_then_the_jobs():
     assert " ".join(order) == expected, order
 
 
+def what_is_due_in_each_pass_loses_no_turn():
+    """However many jobs before it are due together, and however few a pass has; others wait in their order."""
+    for most in (1, 2, 3, 4):
+        order = []
+        add = order.append
+        mock_time.set_ticks_us(77)
+        scheduler = Scheduler(2500, lambda: None, most=most)
+        for name in "abcd":
+            scheduler.every(25000, lambda name=name, add=add: add(name))
+        links = Count()
+        scheduler.every(2500, links)
+        scheduler.every(5000, lambda add=add: add("f"))
+        run_until(scheduler, 77 + SECOND)
+        assert links.calls == 400, (most, links.calls)
+        assert [order.count(name) for name in "abcdf"] == [40, 40, 40, 40, 200], (most, order)
+        assert "".join(name for name in order if name != "f") == "abcd" * 40, most
+
+
 def job_can_come_later():
     scheduler, _, job, _ = fresh()
     run_until(scheduler, 60000)
@@ -376,6 +394,7 @@ run(
     phase_is_kept,
     late_job_sends_no_burst,
     order_is_control_and_then_the_jobs,
+    what_is_due_in_each_pass_loses_no_turn,
     job_can_come_later,
     pause_of_any_length_is_survived,
     load_is_measured,

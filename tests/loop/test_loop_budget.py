@@ -100,6 +100,20 @@ def test_slots_are_counted_on_the_grid() -> None:
     assert sum(slot.rate for slot in boat.slots) == Fraction(1000000, boat.control_us) == 50
 
 
+def test_what_is_due_in_each_slot_is_done_in_each() -> None:
+    """As the scheduler has it: where more is due than a slot has jobs, what would lose a turn does not wait."""
+    [_, slow] = systems_of(ROVER)
+    assert slow.program is not None
+    most = jobs_of_a_pass(slow, slow.program)
+    often = slow.program.control_us
+    periods = [10 * often] * (most + 2) + [often, 2 * often]
+    jobs = tuple(Job(f"{number}", "", us, Work(), Work()) for number, us in enumerate(periods))
+    found = {tuple(job.name for job in due): rate for due, rate in slot_kinds(jobs, slow, slow.program)}
+    last = f"{most + 2}"
+    assert all(last in due for due in found), found
+    assert {len(due) for due in found} == {most + 1, 4, 1, 2}, "the others wait for the next slot"
+
+
 def test_what_is_not_due_with_control_is_done_in_the_next_slot() -> None:
     """As the scheduler has it: a job whose time has come since the pass before, with whatever else is due then."""
     [rover, *_] = systems_of(ROVER)

@@ -94,6 +94,7 @@ EXPECTED: dict[str, Any] = {
         "broken": [None, 0, None],
     },
     "not converted": [12000, 500, 60000],
+    "converts still": [],
     "converts no more": "error: power: it does not convert",
     "converts again": [10000, 500, 50000, "notice: power works again"],
     "one failure": [10000, 500, 50000, "notice: power works again", 2],
@@ -112,6 +113,11 @@ EXPECTED: dict[str, Any] = {
     # 359 degrees, mounted the other way round and by 2.5 degrees.
     "compass": [181.5, 48],
     "strong field": [18150, None],
+    "raised": [
+        "error: sonar: OSError: no file",
+        "error: sonar: ValueError: no echo",
+        "error: needle: no answer at 0x1e on I2C 0",
+    ],
     # Every 20 ms are 50 Hz; 600 pulses every 333 us after a pause; 9000 every 100 us; faster than can be told.
     "pulses": [
         [0, 0, None],

@@ -19,6 +19,7 @@ IMU = "imu: {driver: user, class: imu.Imu, outputs: {roll: {unit: rad, stored: m
 INA = "power: {driver: ina226, i2c: 0, sda: 4, scl: 5, shunt: 2 mOhm}"
 SOLAR = "\n  solar: {driver: ina219, i2c: 0, sda: 4, scl: 5, address: 0x41, shunt: 1 mOhm}"
 OWN = "own: {driver: laser, gain: 2, fast: true, trigger: 3, i2c: 0, sda: 4, scl: 5}"
+PLACED = "{driver: placed, i2c: 0, sda: 4, scl: 5, address: 0x40}"
 PICO = "board: pico_2\n"
 DRIVER = """\
 doc: A laser.
@@ -33,6 +34,8 @@ outputs:
   distance: {unit: m, stored: mm, min: 0, max: 100}
 """
 
+GPS = PICO + "gps: {driver: nmea, uart: 1, tx: 8, rx: 9}"
+SPEED = "speed: {doc: d, unit: m/s, source: gps.speed, stale_after: 1 s}"
 AMPERES = "amperes: {driver: user, class: a.A, unit: A, stored: mA, min: -20, max: 20, rate: 10 Hz}"
 VOLTS = "\n  volts: {driver: adc, gpio: 26, multiplier: 1, samples: 1, rate: 10 Hz}"
 CURRENT = "current: {doc: d, unit: A, stored: mA, source: amperes, stale_after: 2 s}"
@@ -162,16 +165,65 @@ CASES = [
     ("another bus", PICO + INA + SOLAR.replace("sda: 4", "sda: 8"), "",
 
      ["shared-port: SDA of I2C 0 is GPIO 4 for power, and GPIO 8 for solar", "hint: sda: 4"]),
+    ("the address of own drivers", PICO + f"one: {PLACED}\n  two: {PLACED}", "",
+     ["4:58: error shared-port: one and two both take address 0x40 of I2C 0", "hint: give two another address"]),
+    ("the address of an own driver and another", PICO + INA + f"\n  own: {PLACED}", "",
+     ["4:58: error shared-port: power and own both take address 0x40 of I2C 0"]),
+    ("another address", PICO + INA + f"\n  own: {PLACED.replace('0x40', '0x41')}", "", []),
+    ("one address on another bus", PICO + INA
+     + f"\n  own: {PLACED.replace('i2c: 0, sda: 4, scl: 5', 'i2c: 1, sda: 6, scl: 7')}", "", []),
+    ("an address that is not said", PICO + INA.replace("}", ", address: 0x42}")
+     + f"\n  own: {PLACED.replace(', address: 0x40', '')}", "",
+     ["4:3: error shared-port: power and own both take address 0x42 of I2C 0"]),
+    ("another clock", PICO + INA.replace("}", ", frequency: 100 kHz}") + SOLAR, "",
+     ["4:3: error shared-port: I2C 0 runs at 100 kHz for power, and at 400 kHz for solar",
+      "hint: frequency: 100 kHz"]),
+    ("another clock behind", PICO + INA + SOLAR.replace("}", ", frequency: 50 kHz}"), "",
+     ["3:3: error shared-port: I2C 0 runs at 50 kHz for solar, and at 400 kHz for power"]),
+    ("one clock", PICO + INA.replace("}", ", frequency: 100 kHz}") + SOLAR.replace("}", ", frequency: 0.1 MHz}"), "",
+     []),
+    ("another bus with another clock", PICO + INA.replace("}", ", frequency: 100 kHz}")
+     + SOLAR.replace("i2c: 0, sda: 4, scl: 5", "i2c: 1, sda: 6, scl: 7"), "", []),
+    ("the clock of an own driver", PICO + OWN.replace("}", ", frequency: 100 kHz}") + SOLAR, "",
+     ["error shared-port: I2C 0 runs at 100 kHz for own, and at 400 kHz for solar"]),
+    ("no clock of an own driver", PICO + OWN.replace("}", ", frequency: 100 s}"), "",
+     ["3:92: error unit-mismatch: 100 s is a time"]),
+    ("too fast a clock of an own driver", PICO + OWN.replace("}", ", frequency: 5 MHz}"), "",
+     ["3:92: error bad-source-driver: 5 MHz is no clock of 10 kHz to 1 MHz", "hint: frequency: 400 kHz"]),
     ("a shared UART", PICO + "a: {driver: nmea, uart: 1, tx: 8, rx: 9}\n  b: {driver: nmea, uart: 1, tx: 4, rx: 5}", "",
      ["4:27: error shared-port: a and b both take UART 1"]),
     ("too soon", SONAR, DEPTH.replace("}", ", stale_after: 100 ms}"),
      ["error stale-before-reading: boat.depth is old after 100 ms, and sonar is asked every 100 ms"]),
+    ("before a conversion", PICO + INA.replace("}", ", average: 512}"),
+     CURRENT.replace("amperes, stale_after: 2 s", "power.current, stale_after: 1.3 s") + CONSUMED,
+     ["error stale-before-reading: boat.current is old after 1300 ms, and power gives a new value every 1300 ms",
+      "hint: stale_after: 3900 ms, so that one failure changes nothing, or another average of power"]),
+    ("after a conversion", PICO + INA.replace("}", ", average: 512}"),
+     CURRENT.replace("amperes, stale_after: 2 s", "power.current, stale_after: 1301 ms") + CONSUMED, []),
+    ("a conversion of an INA219", PICO + SOLAR.strip().replace("}", ", average: 128, rate: 100 Hz}"),
+     "volts: {doc: d, unit: V, source: solar.voltage, stale_after: 160 ms}",
+     ["stale-before-reading: boat.volts is old after 160 ms, and solar gives a new value every 160 ms"]),
+    ("before a fix", GPS, SPEED,
+     ["error stale-before-reading: boat.speed is old after 1000 ms, and gps gives a new value every 1100 ms",
+      "hint: stale_after: 3300 ms, so that one failure changes nothing, or another fixes of gps"]),
+    ("after a fix", GPS, SPEED.replace("1 s", "1.2 s"), []),
+    ("after one of five", GPS.replace("}", ", fixes: 5 Hz}"), SPEED, []),
+    ("no rate of fixes", GPS.replace("}", ", fixes: 2000 Hz}"), "", ["bad-time: 2000 Hz is not a rate"]),
+    ("a small buffer", GPS.replace("}", ", baud: 115200, buffer: 512}"), "",
+     ["3:68: error bad-source-driver: 576 bytes come between two turns at 115200 bits per second, and 512 have room",
+      "hint: buffer: 1152, or a higher rate"]),
+    ("a buffer for a fast line", GPS.replace("}", ", baud: 115200, buffer: 576}"), "", []),
+    ("a fast line that is asked seldom", GPS.replace("}", ", baud: 115200, rate: 0.1 Hz}"), "",
+     ["3:66: error bad-source-driver: 115200 bytes come between two turns at 115200 bits", "hint: rate: 20 Hz"]),
+    ("a fast line", GPS.replace("}", ", baud: 115200}"), "", []),
+    ("silent between two", GPS.replace("}", ", fixes: 0.25 Hz}"), "",
+     ["bad-source-driver: it counts as failed after 3000 ms, before a fix comes every 4000 ms", "silence: 12000 ms"]),
     ("for ever", SONAR, DEPTH, ["warning believed-for-ever: nothing makes boat.depth unknown when sonar fails"]),
     ("beyond", SONAR, DEPTH.replace("}", ", min: 0, max: 50, invalid_after: 3}"),
      ["error source-beyond-limits: sonar gives boat.depth 0 to 100000 mm, and the limits of boat.depth leave 0 to",
       "hint: widen min and max of boat.depth, or narrow min and max of sonar\n"]),
     ("no driver file", PICO + "own: {driver: lase, address: 1}", "",
-     ["error unknown-driver: there is no driver lase\n  hint: did you mean laser or pulse?"]),
+     ["error unknown-driver: there is no driver lase\n  hint: did you mean laser or pulse or placed?"]),
     ("an own driver", PICO + OWN, "", []),
     ("a key of it", PICO + OWN.replace("gain", "gian"), "", ["no key gian", "did you mean gain?"]),
     ("a missing key", PICO + OWN.replace("gain: 2, ", ""), "", ["gain is missing, which the driver laser needs"]),
@@ -208,6 +260,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "specs" / "drivers").mkdir()
     (folder / "specs" / "drivers" / "laser.yaml").write_text(DRIVER)
     (folder / "specs" / "parameters.yaml").write_text(SIZES)
+    placed = DRIVER.partition("keys:")[0] + "keys: {address: {doc: a, default: 0x42}}\noutputs: {distance: {unit: m}}\n"
+    (folder / "specs" / "drivers" / "placed.yaml").write_text(placed)
+    (folder / "specs" / "drivers" / "placed.py").write_text("class Laser:\n    pass\n")
     (folder / "specs" / "drivers" / "laser.py").write_text("class Laser:\n    pass\n")
     return folder
 
@@ -262,6 +317,48 @@ def test_a_driver_whose_outputs_cannot_be_read_is_one_finding(folder, monkeypatc
     told = capsys.readouterr().out
     assert (code, told.count(": error ")) == (1, 1), told
     assert "specs/drivers/laser.yaml:10:13: error wrong-type: a mapping is wanted here" in told
+
+
+def test_a_driver_says_the_clock_of_its_bus(folder, monkeypatch, capsys):
+    """Its sensors have it unless they say another one, and it is that of the bus that is opened."""
+    driver = folder / "specs" / "drivers" / "laser.yaml"
+    driver.write_text(DRIVER.replace("bus: i2c", "bus: i2c\nfrequency: 50 kHz"))
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    found = []
+    for said in ("", ", frequency: 400 kHz"):
+        (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN.replace('}', said + '}')}{SOLAR}\n")
+        found.append((main(["check"]), capsys.readouterr().out))
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {OWN}\n")
+    built = main(["build"])
+    driver.write_text(DRIVER)
+    opened = (folder / "generated" / "firmware" / "sources.py").read_text()
+    shutil.rmtree(folder / "generated")
+    assert [code for code, _ in found] == [1, 0]
+    assert "shared-port: I2C 0 runs at 50 kHz for own, and at 400 kHz for solar" in found[0][1]
+    assert built == 0
+    assert "machine.I2C(0, sda=machine.Pin(4), scl=machine.Pin(5), freq=50000)" in opened
+
+
+@pytest.mark.parametrize(
+    ("baud", "rate", "room", "taken"),
+    [
+        (9600, "20 Hz", 512, ""),
+        (38400, "20 Hz", 512, ",240,"),
+        (115200, "20 Hz", 1152, ",720,"),
+        (115200, "90 Hz", 512, ",160,"),
+    ],
+)
+def test_a_receiver_takes_what_its_line_brings(baud, rate, room, taken, folder, monkeypatch):
+    """A turn takes a quarter more than comes at this speed until the next one, and twice as much may wait."""
+    gps = f"gps: {{driver: nmea, uart: 1, tx: 8, rx: 9, baud: {baud}, rate: {rate}}}"
+    (folder / "specs" / "board.yaml").write_text(f"{PICO}sources:\n  {gps}\n")
+    (folder / "specs" / "state.yaml").write_text((PROJECT / "specs" / "state.yaml").read_text())
+    monkeypatch.chdir(folder)
+    assert main(["build"]) == 0
+    made = (folder / "generated" / "firmware" / "sources.py").read_text()
+    shutil.rmtree(folder / "generated")
+    assert f"timeout=0,rxbuf={room}){taken})," in "".join(made.split()), made
 
 
 def test_a_link_and_a_sensor_on_one_uart(folder, monkeypatch, capsys):

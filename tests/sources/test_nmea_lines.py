@@ -108,7 +108,7 @@ class Receiver:
             self.motion(None, None)
         else:
             self.position(3)
-            self.motion(self.number(7, 1000), self.number(8, 100))
+            self.motion(7, 8)
             self.time()
 
     def gsa(self) -> None:
@@ -124,14 +124,17 @@ class Receiver:
 
     def vtg(self) -> None:
         gone = self.fields[9][:1] in ("N", "E")
-        self.motion(*(None, None) if gone else (self.number(5, 1000), self.number(1, 100)))
+        self.motion(*(None, None) if gone else (5, 1))
 
     def motion(self, knots: int | None, course: int | None) -> None:
-        """A knot is 1852 m in an hour; from thousandths to the nearest cm/s."""
-        if knots is not None:
-            steps = Fraction(knots, 1000) * 185200 / 3600
-            knots = math.floor(steps + Fraction(1, 2)) if 0 <= knots < 2000000 else None
-        self.put(SPEED, knots, 5)
+        """A knot is 1852 m in an hour; to the nearest cm/s."""
+        found = re.fullmatch(r"(-?)(\d{1,8})(\.\d*)?", "" if knots is None else self.fields[knots])
+        speed = None
+        if found and int(found[2]) < 2000:
+            steps = (int(found[2]) + _cut_off(found[3], 7)) * 185200 / 3600
+            speed = math.floor(steps + Fraction(1, 2))
+        self.put(SPEED, None if found and found[1] and speed else speed, 5)
+        course = None if course is None else self.number(course, 100)
         self.put(COURSE, 0 if course == 36000 else course, 6)
 
     def position(self, field: int | None) -> None:
@@ -178,7 +181,8 @@ class Receiver:
         found = re.fullmatch(r"(-?)(\d{1,8})(\.\d*)?", self.fields[field])
         if not found or int(found[2]) > 9999999 // power * 10:
             return None
-        steps = math.floor((int(found[2]) + _cut_off(found[3], 7)) * power)
+        exact = int(found[2]) + Fraction("0" + (found[3] or ".") + "0")
+        steps = math.floor(exact * power + Fraction(1, 2))  # a half away from 0
         return -steps if found[1] else steps
 
 

@@ -70,6 +70,14 @@ class PinUse(NamedTuple):
     shared: str = ""
 
 
+class ClockUse(NamedTuple):
+    """The clock of a bus as a sensor wants it: the bus, its frequency in Hz, and the key that says so."""
+
+    bus: str
+    frequency: int
+    key: str
+
+
 class SourceFact(NamedTuple):
     """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it.
 
@@ -178,7 +186,7 @@ class Source(ABC):
 
     @property
     def cause(self) -> str:
-        """Return what is wrong where nothing answers, in the operator's words."""
+        """Return what is wrong where its driver raises OSError, in the operator's words; empty: that says its name."""
         return "no answer"
 
     @property
@@ -205,6 +213,16 @@ class Source(ABC):
         return ()
 
     @property
+    def renewed_us(self) -> int:
+        """Return the longest time from one new value to the next while it works, in us: it may take several turns."""
+        return self.polling.period_us
+
+    @property
+    def renewed_key(self) -> str:
+        """Return the key that decides this."""
+        return "rate"
+
+    @property
     def silence_ms(self) -> int | None:
         """Return the time in ms without anything new after which it counts as failed; None: it always has something."""
         return None
@@ -224,6 +242,11 @@ class Source(ABC):
     def place(self) -> str:
         """Return where it alone is on something that is shared, such as an address of a bus; else empty."""
         return ""
+
+    @property
+    def clock(self) -> ClockUse | None:
+        """Return at which clock it wants a bus that others may be on, too; None where there is none."""
+        return None
 
     # the simulation
 

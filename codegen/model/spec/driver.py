@@ -55,9 +55,12 @@ class DriverSpec(Written):
     doc: str = described("What it drives, for people.")
     class_name: str = described("Its class in NAME.py.", key="class")
     bus: BusKind | None = described(
-        "What the device is connected to: i2c (a sensor says i2c, sda, scl) or uart (uart, tx, rx, baud). The class "
-        "gets a function that opens it as its first argument.",
+        "What the device is connected to: i2c (a sensor says i2c, sda, scl, and may say frequency) or uart (uart, tx, "
+        "rx, baud). The class gets a function that opens it as its first argument.",
         default=None,
+    )
+    frequency: Amount | None = described(
+        "Clock of its I2C bus where a sensor says no frequency, such as 100 kHz. Default: 400 kHz.", default=None
     )
     keys: Mapping[str, DriverKeySpec] = described("The keys of a sensor, by name.", default_factory=dict)
     outputs: Mapping[str, OutputSpec] = described(

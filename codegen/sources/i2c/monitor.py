@@ -8,13 +8,13 @@ from codegen.frozen import dataclass
 from codegen.measure import read_amount
 from codegen.model.quantities.device import Device
 from codegen.model.quantities.simulated import SimulatedInput
-from codegen.model.quantities.source_kind import FAULTS, Output, PinUse, Polling, Source, SourceFact
+from codegen.model.quantities.source_kind import FAULTS, ClockUse, Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Amount, described
 from codegen.model.spec.source import SourceSpec
 from codegen.model.units.unit import Unit, decimal, unit_named
 from codegen.sources.i2c.shown import Sheet, monitor_device
 from codegen.sources.kind import Around
-from codegen.sources.wires import Bus, bus
+from codegen.sources.wires import USUAL_CLOCK, Bus, bus, clock
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,8 +34,9 @@ class MonitorSpec(SourceSpec):
 class Chip:
     """The data of one chip: the volts of a step of the bus and of the shunt, with the most steps of each.
 
-    ``codes`` has what stands for so many conversions that are averaged; ``kind`` is the word for the driver. ``sheet``
-    are the same and more numbers as the data sheet has them, for checks that take nothing from here.
+    ``longest_us`` is the longest time of one conversion, by the data sheet, as the driver sets it up. ``codes`` has
+    what stands for so many conversions that are averaged; ``kind`` is the word for the driver. ``sheet`` are the same
+    and more numbers as the data sheet has them, for checks that take nothing from here.
     """
 
     kind: str
@@ -44,6 +45,7 @@ class Chip:
     most_bus: int
     shunt_step: Fraction
     most_shunt: int
+    longest_us: int
     codes: dict[int, int]
     sheet: Sheet
 
@@ -98,7 +100,22 @@ class Monitor(Source):
     @property
     def opened(self) -> str:
         code = self.chip.codes[self.average]
-        return f"{self.chip.kind.capitalize()}(lambda: {self.bus.opened}, {self.address:#x}, {code})"
+        wait_ms = -(-2 * self.conversion_us // 1000)  # twice as long as any chip takes
+        return f"{self.chip.kind.capitalize()}(lambda: {self.bus.opened}, {self.address:#x}, {code}, {wait_ms})"
+
+    @property
+    def conversion_us(self) -> int:
+        """Return the longest time that it takes to a new value, in us: of the bus and of the shunt, averaged."""
+        return 2 * self.chip.longest_us * self.average
+
+    @property
+    def renewed_us(self) -> int:
+        period_us = self.polling.period_us
+        return -(-self.conversion_us // period_us) * period_us
+
+    @property
+    def renewed_key(self) -> str:
+        return "average" if self.conversion_us > self.polling.period_us else "rate"
 
     @property
     def cause(self) -> str:
@@ -110,6 +127,10 @@ class Monitor(Source):
     @property
     def place(self) -> str:
         return f"address {self.address:#x} of I2C {self.bus.number}"
+
+    @property
+    def clock(self) -> ClockUse:
+        return ClockUse(f"I2C {self.bus.number}", self.bus.frequency, "frequency")
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("bus", self.bus.opened, "i2c")
@@ -133,11 +154,7 @@ def _steps(unit: str, size: Fraction) -> Unit:
 def resolve_monitor(spec: MonitorSpec, polling: Polling, around: Around, chip: Chip) -> Monitor | None:
     """The bus and the shunt; None after a finding."""
     shunt = read_amount(spec.shunt, unit_named("Ohm"), spec.at("shunt"), around.report)
-    frequency = Fraction(400000)
-    if spec.frequency is not None:
-        frequency = read_amount(spec.frequency, unit_named("Hz"), spec.at("frequency"), around.report) or Fraction(0)
-    if frequency.denominator != 1 or not 10000 <= frequency <= 1000000:
-        around.bad("frequency", f"{spec.frequency} is no clock of 10 kHz to 1 MHz", hint="frequency: 400 kHz")
+    frequency = clock(spec.frequency, USUAL_CLOCK, around)
     if shunt is not None and not Fraction(1, 100000) <= shunt <= 10:
         around.bad("shunt", f"a shunt of {spec.shunt} is not one of 0.01 mOhm to 10 Ohm", hint="shunt: 2 mOhm")
     if not 0x40 <= spec.address <= 0x4F:
@@ -149,7 +166,7 @@ def resolve_monitor(spec: MonitorSpec, polling: Polling, around: Around, chip: C
     if spec.average not in chip.codes:
         known = ", ".join(map(str, chip.codes))
         around.bad("average", f"the {chip.name} does not average {spec.average} conversions", f"known: {known}")
-    found = bus(spec, int(frequency), around)
+    found = bus(spec, frequency, around)
     if found is None or shunt is None or around.failed:
         return None
     return Monitor(polling, chip, found, spec.address, shunt, spec.average)

@@ -31,6 +31,7 @@ CHIP = Chip(
     most_bus=8000,
     shunt_step=Fraction(1, 100000),
     most_shunt=31999,
+    longest_us=586,
     codes={1: 8, 2: 9, 4: 10, 8: 11, 16: 12, 32: 13, 64: 14, 128: 15},
     sheet=SHEET,
 )

@@ -31,6 +31,7 @@ CHIP = Chip(
     most_bus=28800,
     shunt_step=Fraction(1, 400000),
     most_shunt=32766,
+    longest_us=1210,
     codes={1: 0, 4: 1, 16: 2, 64: 3, 128: 4, 256: 5, 512: 6, 1024: 7},
     sheet=SHEET,
 )

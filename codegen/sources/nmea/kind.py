@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.measure import read_time
+from codegen.measure import read_rate, read_time
 from codegen.model.quantities.device import Device
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
@@ -40,6 +40,10 @@ SAID = {
 }
 """Its faults in a simulation."""
 
+_BUFFER = 512
+_MOST_BUFFER = 65536
+_PIECE = 128  # bytes that a turn takes, as the driver has it, where no more come
+_OFF = 20  # a fix is late by at most this part of the time between two: clocks differ, and lines take their time
 _MODULES = ("nmea", "nmea_plain", "nmea_viper", "sentences_plain", "sentences_viper")
 
 
@@ -51,16 +55,20 @@ class NmeaSpec(SourceSpec):
     tx: int = described("GPIO number of the UART's output.")
     rx: int = described("GPIO number of the UART's input.")
     baud: int = described("Bits per second.", default=9600)
-    buffer: int = described("Bytes that wait between two turns.", default=512)
+    buffer: int | None = described(
+        "Bytes that wait between two turns. Default: 512, or what comes in the time of two turns.", default=None
+    )
+    fixes: Amount = described("How often the receiver gives a fix, such as 5 Hz.", default=Amount("1 Hz"))
     silence: Amount | None = described("Time without a line after which it has failed. Default: 3 s.", default=None)
 
 
 @dataclass(frozen=True, slots=True)
 class NmeaReceiver(Source):
-    """A receiver on a UART, which has failed after ``silent_ms`` without a line."""
+    """A receiver on a UART, which gives a fix every ``fix_us`` and has failed after ``silent_ms`` without a line."""
 
     polling: Polling
     line: Serial
+    fix_us: int
     silent_ms: int
 
     @property
@@ -81,7 +89,8 @@ class NmeaReceiver(Source):
 
     @property
     def opened(self) -> str:
-        return f"Nmea(lambda: {self.line.opened})"
+        piece = brought(self.line.baud, self.polling) * 5 // 4  # a turn may be late
+        return f"Nmea(lambda: {self.line.opened}{f', {piece}' if piece > _PIECE else ''})"
 
     @property
     def cause(self) -> str:
@@ -94,6 +103,14 @@ class NmeaReceiver(Source):
     @property
     def tells_new(self) -> bool:
         return True
+
+    @property
+    def renewed_us(self) -> int:
+        return self.fix_us + self.fix_us // _OFF + self.polling.period_us
+
+    @property
+    def renewed_key(self) -> str:
+        return "fixes"
 
     @property
     def silence_ms(self) -> int | None:
@@ -123,20 +140,40 @@ class NmeaReceiver(Source):
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("UART", self.line.opened, "uart")
+        yield SourceFact("a fix", f"every {self.fix_us} us", "fixes", asks=False)
         yield SourceFact("silent after", f"{self.silent_ms} ms", "silence", asks=False)
 
     def words(self) -> str:
         return f"NMEA 0183 on UART {self.line.number}, {self.line.baud} bits per second"
 
 
+def brought(baud: int, polling: Polling) -> int:
+    """Return how many bytes a line of so many bits per second brings from one turn to the next at most."""
+    return -(-baud * polling.period_us // 10000000)
+
+
 def resolve_nmea(spec: NmeaSpec, polling: Polling, around: Around) -> NmeaReceiver | None:
     """The UART; None after a finding."""
-    line = serial(spec, spec.baud, spec.buffer, around)
+    comes = brought(spec.baud, polling)
+    size = max(_BUFFER, 2 * comes) if spec.buffer is None else spec.buffer
+    if comes > _MOST_BUFFER // 2 or size < comes:
+        message = f"{comes} bytes come between two turns at {spec.baud} bits per second, and {size} have room"
+        key, more = ("rate", NMEA.rate) if comes > _MOST_BUFFER // 2 else ("buffer", f"{2 * comes}, or a higher rate")
+        around.bad(key, message, hint=f"{key}: {more}")
+        return None
+    line = serial(spec, spec.baud, size, around)
+    rate = read_rate(spec.fixes, spec.at("fixes"), around.report)
     silent = 3000
     if spec.silence is not None:
         silent = read_time(spec.silence, unit_named("ms"), spec.at("silence"), around.report) or 0
         around.failed = around.failed or not silent
-    return None if line is None else NmeaReceiver(polling, line, silent)
+    if line is None or rate is None:
+        return None
+    fix_us = round(1000000 / rate)
+    if silent * 1000 <= fix_us:
+        message = f"it counts as failed after {silent} ms, before a fix comes every {fix_us // 1000} ms"
+        around.bad("silence", message, hint=f"silence: {3 * fix_us // 1000} ms")
+    return NmeaReceiver(polling, line, fix_us, silent)
 
 
 NMEA = KindOfSource("nmea", NmeaSpec, resolve_nmea, "20 Hz")

@@ -9,16 +9,16 @@ from fractions import Fraction
 
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
-from codegen.model.quantities.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.quantities.source_kind import ClockUse, Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Verbatim
-from codegen.model.spec.driver import BusKind, DriverKeySpec, KeyKind, OutputSpec, OwnDriver
+from codegen.model.spec.driver import BusKind, DriverKeySpec, DriverSpec, KeyKind, OutputSpec, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
 from codegen.pattern import pattern
 from codegen.source import Place
 from codegen.sources.declared import declared_output
 from codegen.sources.kind import BAD_SOURCE, Around, check_class
 from codegen.sources.module_names import taken_by
-from codegen.sources.wires import Bus, Serial, bus, serial
+from codegen.sources.wires import USUAL_CLOCK, Bus, Serial, bus, clock, serial
 
 _CLASS = pattern(r"[A-Za-z_]\w*", re.ASCII)
 _WHOLE = pattern(r"[-+]?(0x[0-9a-fA-F]{1,8}|\d{1,10})")
@@ -70,6 +70,35 @@ class OwnSource(Source):
     def port(self) -> str:
         return self.wires.port if isinstance(self.wires, Serial) else ""
 
+    @property
+    def address(self) -> int | None:
+        """Return where it is on its I2C bus, by the key of this name; None without one."""
+        given = dict(self.arguments).get("address", "") if isinstance(self.wires, Bus) else ""
+        return int(given) if _WHOLE.fullmatch(given) else None
+
+    @property
+    def place(self) -> str:
+        return f"address {self.address:#x} of {self.line}" if self.address is not None else ""
+
+    @property
+    def line(self) -> str:
+        """Return the words for what it is connected to; empty for nothing that codegen opens."""
+        if isinstance(self.wires, Bus):
+            return f"I2C {self.wires.number}"
+        return self.wires.port if self.wires else ""
+
+    @property
+    def cause(self) -> str:
+        if not self.line or isinstance(self.wires, Serial):
+            return f"{self.line} does not work" if self.line else ""
+        return "no answer on " + self.line if self.address is None else f"no answer at {self.address:#x} on {self.line}"
+
+    @property
+    def clock(self) -> ClockUse | None:
+        if not isinstance(self.wires, Bus):
+            return None
+        return ClockUse(self.line, self.wires.frequency, "keys.frequency")
+
     def pins(self) -> Iterator[PinUse]:
         if self.wires is not None:
             yield from self.wires.pins()
@@ -103,9 +132,10 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
         around.report.add(BAD_SOURCE, Place(declared.place.file), message, f"rename both files: my_{file}")
         around.failed = True
     of_bus = _OF_BUS[declared.bus]
-    unknown = [name for name in spec.keys if name not in declared.keys and name not in of_bus]
+    known = (*declared.keys, *of_bus, *(("frequency",) if declared.bus is BusKind.I2C else ()))
+    unknown = [name for name in spec.keys if name not in known]
     for name in unknown:
-        hint = did_you_mean(name, (*declared.keys, *of_bus))
+        hint = did_you_mean(name, known)
         around.bad(f"keys.{name}", f"the driver {spec.driver} has no key {name}", hint)
     arguments, inputs = [], []
     for name, key in declared.keys.items():
@@ -119,7 +149,7 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
                 around.pin(f"keys.{name}", int(value), board.free, name, board)
                 inputs.append(PinUse(int(value), f"keys.{name}", board.free))
     found = [declared_output(name, output, around) for name, output in declared.outputs.items()]
-    wires = _wires(declared.bus, spec, around)
+    wires = _wires(declared, spec, around)
     if around.failed or (declared.bus is not None and wires is None) or None in found:
         return None
     outputs = tuple(each[0] for each in found if each is not None)
@@ -167,9 +197,16 @@ class _Keys:
         return self._given[name]
 
 
-def _wires(kind: BusKind | None, spec: OwnSourceSpec, around: Around) -> Bus | Serial | None:
+def _clock(declared: DriverSpec, spec: OwnSourceSpec, around: Around) -> int:
+    """Return the clock of its bus in Hz: that of the sensor, or that of the driver."""
+    usual = declared.frequency or USUAL_CLOCK
+    written = None if "frequency" in declared.keys else spec.keys.get("frequency")
+    return clock(written, usual, around, "keys.frequency")
+
+
+def _wires(declared: DriverSpec, spec: OwnSourceSpec, around: Around) -> Bus | Serial | None:
     """Return what the device is connected to; None without, and after a finding."""
-    given = {}
+    given, kind = {}, declared.bus
     for name in _OF_BUS[kind]:
         written: Verbatim | str | None = spec.keys.get(name, _USUAL_BAUD if name == "baud" else None)
         if written is None or not _WHOLE.fullmatch(written):
@@ -184,7 +221,8 @@ def _wires(kind: BusKind | None, spec: OwnSourceSpec, around: Around) -> Bus | S
     if kind is None or len(given) < len(_OF_BUS[kind]):
         return None
     keys = _Keys(given)
+    frequency = _clock(declared, spec, around) if kind is BusKind.I2C else 0
     around.prefix = "keys."
-    found = bus(keys, 400000, around) if kind is BusKind.I2C else serial(keys, given["baud"], 512, around)
+    found = bus(keys, frequency, around) if kind is BusKind.I2C else serial(keys, given["baud"], 512, around)
     around.prefix = ""
     return found

@@ -69,6 +69,10 @@ class User(Source):
         assert isinstance(spec, UserSpec)
         return spec.outputs.get(output.name) or _single(spec)
 
+    @property
+    def cause(self) -> str:
+        return ""  # nobody knows what an OSError of it means
+
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
         yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs", asks=False)

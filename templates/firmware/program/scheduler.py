@@ -55,7 +55,8 @@ class Scheduler:
     """Runs `control`, a callable without arguments, every `period_us` microseconds, and then the jobs that are due.
 
     A pass runs `most` jobs, and one more for each slot that was left out: others that are due have their turn in the
-    next one. So has a job that returns AGAIN, after those that wait for their first.
+    next one, unless they are due again by then, and would lose a turn. So has a job that returns AGAIN, after those
+    that wait for their first.
 
     The first pass starts the grid. Slots that came too late are left out, the phase stays. An exception in control or
     in a job is logged once until that call works again, and everything goes on. One in control is also told to
@@ -155,13 +156,14 @@ class Scheduler:
                     left = self._most + spare
                     while True:
                         least_us = LONGEST_PERIOD_US
+                        is_waiting = False
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
                             if ahead_us <= 0 or (is_adrift and ahead_us > job.period_us):
-                                if not left:
-                                    least_us = 0
-                                    break
+                                if left <= 0 and ahead_us + job.period_us > period_us:
+                                    is_waiting = True
+                                    continue
                                 left -= 1
                                 if -job.period_us < ahead_us <= 0:
                                     job.due_us = ticks_add(job.due_us, job.period_us)
@@ -182,7 +184,9 @@ class Scheduler:
                             break
                         spare -= 1
                         left = 1
-                    if least_us:  # each had its turn
+                    if is_waiting:
+                        least_us = 0
+                    elif least_us:  # each had its turn
                         is_adrift = False
                     self._next_us = ticks_add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:

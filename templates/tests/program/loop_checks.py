@@ -143,8 +143,8 @@ def late_by_whole_periods():
 def turns_of_a_pass():
     """So many jobs have their turn in a pass, in their order, and one more for each slot that came too late.
 
-    Each is due on a grid of its own, and what waited has its turn in the next pass. Where there is room for fewer than
-    are due, no turn is lost but those of slots that are over.
+    Each is due on a grid of its own, and what waited has its turn in the next pass. What would be due again by then has
+    its turn at once: where there is room for fewer than are due, no turn is lost but those of slots that are over.
     """
     lot = 7
     for most in (1, 2, 3, 1000):
@@ -161,7 +161,10 @@ def turns_of_a_pass():
             if missed >= 0:
                 control_us += (missed + 1) * CONTROL_US
                 overruns += missed
-                ready = [number for number, at_us in enumerate(due) if at_us <= now_us][: most + missed]
+                ready = [number for number, at_us in enumerate(due) if at_us <= now_us]
+                over = ready[most + missed :]
+                ready = ready[: most + missed]
+                ready += [number for number in over if due[number] + periods[number] <= now_us + CONTROL_US]
                 expected = [-1] + ready  # noqa: RUF005  MicroPython cannot
                 for number in ready:
                     due[number] += ((now_us - due[number]) // periods[number] + 1) * periods[number]

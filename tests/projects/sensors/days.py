@@ -46,10 +46,11 @@ while len(counted) < days:
     mock_time.advance_us(step * 1000)
     passed_ms += step
     device.absent = is_long or number % 13 == 0
+    was_new = registers[6]
     registers[6] = 0 if number % 17 == 0 else 8  # no conversion has ended
     registers[2] = 30000 if number % 19 == 0 else 9000 + number % 800
     registers[1] = 32767 if number % 23 == 0 else (number * 7 % 8000 - 2000) & 0xFFFF
-    is_quiet = not device.absent and power.failures == 0
+    is_quiet = not device.absent and power.failures == 0 and (was_new or registers[6])  # none twice is a failure
     before = mem_total()
     power.turn()
     if is_quiet:  # what a failure tells takes memory

@@ -297,8 +297,11 @@ device.registers[6] = 0
 device.registers[2] = 8000
 sources.power.turn()
 found["not converted"] = pack(state)
-for _ in range(20):
-    sources.power.turn()
+mock_time.advance_us(78000)  # twice 16 conversions of 1.21 ms, of the bus and of the shunt
+sources.power.turn()
+found["converts still"] = list(told)
+mock_time.advance_us(1000)
+sources.power.turn()
 found["converts no more"] = told[-1]
 device.registers[6] = 8
 mock_time.advance_us(1000000)
@@ -366,6 +369,30 @@ found["compass"] = [state.compass.heading, state.compass.field]
 compass.registers[1] = 1001
 sources.needle.turn()
 found["strong field"] = [state.compass.heading_cdeg, state.compass.field]
+
+# What a class of the user raises is told by its name, what a bus does not answer by the place on it.
+
+
+class Failing:
+    error = OSError("no file")
+
+    def read(self):
+        raise self.error
+
+
+class Module:
+    Sonar = Failing
+
+
+sys.modules["sonar"] = Module
+raised = []
+for Failing.error in (OSError("no file"), ValueError("no echo")):
+    state, sources = fresh()
+    sources.sonar.turn()
+    raised.append(told[-1])
+state, sources = fresh()
+sources.needle.turn()
+found["raised"] = raised + [told[-1]]
 
 # Pulses.
 state, sources = fresh()

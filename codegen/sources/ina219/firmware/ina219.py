@@ -4,6 +4,7 @@ Its own registers for current and power are not used: they are rounded once more
 Source: data sheet SBOS448G, Texas Instruments.
 """
 
+import time
 from array import array
 
 from micropython import const
@@ -18,17 +19,20 @@ _READY = const(2)
 _RESET = const(0x8000)
 _AFTER_RESET = const(0x399F)
 _FULL = const(32000)  # what is more across the shunt reads so
-_MOST_WAITS = const(20)
 
 
 class Ina219:
-    """`opened` opens its bus; so many conversions are averaged as `code` says, by table 5 of the data sheet."""
+    """`opened` opens its bus; so many conversions are averaged as `code` says, by table 5 of the data sheet.
 
-    def __init__(self, opened, address, code):
+    In `wait_ms` they have ended, on each chip that works.
+    """
+
+    def __init__(self, opened, address, code, wait_ms):
         self.values = array("i", [UNKNOWN] * 3)
         self._registers = Registers(opened, address)
         self._setting = 0x3807 | code << 7 | code << 3  # up to 32 V, and 320 mV, of both, one after the other
-        self._waits = 0
+        self._wait_ms = wait_ms
+        self._since_ms = None
 
     def begin(self):
         """Look who answers by what its settings are after a reset: it has no id. Then set it up."""
@@ -41,18 +45,19 @@ class Ina219:
         registers.write(_CONFIGURATION, self._setting)
         if registers.read(_CONFIGURATION) != self._setting:
             raise Fault("it does not keep its settings")
-        self._waits = 0
+        self._since_ms = None
 
-    def poll(self, _now_ms):
+    def poll(self, now_ms):
         """Read it, if a conversion has ended; return whether that is so."""
         registers = self._registers
         volts = registers.read(_BUS)
         if not volts & _READY:
-            self._waits += 1
-            if self._waits > _MOST_WAITS:
+            if self._since_ms is None:
+                self._since_ms = now_ms
+            elif time.ticks_diff(now_ms, self._since_ms) > self._wait_ms:
                 raise Fault("it does not convert")
             return False
-        self._waits = 0
+        self._since_ms = None
         volts >>= 3
         shunt = registers.read_signed(_SHUNT)
         registers.read(_POWER)

@@ -4,6 +4,7 @@ Its own registers for current and power are not used: they are rounded once more
 Source: data sheet SBOS547A, Texas Instruments.
 """
 
+import time
 from array import array
 
 from micropython import const
@@ -19,17 +20,20 @@ _DIE = const(0xFF)
 _READY = const(8)  # in the mask: a conversion has ended since it was read
 _TEXAS = const(0x5449)
 _FULL = const(32767)  # what is more across the shunt reads so
-_MOST_WAITS = const(20)
 
 
 class Ina226:
-    """`opened` opens its bus; so many conversions are averaged as `code` says, by table 6 of the data sheet."""
+    """`opened` opens its bus; so many conversions are averaged as `code` says, by table 6 of the data sheet.
 
-    def __init__(self, opened, address, code):
+    In `wait_ms` they have ended, on each chip that works.
+    """
+
+    def __init__(self, opened, address, code, wait_ms):
         self.values = array("i", [UNKNOWN] * 3)
         self._registers = Registers(opened, address)
         self._setting = 0x4127 | code << 9  # 1.1 ms for each conversion, of both, one after the other
-        self._waits = 0
+        self._wait_ms = wait_ms
+        self._since_ms = None
 
     def begin(self):
         """Look who answers, and set it up."""
@@ -42,17 +46,18 @@ class Ina226:
         registers.write(_CONFIGURATION, self._setting)
         if registers.read(_CONFIGURATION) != self._setting:
             raise Fault("it does not keep its settings")
-        self._waits = 0
+        self._since_ms = None
 
-    def poll(self, _now_ms):
+    def poll(self, now_ms):
         """Read it, if a conversion has ended; return whether that is so."""
         registers = self._registers
         if not registers.read(_MASK) & _READY:
-            self._waits += 1
-            if self._waits > _MOST_WAITS:
+            if self._since_ms is None:
+                self._since_ms = now_ms
+            elif time.ticks_diff(now_ms, self._since_ms) > self._wait_ms:
                 raise Fault("it does not convert")
             return False
-        self._waits = 0
+        self._since_ms = None
         values = self.values
         volts = registers.read(_BUS)
         shunt = registers.read_signed(_SHUNT)

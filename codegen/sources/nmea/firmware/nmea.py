@@ -21,18 +21,18 @@ _WRONG = const(6)
 _CUT = const(7)
 _WORDS = const(60)
 _LONGEST = const(96)  # between the dollar and the star: the standard has 79, some receivers more
-_PIECE = const(128)  # bytes that are looked at in one turn, so that it stays short
+_PIECE = const(128)  # bytes that are looked at in one turn, so that it stays short, unless a line brings more
 
 
 class Nmea:
-    """The receiver; `opened` is a function that opens its UART."""
+    """The receiver; `opened` is a function that opens its UART, and a turn takes `piece` bytes at most."""
 
-    def __init__(self, opened):
+    def __init__(self, opened, piece=_PIECE):
         self.values = array("i", [UNKNOWN] * _SIZE)
         self.waiting = None
         self._opened = opened
         self._uart = None
-        self._piece = bytearray(_PIECE)
+        self._piece = bytearray(piece)
         self._line = bytearray(_LONGEST + 1)  # and a comma
         self._words = array("i", [0] * _WORDS)
 

@@ -50,13 +50,14 @@ def read(words, values, kind):
 
 
 def _number(words, field, power):
-    """Return a number in steps of 1 / power, without what is less than one; UNKNOWN where there is none."""
+    """Return a number in steps of 1 / power, to the nearest, a half away from 0; UNKNOWN where there is none."""
     field = _FIELDS + 3 * field
     whole = words[field + 1] - 1
     part = words[field + 2] - 1
     if whole < 0 or part < 0 or whole > 9999999 // power * 10:
         return UNKNOWN
-    whole = whole * power + part // (10000000 // power)
+    step = 10000000 // power
+    whole = whole * power + (part + step // 2) // step
     return -whole if words[field] == _MINUS else whole
 
 
@@ -133,10 +134,20 @@ def _lose_motion(values):
 def _put_motion(words, values, knots, course):
     """Speed from knots to cm/s, and the course, of which 360 degrees are 0."""
     values[_NEW] |= _NEW_SPEED | _NEW_COURSE
-    knots = _number(words, knots, 1000)
-    values[_SPEED] = (knots * 463 + 4500) // 9000 if 0 <= knots < 2000000 else UNKNOWN
+    values[_SPEED] = _speed(words, _FIELDS + 3 * knots)
     course = _number(words, course, 100)
     values[_COURSE] = 0 if course == 36000 else course
+
+
+def _speed(words, place):
+    """Return knots as the nearest cm/s, 463 / 9 each, in numbers that stay small; UNKNOWN where there are none."""
+    whole = words[place + 1] - 1
+    part = words[place + 2] - 1
+    if part < 0 or not 0 <= whole < 2000:
+        return UNKNOWN
+    part = (part // 5000 * 463 + part % 5000 * 463 // 5000) // 1000  # in eighteenths
+    whole = (whole * 926 + part + 9) // 18
+    return UNKNOWN if whole and words[place] == _MINUS else whole
 
 
 def _put_position(words, values, field):

@@ -51,13 +51,14 @@ def read(words, values, kind: int):
 
 @micropython.viper
 def _number(words, field: int, power: int) -> int:
-    """Return a number in steps of 1 / power, without what is less than one; unknown where there is none."""
+    """Return a number in steps of 1 / power, to the nearest, a half away from 0; unknown where there is none."""
     at = ptr32(int(ptr32(words)) + (_FIELDS + 3 * field) * 4)
     whole = at[1] - 1
     part = at[2] - 1
     if whole < 0 or part < 0 or whole > 9999999 // power * 10:
         return _UNKNOWN
-    number = whole * power + part // (10000000 // power)
+    step = 10000000 // power
+    number = whole * power + (part + step // 2) // step
     return 0 - number if at[0] == 45 else number
 
 
@@ -159,9 +160,13 @@ def _put_motion(words, values, knots: int, course: int):
     value = ptr32(values)
     value[_NEW] = value[_NEW] | _NEW_SPEED | _NEW_COURSE
     value[_SPEED] = _UNKNOWN
-    number = int(_number(words, knots, 1000))
-    if number >= 0 and number < 2000000:
-        value[_SPEED] = (number * 463 + 4500) // 9000
+    at = ptr32(int(ptr32(words)) + (_FIELDS + 3 * knots) * 4)
+    number = at[1] - 1
+    part = at[2] - 1
+    if number >= 0 and part >= 0 and number < 2000:  # a knot is 463 / 9 cm/s: in eighteenths, which stay small
+        number = (number * 926 + (part // 5000 * 463 + part % 5000 * 463 // 5000) // 1000 + 9) // 18
+        if number == 0 or at[0] != 45:
+            value[_SPEED] = number
     number = int(_number(words, course, 100))
     value[_COURSE] = number
     if number == 36000:

@@ -249,6 +249,12 @@ def a_new_beginning_forgets_half_a_line():
     bench.uart.waiting = bytes(300)
     bench.driver.poll(0)
     assert bench.driver.waiting() == 300 - 128, "a turn stays short"
+    fast = Nmea(lambda: bench.uart, 240)
+    fast.begin()
+    bench.uart.waiting = line(GGA) * 4
+    fast.poll(0)
+    assert fast.waiting() == 4 * len(line(GGA)) - 240, "it takes what its line brings"
+    assert fast.lines == 240 // len(line(GGA))
 
 
 def counts_stay_small():
