@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: 051b5b5d2fcd3634
+# Inputs: adeeb85cf8c91eac
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
@@ -9,11 +9,10 @@ they are unknown again; of some messages what is said of names that are not quit
 where fields are attributes.
 """
 
-import json
-
 import mavlink
 from fields import layout_of
 from messages import ALL
+from telling import tell
 
 LIVE = "BHIbhi"
 SIZES = {"B": 1, "H": 2, "I": 4, "Q": 8, "b": 1, "h": 2, "i": 4, "q": 8}
@@ -164,8 +163,4 @@ def misspelt(cls, fields):
     return found
 
 
-# One by one: as one text it would need a large piece of the heap, and json.dump() asks the system for every number.
-print("{")
-for at, kind in enumerate(ALL):
-    print(f"{',' if at else ''}{json.dumps(kind.NAME)}: {json.dumps(carried(kind))}")
-print("}")
+tell((cls.NAME, carried(cls)) for cls in ALL)
