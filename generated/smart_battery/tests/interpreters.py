@@ -1,5 +1,5 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: a399a5fe20921828
+# Inputs: b1242a7363061895
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
@@ -29,7 +29,7 @@ LARGE_HEAP = "64m"
 """The same for what holds all cases at once."""
 
 SILENT_S = 120
-"""A script that prints nothing for so long hangs. How long one takes in all grows with the specification: it has no end."""
+"""A script that prints nothing for so long hangs. In all it may take longer: that grows with the vehicle."""
 
 
 def path_of(*names):
@@ -92,7 +92,8 @@ def heard(command, environment, silent_s):
             finally:
                 process.kill()
         said.seek(0)
-        return [text.decode(errors="replace").replace("\r\n", "\n") for text in (b"".join(printed), said.read())] + [code]
+        texts = [text.decode(errors="replace").replace("\r\n", "\n") for text in (b"".join(printed), said.read())]
+        return (*texts, code)
 
 
 def _listen(stream, parts):
