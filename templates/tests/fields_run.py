@@ -38,6 +38,11 @@ def values(fields, pattern):
     return found
 
 
+def named_for_call(given):
+    """Return values by names that a call takes: a field called self is self_ there."""
+    return {"self_" if name == "self" else name: value for name, value in given.items()}
+
+
 class Wire:
     """A port that keeps the last frame."""
 
@@ -53,7 +58,7 @@ def carried(cls):
     found = []
     for pattern in range(4):
         given = values(fields, pattern)
-        message = cls(unknown=False).update(**given)
+        message = cls(unknown=False).update(**named_for_call(given))
         found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
     live = [name for name, field in fields.items() if field[0][-1] in LIVE]
     frames = as_live(cls, fields, live, live, range(4))
@@ -75,7 +80,7 @@ def as_live(cls, fields, names, live, patterns):
     frames = []
     for pattern in patterns:
         given = values(fields, pattern)
-        message.update(**{name: given[name] for name in names if name not in live})
+        message.update(**named_for_call({name: given[name] for name in names if name not in live}))
         flat = []
         for name in live:
             flat += given[name] if fields[name][2] else [given[name]]

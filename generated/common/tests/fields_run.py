@@ -1,5 +1,5 @@
 # Generated from templates/tests/fields_run.py: do not edit.
-# Inputs: adeeb85cf8c91eac
+# Inputs: 7ffe78264163ee20
 """Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
 
 By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
@@ -40,6 +40,11 @@ def values(fields, pattern):
     return found
 
 
+def named_for_call(given):
+    """Return values by names that a call takes: a field called self is self_ there."""
+    return {"self_" if name == "self" else name: value for name, value in given.items()}
+
+
 class Wire:
     """A port that keeps the last frame."""
 
@@ -55,7 +60,7 @@ def carried(cls):
     found = []
     for pattern in range(4):
         given = values(fields, pattern)
-        message = cls(unknown=False).update(**given)
+        message = cls(unknown=False).update(**named_for_call(given))
         found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
     live = [name for name, field in fields.items() if field[0][-1] in LIVE]
     frames = as_live(cls, fields, live, live, range(4))
@@ -77,7 +82,7 @@ def as_live(cls, fields, names, live, patterns):
     frames = []
     for pattern in patterns:
         given = values(fields, pattern)
-        message.update(**{name: given[name] for name in names if name not in live})
+        message.update(**named_for_call({name: given[name] for name in names if name not in live}))
         flat = []
         for name in live:
             flat += given[name] if fields[name][2] else [given[name]]
