@@ -1,8 +1,8 @@
-"""Applies the waivers of a project to the findings of a command, as of the day on which it runs."""
+"""Applies the waivers of a project to the findings of a command, as of the day of UTC on which it runs."""
 
 import os
 from collections.abc import Callable, Collection
-from datetime import date
+from datetime import UTC, datetime
 
 from codegen.decode.waivers import WAIVERS, decode_waivers
 from codegen.diagnostics import Report
@@ -34,7 +34,7 @@ def with_waivers(
     decoded = decode_waivers(waivers, files, report)
     judged = Report()
     looked_at = LookedAt(rules, checked)
-    judged.extend(apply_waivers(report, decoded, date.today(), looked_at, is_rule or _is_known))
+    judged.extend(apply_waivers(report, decoded, datetime.now(UTC).date(), looked_at, is_rule or _is_known))
     return judged
 
 

@@ -16,7 +16,6 @@ As a program it prints one JSON object: what went wrong in each check, or null. 
 checks to run; without any, all are.
 """
 
-import json
 import sys
 
 import mock_time
@@ -30,6 +29,7 @@ from mock_board import MockBoard, scenario  # noqa: E402
 from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 from streams import Streams  # noqa: E402
+from telling import tell  # noqa: E402
 
 import single_readings  # noqa: E402
 import telemetry  # noqa: E402
@@ -1089,4 +1089,4 @@ def outcome(check):
 
 if __name__ == "__main__":
     asked = sys.argv[1:] or [check.__name__ for _, check in CHECKS]
-    print(json.dumps({check.__name__: outcome(check) for _, check in CHECKS if check.__name__ in asked}))
+    tell((check.__name__, outcome(check)) for _, check in CHECKS if check.__name__ in asked)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: b5dfc1fd527a1c40
+# Inputs: 8e83acee54329490
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -9,11 +9,15 @@ called requirement, and in codegen-inputs the hash of the specification that the
 import json
 import os
 import re
+import threading
 import time
 
 import pytest
-from interpreters import CASES, HERE, LARGE_HEAP, files, path_of, run_under
+from interpreters import CASES, HERE, LARGE_HEAP, files, path_of, told_by
 from selection import selected
+
+GOES_ON_S = 2  # who makes a result says so as often
+GONE_S = 60  # who has not said so for so long makes none
 
 
 def pytest_configure(config):
@@ -37,7 +41,7 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
     """Return what the firmware made of all cases, in one run of each interpreter."""
-    return json.loads(run_under(request.param, "runner.py", str(CASES), heap=LARGE_HEAP))
+    return told_by(request.param, "runner.py", str(CASES), heap=LARGE_HEAP)
 
 
 @pytest.fixture(scope="session")
@@ -59,28 +63,19 @@ def modules():
 
 @pytest.fixture(scope="session")
 def once(request, tmp_path_factory):
-    """Return a call that keeps results, JSON, by name: each is made once, however many processes pytest-xdist has."""
+    """Return a call that keeps results, JSON, by name: each is made once, however many processes pytest-xdist has.
+
+    So is one that cannot be made: the result is what went wrong, by the name "", and all that ask for it fail at once.
+    """
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
     known = {}
 
     def by(name, make):
         if name not in known:
-            known[name] = found(shared / f"{name}.json", make)
+            known[name] = {"": f"{name} was broken off"}  # where it is, whoever asks next does not wait for it
+            known[name] = _shared(shared / f"{name}.json", make)
         return known[name]
-
-    def found(path, make):
-        try:
-            os.close(os.open(path.with_suffix(".started"), os.O_CREAT | os.O_EXCL))
-        except FileExistsError:
-            return _awaited(path)
-        try:
-            made = make()
-        except AssertionError as error:  # processes that wait for the result get the error, too
-            made = {"": str(error)}
-        path.with_suffix(".part").write_text(json.dumps(made))
-        path.with_suffix(".part").replace(path)
-        return made
 
     return by
 
@@ -95,16 +90,43 @@ def printed(once):
     def by(interpreter, script, item=None):
         def run():
             names = [each["name"] for each in selected(item)] if item else ()
-            return json.loads(run_under(interpreter, script, *names))
+            return told_by(interpreter, script, *names)
 
         return once(f"{interpreter}-{script}", run)
 
     return by
 
 
-def _awaited(path):
-    end = time.monotonic() + 200
+def _shared(path, make):
+    """Return the result in a file: that of the process which came first, and makes it."""
+    begun = path.with_suffix(".started")
+    try:
+        os.close(os.open(begun, os.O_CREAT | os.O_EXCL))
+    except FileExistsError:
+        return _awaited(path, begun)
+    made = {"": f"{path.stem} was broken off"}
+    over = threading.Event()
+    threading.Thread(target=_go_on, args=(begun, over), daemon=True).start()
+    try:
+        made = make()
+    except Exception as error:
+        made = {"": str(error) if isinstance(error, AssertionError) else f"{type(error).__name__}: {error}"}
+    finally:  # processes that wait for the result get the error, too
+        over.set()
+        path.with_suffix(".part").write_text(json.dumps(made))
+        path.with_suffix(".part").replace(path)
+    return made
+
+
+def _go_on(begun, over):
+    """Show those who wait that the process that makes a result is there."""
+    while not over.wait(GOES_ON_S):
+        begun.touch()
+
+
+def _awaited(path, begun):
     while not path.exists():
-        assert time.monotonic() < end, f"{path} does not come"
+        if time.time() - begun.stat().st_mtime > GONE_S:
+            return {"": f"{path} does not come: the process that makes it has ended"}
         time.sleep(0.05)
     return json.loads(path.read_text())

@@ -1,12 +1,16 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: a3218fb3f97b0080
+# Inputs: 2f672e6e97a21221
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
+import json
 import os
+import queue
 import shutil
 import subprocess
 import sys
+import tempfile
+import threading
 from functools import cache
 from pathlib import Path
 
@@ -23,6 +27,9 @@ No board has so much. What the firmware needs is counted, and a heap that grows 
 """
 LARGE_HEAP = "64m"
 """The same for what holds all cases at once."""
+
+SILENT_S = 120
+"""A script that prints nothing for so long hangs. In all it may take longer: that grows with the vehicle."""
 
 
 def path_of(*names):
@@ -59,17 +66,58 @@ def checks_of(script, listed="CHECKS"):
 def started(interpreter, script, *arguments, heap=HEAP):
     """Return command and environment of a script, with the firmware and the mocks on its path.
 
-    `heap` is what MicroPython gets.
+    `heap` is what MicroPython gets. What is printed is heard at once.
     """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
     program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
     program.append(str(path_of("tests", script)))
-    return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
+    return [*program, *arguments], {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path, "PYTHONUNBUFFERED": "1"}
+
+
+def heard(command, environment, silent_s):
+    """Run a command to its end, or until it has printed nothing for so many seconds.
+
+    Return what it printed, what it said of errors, and what it returned: None if it had to be ended.
+    """
+    with tempfile.TemporaryFile() as said:
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=said, env=environment) as process:
+            printed, parts = [], queue.SimpleQueue()
+            threading.Thread(target=_listen, args=(process.stdout, parts), daemon=True).start()
+            try:
+                while not printed or printed[-1]:  # the last one is empty
+                    printed.append(parts.get(timeout=silent_s))
+                code = process.wait(silent_s)
+            except (queue.Empty, subprocess.TimeoutExpired):
+                code = None
+            finally:
+                process.kill()
+        said.seek(0)
+        texts = [text.decode(errors="replace").replace("\r\n", "\n") for text in (b"".join(printed), said.read())]
+        return (*texts, code)
+
+
+def _listen(stream, parts):
+    """Put what comes into a queue, and nothing once it ends."""
+    part = True
+    while part:
+        part = stream.read1(1 << 16)
+        parts.put(part)
 
 
 def run_under(interpreter, script, *arguments, heap=HEAP):
     """Run a script as started() says; return what it printed."""
     command, environment = started(interpreter, script, *arguments, heap=heap)
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    printed, said, code = heard(command, environment, SILENT_S)
+    wrong = f"prints nothing for {SILENT_S} s" if code is None else f"ended with {code}"
+    assert code == 0, f"{script}, {interpreter}: {wrong}: {printed[-2000:]}{said[-4000:]}"
+    return printed
+
+
+def told_by(interpreter, script, *arguments, heap=HEAP):
+    """Run a script as started() says; return the JSON that it printed."""
+    printed = run_under(interpreter, script, *arguments, heap=heap)
+    try:
+        return json.loads(printed)
+    except ValueError as error:
+        message = f"{script}, {interpreter}: what it prints is no JSON ({error}): {printed[-2000:]}"
+        raise AssertionError(message) from error

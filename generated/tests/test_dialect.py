@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 2e6266c7ca608353
+# Inputs: 7cf2d65f596ab56d
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -52,12 +52,15 @@ def struct_forms(known):
     return forms
 
 
-def crc_extra(known, length):
-    """Return the CRC_EXTRA of a message whose fields without the extensions take `length` bytes, by MAVLink's rule."""
+def crc_extra(known, length, message=None):
+    """Return the CRC_EXTRA of a message whose fields without the extensions take `length` bytes, by MAVLink's rule.
+
+    pymavlink tells the names of messages in capitals: where `message` is not, that is the one of the dialect.
+    """
     kinds = dict(zip(known.fieldnames, known.fieldtypes, strict=True))
     counts = dict(zip(known.ordered_fieldnames, known.array_lengths, strict=True))
     crc = x25crc()
-    crc.accumulate_str(known.msgname + " ")
+    crc.accumulate_str((message or known.msgname) + " ")
     for name, _form, place in fields_of(known):
         if place < length:
             crc.accumulate_str(f"{kinds[name]} {name} ")
@@ -73,7 +76,7 @@ def test_messages(laid_out, modules):
         assert [number, extra, length] == [known.id, known.crc_extra, known.unpacker.size], name
         assert fields == fields_of(known), name
         assert base in (*(place for _name, _form, place in fields), length), name  # an extension begins there
-        assert crc_extra(known, base) == extra, (name, "bytes without extension fields")
+        assert crc_extra(known, base, name) == extra, (name, "bytes without extension fields")
         assert targets == [place for target in TARGETS for field, _form, place in fields if field == target], name
         encode = getattr(modules[0].MAVLink, known.msgname.lower() + "_encode")
         defaults = {key: each.default for key, each in inspect.signature(encode).parameters.items()}

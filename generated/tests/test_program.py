@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 0a9726123dcff5af
+# Inputs: e707022a2f3a24cb
 """The checks of the program, in one run of each interpreter; a test is named by its check and criteria.
 
 Those that a script lists as LONG simulate minutes or days: `-m "not days"` leaves them out, and they have another run.
@@ -8,12 +8,14 @@ Those that a script lists as LONG simulate minutes or days: `-m "not days"` leav
 import pytest
 from grouped import outcomes
 from interpreters import checks_of, files
-from program_facts import CRITERIA
+from program_facts import CRITERIA, MESSAGES, PARAMETERS
 from selection import selected
 
 ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not have
-LIMIT_S = 60  # for all checks of a run; on an idle computer they take two seconds
-LONG_LIMIT_S = 120  # for all that are long
+LIMIT_S = 60 + len(MESSAGES) + len(PARAMETERS)
+"""For each check: many go through all messages or parameters. On an idle computer all take seconds."""
+LONG_LIMIT_S = 2 * LIMIT_S
+"""For each that is long."""
 
 
 def _checks():

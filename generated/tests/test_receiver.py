@@ -1,14 +1,13 @@
 # Generated from templates/tests/receiver/test_receiver.py: do not edit.
-# Inputs: c4ae6ddfc1e18f37
+# Inputs: beb75cc968e4a2f2
 """The receiver gives back what the firmware's cases were made of, within one unit of the wire, on both interpreters."""
 
 import json
 import os
-import subprocess
 import sys
 
 import pytest
-from interpreters import HERE, micropython, path_of
+from interpreters import HERE, SILENT_S, heard, micropython, path_of
 from oracle import dialects
 from test_frames import DATA, encoded
 
@@ -49,10 +48,10 @@ def results(request, frames, tmp_path_factory):
     folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
     program = micropython() if request.param == "micropython" else sys.executable
     command = [program, str(path_of("tests", "receiver_run.py")), str(HERE / "receiver_facts.json"), str(path)]
-    environment = {**os.environ, "MICROPYPATH": folder, "PYTHONPATH": folder}
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    answers = [json.loads(line) for line in done.stdout.splitlines()]
+    environment = {**os.environ, "MICROPYPATH": folder, "PYTHONPATH": folder, "PYTHONUNBUFFERED": "1"}
+    printed, said, code = heard(command, environment, SILENT_S)
+    assert code == 0, f"receiver_run.py ended with {code}: {printed[-2000:]}{said[-4000:]}"
+    answers = [json.loads(line) for line in printed.splitlines()]
     return {"said": answers[: len(frames)], "checks": answers[len(frames) :]}
 
 

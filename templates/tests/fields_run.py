@@ -7,11 +7,10 @@ they are unknown again; of some messages what is said of names that are not quit
 where fields are attributes.
 """
 
-import json
-
 import mavlink
 from fields import layout_of
 from messages import ALL
+from telling import tell
 
 LIVE = "BHIbhi"
 SIZES = {"B": 1, "H": 2, "I": 4, "Q": 8, "b": 1, "h": 2, "i": 4, "q": 8}
@@ -39,6 +38,11 @@ def values(fields, pattern):
     return found
 
 
+def named_for_call(given):
+    """Return values by names that a call takes: a field called self is self_ there."""
+    return {"self_" if name == "self" else name: value for name, value in given.items()}
+
+
 class Wire:
     """A port that keeps the last frame."""
 
@@ -54,7 +58,7 @@ def carried(cls):
     found = []
     for pattern in range(4):
         given = values(fields, pattern)
-        message = cls(unknown=False).update(**given)
+        message = cls(unknown=False).update(**named_for_call(given))
         found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
     live = [name for name, field in fields.items() if field[0][-1] in LIVE]
     frames = as_live(cls, fields, live, live, range(4))
@@ -76,7 +80,7 @@ def as_live(cls, fields, names, live, patterns):
     frames = []
     for pattern in patterns:
         given = values(fields, pattern)
-        message.update(**{name: given[name] for name in names if name not in live})
+        message.update(**named_for_call({name: given[name] for name in names if name not in live}))
         flat = []
         for name in live:
             flat += given[name] if fields[name][2] else [given[name]]
@@ -162,8 +166,4 @@ def misspelt(cls, fields):
     return found
 
 
-# One by one: as one text it would need a large piece of the heap, and json.dump() asks the system for every number.
-print("{")
-for at, kind in enumerate(ALL):
-    print(f"{',' if at else ''}{json.dumps(kind.NAME)}: {json.dumps(carried(kind))}")
-print("}")
+tell((cls.NAME, carried(cls)) for cls in ALL)

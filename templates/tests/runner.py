@@ -17,6 +17,7 @@ from mavlink import Link  # noqa: E402
 from mock_board import MockBoard  # noqa: E402
 from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
+from telling import tell  # noqa: E402
 
 import streams  # noqa: E402
 import telemetry  # noqa: E402
@@ -117,27 +118,26 @@ def silent(*_words):
     """Log nothing."""
 
 
-def run(cases):
-    """Return the results of all cases by name."""
+def frames(cases):
+    """Yield name and frames of each case."""
     links = [Link(Wire(), streams.SYSTEM_ID, streams.COMPONENT_ID, version) for version in (2, 1)]
     if streams.VERSION == 2:
         links[0] = streams.open_link(Wire())  # which has views of those lengths alone that it is said to need
     instances = cases["instances"]
     about, texts = cases["about"], cases["texts"]
-    frames = {}
     for case in cases["messages"]:
         table = case.get("table", case["message"])
-        frames[case["name"]] = frames_of(case, instances, about.get(table, 0), texts.get(table, ()), links)
-    return {
-        "frames": frames,
-        "conversions": {case["name"]: convert(case, instances) for case in cases["conversions"]},
-    }
+        yield case["name"], frames_of(case, instances, about.get(table, 0), texts.get(table, ()), links)
 
 
 def main(path):
     with open(path, encoding="utf-8") as file:
         cases = json.loads(file.read())  # load() asks the system for every single byte
-    print(json.dumps(run(cases)))
+    print('{"frames": ')
+    tell(frames(cases))
+    print(', "conversions": ')
+    tell((case["name"], convert(case, cases["instances"])) for case in cases["conversions"])
+    print("}")
 
 
 if __name__ == "__main__" and issubclass(MockBoard, Board):

@@ -36,13 +36,23 @@ def ends_in_company():
         raise SystemExit(3)
 
 
+def takes_long():
+    import select
+
+    select.poll().poll(2200)
+
+
+def takes_as_long():
+    takes_long()
+
+
 def is_here():
     import program_bench
 
     program_bench.was_here = True
 
 
-CHECKS = ((passes,), (fails,), (ends,), (hangs,), (is_here,), (ends_in_company,))
+CHECKS = ((passes,), (fails,), (ends,), (hangs,), (is_here,), (ends_in_company,), (takes_long,), (takes_as_long,))
 """
 
 
@@ -56,7 +66,7 @@ def tests(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def outcomes(tests: Path, interpreter: str, *asked: str, most_hanging: int = 3) -> dict[str, str | None]:
-    """Return the suite's outcomes of checks, each with its script, which have four seconds together."""
+    """Return the suite's outcomes of checks, each with its script, which have four seconds each."""
     script = "import grouped, json, sys\ngrouped.MOST_HANGING = int(sys.argv[2])\n"
     script += "pairs = [tuple(each.split()) for each in sys.argv[3:]]\n"
     script += "print(json.dumps(grouped.outcomes(sys.argv[1], pairs, 4)))"
@@ -90,3 +100,9 @@ def test_where_many_hang_the_others_are_told_apart(tests: Path) -> None:
     """A program that stands still would take a minute for each check: they fail, and say that they were not run."""
     found = outcomes(tests, "micropython", "odd hangs", "odd passes", most_hanging=1)
     assert found == {"odd hangs": "does not end within 4 s", "odd passes": "not run: 1 others do not end"}
+
+
+def test_many_checks_have_the_time(tests: Path) -> None:
+    """The limit is for each: a large specification has long ones, and all together may take minutes."""
+    found = outcomes(tests, "cpython", "odd takes_long", "odd takes_as_long", "odd passes")
+    assert set(found.values()) == {None}

@@ -1,12 +1,14 @@
 """A waiver excuses one finding for a time; one that excuses nothing is told."""
 
-from datetime import date
+import time
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from codegen.cli import main
+from codegen.commands.waived import with_waivers
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.findings.catalogue import rule_catalogue
@@ -137,3 +139,23 @@ def test_the_command_says_which_rule_does_not_exist(pipeline: Any, run: Any) -> 
     assert found == "specs/waivers.yaml:3:11: error waiver-unknown-rule: there is no rule no-such"
     assert hint == "  hint: write the id that stands behind error or warning of the finding"
     assert main(["explain", "waiver-unknown-rule"]) == 0
+
+
+@pytest.mark.parametrize("zone", ["Pacific/Kiritimati", "Pacific/Niue"])
+def test_a_waiver_ends_everywhere_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, zone: str) -> None:
+    """The day is that of UTC: a commit would be green on one computer and red on another one."""
+    path = tmp_path / "waivers.yaml"
+    today = datetime.now(UTC).date()
+    found = Report()
+    found.extend([FOUND])
+    monkeypatch.setenv("TZ", zone)
+    time.tzset()
+    try:
+        counts = []
+        for day in (today, today + timedelta(days=1)):
+            path.write_text(WAIVER.replace("2030-01-31", day.isoformat()))
+            counts.append(bool(told(with_waivers(found, str(path), {"claim-size"}, {DOCUMENT}, DISK))))
+    finally:
+        monkeypatch.undo()
+        time.tzset()
+    assert counts == [True, False]

@@ -190,3 +190,22 @@ def test_a_dialect_alone_includes_nothing_from_elsewhere(command, included, tmp_
     out = "".join(capsys.readouterr())
     assert "a.xml:1:10: error outside-project: " in out
     assert "secret" not in out
+
+
+@pytest.mark.parametrize(
+    ("included", "message", "hint"),
+    [
+        ("Minimal.xml", "Minimal.xml does not exist", "did you mean minimal.xml?"),
+        ("comon.xml", "comon.xml does not exist", "did you mean common.xml"),
+        ("https://x.org/a.xml", "https://x.org/a.xml is an address", "keep a copy beside this file"),
+        ("my_own_things.xml", "my_own_things.xml does not exist", ""),
+    ],
+)
+def test_what_may_be_meant_is_told(write: Write, included: str, message: str, hint: str) -> None:
+    """A shipped dialect by nearly its name, and an address, of which only the end looked like a file's."""
+    report = Report()
+    decode_dialect_files(write(including(included)), DISK, report)
+    (found,) = report
+    assert message in found.message
+    assert bool(found.hint) == bool(hint)
+    assert hint in (found.hint or "")

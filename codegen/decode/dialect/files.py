@@ -5,10 +5,10 @@ from dataclasses import replace
 from functools import lru_cache
 
 from codegen.decode.dialect.dialect import decode_dialect_file
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Diagnostic, Report, did_you_mean
 from codegen.load.files import Files
-from codegen.load.shipped import is_shipped, shipped_dialect_path
-from codegen.load.text import real_path
+from codegen.load.shipped import is_shipped, shipped_dialect_names, shipped_dialect_path
+from codegen.load.text import FILE_NOT_FOUND, real_path
 from codegen.load.xml_tree import parse_xml_bytes
 from codegen.model.dialect.dialect import DialectFile
 from codegen.source import Place
@@ -30,12 +30,14 @@ def decode_dialect_files(
     # A stack of its own instead of recursion: a chain of includes may be as long as it likes.
     open_files: list[tuple[DialectFile, int]] = []
 
-    def open_file(path: str, asked_at: Place | None) -> None:
+    def open_file(path: str, asked_at: Place | None, written: str = "") -> None:
         identity = real_path(path)
         if identity in seen:
             return
         seen.add(identity)
-        data = files.read_bytes(path, report, asked_at)
+        missing = Report()
+        data = files.read_bytes(path, missing, asked_at)
+        report.extend(_with_hint(found, written, files) for found in missing)
         file, findings = (None, ()) if data is None else _decoded(data, path)
         report.extend(findings)
         if file is not None:
@@ -49,8 +51,21 @@ def decode_dialect_files(
             continue
         open_files.append((file, position + 1))
         include = file.includes[position]
-        open_file(_included(file.path, include.path, files), include.place)
+        if "://" in include.path:
+            message = f"{include.path} is an address: nothing is read from a network"
+            report.add(FILE_NOT_FOUND, include.place, message, "keep a copy beside this file, and name that")
+        else:
+            open_file(_included(file.path, include.path, files), include.place, include.path)
     return tuple(finished)
+
+
+def _with_hint(found: Diagnostic, written: str, files: Files) -> Diagnostic:
+    """Return a finding about an included file; where a shipped dialect is nearly called so, that is the hint."""
+    if not written or found.rule is not FILE_NOT_FOUND:
+        return found
+    names = [f"{name}.xml" for name in shipped_dialect_names(files)]
+    hint = did_you_mean(written, [name for name in names if name.lower() == written.lower()] or names) or ""
+    return replace(found, hint=hint) if hint.startswith("did you mean") else found
 
 
 def _included(path: str, written: str, files: Files) -> str:

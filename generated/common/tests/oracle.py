@@ -1,26 +1,30 @@
 # Generated from templates/tests/oracle.py: do not edit.
-# Inputs: d53e72594d6042f6
+# Inputs: 2ad2e1cbccf79667
 """pymavlink as the judge: it shares no code with the generator or the firmware.
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
 pymavlink's generator makes a dialect of both, with what the project's corrections change of ids, types and entries.
 Of the shipped XML only the messages that are asked for are taken: the hundreds of others would take most of the time.
+Fields with names that Python cannot have there get others for it, and their messages keep their CRC_EXTRA.
 """
 
 import contextlib
 import importlib
 import importlib.util
 import io
+import keyword
 import tempfile
 from pathlib import Path
+from unittest.mock import patch
 from xml.etree import ElementTree
 from zlib import crc32
 
 import pymavlink
-from pymavlink.generator import mavgen
+from pymavlink.generator import mavgen, mavparse
 
 DIALECTS = (Path(pymavlink.__file__).parent / "dialects" / "v20").resolve()
 WIRES = {"v20": "2.0", "v10": "1.0"}
+RENAMED = "_in_python"  # behind the names of fields that pymavlink's generator cannot have
 
 
 def dialects(about, messages, here, also=()):
@@ -72,11 +76,13 @@ def _generated(source, wire):
     """Return the module that pymavlink's generator makes of an XML file, for a version of the protocol."""
     output = source.with_name(f"project_{wire}.py")
     options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+    quiet = contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO())
+    with quiet[0], quiet[1], patch.object(mavparse, "message_checksum", _checksum):
         mavgen.mavgen(options, [str(source)])
     spec = importlib.util.spec_from_file_location(f"project_{wire}", output)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
+    _call_by_name(module)
     return module
 
 
@@ -99,6 +105,8 @@ def _plain(file, folder, corrections, messages):
             group[:] = [message for message in group if message.get("name") in messages]
     for correction in corrections:
         _correct(tree, correction)
+    if not is_shipped:
+        _rename(tree)
     for element in tree.iter():
         if element.tag == "description" or (element.tag in ("field", "param") and element.text):
             element.text = ""
@@ -106,6 +114,43 @@ def _plain(file, folder, corrections, messages):
             element.text = str(_plain(_included(file, element), folder, corrections, messages))
     tree.write(copy)
     return copy
+
+
+def _rename(tree):
+    """Give fields other names for pymavlink whose names are words of Python, or are taken in pymavlink's classes."""
+    taken = {"self", "force_mavlink1", *dir(message_class(shipped("v20", "minimal"), "heartbeat"))}
+    for field in tree.iter("field"):
+        name = field.get("name")
+        if keyword.iskeyword(name) or name in taken:
+            field.set("name", name + RENAMED)
+
+
+def _checksum(message, checksum=mavparse.message_checksum):
+    """Return the CRC_EXTRA of a message, as pymavlink computes it, with the names that its fields have on the wire."""
+    names = [field.name for field in message.ordered_fields]
+    for field, name in zip(message.ordered_fields, names, strict=True):
+        field.name = name.removesuffix(RENAMED)
+    extra = checksum(message)
+    for field, name in zip(message.ordered_fields, names, strict=True):
+        field.name = name
+    return extra
+
+
+def _call_by_name(module):
+    """Let messages of pymavlink be made with the true names of their fields, and tell these."""
+    for known in module.mavlink_map.values():
+        renamed = {name.removesuffix(RENAMED): name for name in known.fieldnames if name.endswith(RENAMED)}
+        if renamed:
+            known.fieldnames = [name.removesuffix(RENAMED) for name in known.fieldnames]
+            known.ordered_fieldnames = [name.removesuffix(RENAMED) for name in known.ordered_fieldnames]
+            known.__init__ = _renaming(known.__init__, renamed)
+
+
+def _renaming(make, renamed):
+    def made(self, /, *values, **named):
+        make(self, *values, **{renamed.get(name, name): value for name, value in named.items()})
+
+    return made
 
 
 def _included(file, element):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 364806eb2b4d9be6
+# Inputs: e5409b681f609c4d
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -14,9 +14,12 @@ from program_bench import (
     needs,
     new_craft,
     number_of,
+    quieted,
     run_passes,
+    run_turns,
     save,
     sender_of,
+    turns,
 )
 from program_facts import MEASURED, PARAMETERS, SYSTEM_ID, VERSION
 
@@ -99,7 +102,7 @@ def refused_values_change_nothing():
 def _names_what_is_accepted(craft, station, facts, value):
     """The text about a value in a gap has those that are accepted, as many as it has room for."""
     station.set_parameter(facts, value)
-    run_passes(craft, 4)
+    run_turns(craft, 4)
     (said,) = [each.text for each in station.received(*KINDS, messages.Statustext) if each.ID == messages.Statustext.ID]
     accepted = ["%g" % _worth(facts, steps) for steps in facts["choices"]]  # noqa: UP031  MicroPython
     head = "%s: %g is not " % (facts["name"], value)  # noqa: UP031
@@ -157,10 +160,10 @@ def unknown_names_are_refused():
 def list_is_complete():
     """Each parameter once, in the order of the indices, with count and type; also over a port that is often full."""
     for every in (1, 2, 5):
-        craft = new_craft()
+        craft = quieted(new_craft(), every)
         station = craft.ground_station()
         station.send(messages.ParamRequestList)
-        for index in range((len(PARAMETERS) + 14) * every):
+        for index in range(turns(len(PARAMETERS) + 14, every) * every):
             craft.port.room = None if index % every == 0 else 0
             run_passes(craft, 1)
         values = station.received(messages.ParamValue)
@@ -191,7 +194,7 @@ def change_is_announced_on_other_links():
     for facts in SETTABLE:
         steps = next(each for each in _accepted(facts) if each != facts["default"])
         one.set_parameter(facts, _worth(facts, steps))
-        run_passes(craft, 4)
+        run_turns(craft, 4)
         assert len(one.received(messages.ParamValue)) == 1
         told = other.received(messages.ParamValue)
         assert [(value.param_id, number_of(value)) for value in told] == [(facts["name"], _worth(facts, steps))], told

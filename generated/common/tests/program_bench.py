@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: eba3b04b6e032b8d
+# Inputs: e1d23311e2efb17e
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -33,6 +33,7 @@ from program_facts import (  # noqa: E402
     FORCE_ARM,
     LINKS_US,
     MEASURED,
+    MESSAGES,
     KNOWN,
     ON_REQUEST,
     SHARED,
@@ -520,6 +521,43 @@ def save(vehicle):
     """Save the parameters at once, without the vehicle's own task."""
     vehicle.storage.begin(vehicle.parameters.dump())
     finish(vehicle.storage)
+
+
+def streamed_at(every=1):
+    """Return how many messages of streams may be due at once, and how many are while a port has room for others.
+
+    That is one pass of the links of `every` one.
+    """
+    tables = [table for each in [MESSAGES.values()] + list(SHARED.values()) for table in each]  # noqa: RUF005  MicroPython
+    counts = [each["instances"] * each["pages"] for each in tables]
+    rate = sum([each["rate"] * count for each, count in zip(tables, counts)])  # noqa: B905  MicroPython
+    return sum(counts), rate * LINKS_US * every / SECOND_US
+
+
+def turns(count, every=1):
+    """Return in how many passes with room for it what waits beside the streams has so many turns.
+
+    Such are answers, texts and parameters. Streams may take three quarters of the room, or have to be quieted().
+    """
+    at_once, in_a_pass = streamed_at(every)
+    taken, left = at_once // Craft.MESSAGES, 1 - in_a_pass / Craft.MESSAGES
+    return int((count + taken) / max(left, 0.25)) + 1 if taken else count
+
+
+def quieted(craft, every=1):
+    """Return a vehicle; where its streams take more than a quarter of the room, all are off but for the HEARTBEAT."""
+    if streamed_at(every)[1] * 4 > craft.MESSAGES:
+        for number, each in MESSAGES.items():
+            if each["rate"] and number != messages.Heartbeat.ID:
+                craft.connections[0].streams.set_interval(number, -1)
+        for number in SHARED:
+            craft.connections[0].streams.set_interval(number, -1)
+    return craft
+
+
+def run_turns(vehicle, count):
+    """Run the passes, each when it is due, in which what waits beside the streams has so many turns."""
+    run_passes(vehicle, turns(count))
 
 
 def run_passes(vehicle, count):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: eab018ef0638d848
+# Inputs: d06fd006aadd2cd4
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from time import ticks_add, ticks_ms
@@ -17,6 +17,7 @@ from program_bench import (
     run,
     run_passes,
     sequence_of,
+    turns,
 )
 from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
@@ -170,7 +171,7 @@ def lists_of_parameters_go_side_by_side():
     for number in (1, 2, 3):
         scene.station(number).send(messages.ParamRequestList)
         run_passes(scene.craft, 3)
-    run(scene.craft, 5 * SECOND_US)
+    run(scene.craft, 5 * SECOND_US + turns(3 * len(PARAMETERS), every=3) * LINKS_US)
     for number in (1, 2, 3):
         found = [value.param_index for value in scene.station(number).received(messages.ParamValue)]
         assert found == list(range(len(PARAMETERS))), (number, found)

@@ -1,12 +1,11 @@
 # Generated from templates/tests/test_counterparts.py: do not edit.
-# Inputs: f32c0d172b018a88
+# Inputs: e77a87d2ecbeba31
 """Machine code and its counterpart in plain Python leave the same, whatever happens: MicroPython and CPython agree."""
 
-import json
 import re
 
 import pytest
-from interpreters import LARGE_HEAP, files, path_of, run_under
+from interpreters import LARGE_HEAP, files, path_of, told_by
 
 INTERPRETERS = ("cpython", "micropython")
 PARTS = ("steps", "ages", "zeros", "short", "lengths", "due", "watched", "frames", "times")
@@ -21,8 +20,7 @@ def told(once):
     def by(parts):
         def run():
             given = (*map(str, numbers()), "of", *parts)
-            told = [run_under(each, "counterparts_run.py", *given, heap=LARGE_HEAP) for each in INTERPRETERS]
-            return [json.loads(each) for each in told]
+            return [told_by(each, "counterparts_run.py", *given, heap=LARGE_HEAP) for each in INTERPRETERS]
 
         return once(f"counterparts-{parts[0].replace(' ', '-')}", run)
 
@@ -64,7 +62,7 @@ def test_more_steps(part, told):
 def test_machine_code():
     """An interpreter with machine code compiles all of it: else the firmware would be in plain Python, and slow."""
     modules = [path.stem for path in files("firmware/*_viper.py")]
-    assert not json.loads(run_under("micropython", "machine_code_run.py", *modules))
+    assert not told_by("micropython", "machine_code_run.py", *modules)
 
 
 def test_places():

@@ -8,7 +8,7 @@ from program_bench import (
     new_craft,
     number_of,
     put_number,
-    run_passes,
+    run_turns,
 )
 from program_facts import BYTEWISE, COMPONENT_ID, PARAMETERS, SYSTEM_ID, VERSION
 
@@ -26,7 +26,7 @@ def _message(facts, kind):
 def _is_refused(craft, station, facts, message):
     """Send a PARAM_SET that is to change nothing: an error, a text that says why, and the value in force."""
     station.link.send(message)
-    run_passes(craft, 4)
+    run_turns(craft, 4)
     found = station.received(messages.ParamError, messages.ParamValue, messages.Statustext)
     texts = [each.text for each in found if isinstance(each, messages.Statustext)]
     assert "%s is not sent as bytes of type %d" % (facts["name"], facts["type"]) in texts, texts  # noqa: UP031

@@ -1,7 +1,18 @@
 """The commands and the modes of this vehicle: what they are given, when they are done, and what is answered."""
 
 from command_facts import COMMANDS, MODE_FLAGS, MODES
-from program_bench import OTHER_SYSTEM, OTHER_COMPONENT, SECOND_US, main, messages, needs, new_craft, run, run_passes
+from program_bench import (
+    OTHER_SYSTEM,
+    OTHER_COMPONENT,
+    SECOND_US,
+    main,
+    messages,
+    needs,
+    new_craft,
+    run,
+    run_passes,
+    turns,
+)
 from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
@@ -52,6 +63,10 @@ class Scene:
         """Return the acknowledgements of a COMMAND_LONG, and the texts that begin with the command's title."""
         self.station.command(self.facts["number"], *(params or self.facts["good"][0]), **values)
         return self.answers(passes)
+
+    def told(self):
+        """Return the same where the answer has a text, which waits for its turn, and nothing goes on."""
+        return self.asked(passes=turns(4))
 
     def answers(self, passes=4):
         """Return what comes in some passes: the acknowledgements, and the texts."""
@@ -165,10 +180,10 @@ def refusals_have_failed():
     for facts in COMMANDS:
         scene = Scene(facts)
         scene.method.says = False
-        acks, texts = scene.asked()
+        acks, texts = scene.told()
         assert ([ack.result for ack in acks], texts) == ([FAILED], []), (facts["name"], texts)
         scene.method.says = "not now"
-        acks, texts = scene.asked()
+        acks, texts = scene.told()
         assert [ack.result for ack in acks] == [FAILED], (facts["name"], acks)
         assert texts == [facts["title"] + ": not now"], texts
         scene.method.says = True
@@ -180,7 +195,7 @@ def exceptions_have_failed():
     for facts in COMMANDS:
         scene = Scene(facts)
         scene.method.says = ValueError("broken")
-        acks, texts = scene.asked()
+        acks, texts = scene.told()
         assert [ack.result for ack in acks] == [FAILED], (facts["name"], acks)
         assert texts == [facts["title"] + ": ValueError: broken"], texts
         scene.method.says = None
@@ -215,7 +230,7 @@ def only_when_it_is_allowed():
     needs(restricted, "a command that is not always allowed")
     for facts in restricted:
         scene = Scene(facts, is_armed=not facts["armed"])
-        acks, texts = scene.asked()
+        acks, texts = scene.told()
         assert [ack.result for ack in acks] == [REJECTED], (facts["name"], acks)
         assert texts == [facts["title"] + (": arm first" if facts["armed"] else ": disarm first")], texts
         assert scene.method.given == []

@@ -2,9 +2,8 @@
 
 import json
 import socket
-import subprocess
 
-from interpreters import started
+from interpreters import heard, started
 
 MOST_HANGING = 3  # further ones would only cost time
 
@@ -12,7 +11,8 @@ MOST_HANGING = 3  # further ones would only cost time
 def outcomes(interpreter, asked, limit_s):
     """Return what each check finds by `script name`: None, or what went wrong. `asked` are pairs of these.
 
-    A check in which the process ends is run alone. One that has not ended after so many seconds is left, and fails.
+    A check in which the process ends is run alone. One that has not ended so many seconds after the one before it is
+    left, and fails.
     """
     found, left, hanging = {}, [" ".join(each) for each in asked], 0
     while left:
@@ -38,13 +38,12 @@ def _alone(interpreter, name, limit_s):
 def _run(interpreter, names, limit_s):
     """Return what checks found that one process runs, how it failed or None, and whether it had to be ended."""
     command, environment = started(interpreter, "checks_run.py", _free_port(), *names)
-    try:
-        done = subprocess.run(command, capture_output=True, env=environment, timeout=limit_s, check=False)
-        output, is_hanging = done.stdout, False
-        wrong = done.returncode and f"{interpreter} ended with {done.returncode}: {done.stderr.decode()[-2000:]}"
-    except subprocess.TimeoutExpired as error:
-        output, wrong, is_hanging = error.stdout or b"", f"does not end within {limit_s} s", True
-    lines = output.decode().split("\n")[:-1]  # the last one is empty, or is not whole
+    output, said, code = heard(command, environment, limit_s)
+    is_hanging = code is None
+    wrong = code and f"{interpreter} ended with {code}: {said[-2000:]}"
+    if is_hanging:
+        wrong = f"does not end within {limit_s} s"
+    lines = output.split("\n")[:-1]  # the last one is empty, or is not whole
     told = dict(map(json.loads, lines))
     if not wrong and told.keys() != set(names):
         wrong = f"{interpreter} ended early"

@@ -19,6 +19,7 @@ from program_bench import (
     ready_craft,
     run,
     run_passes,
+    run_turns,
 )
 from program_facts import (
     ABSENT,
@@ -215,7 +216,7 @@ def arming_by_command():
     craft.problem = "door open"
     station.received()
     station.command(command, 1)
-    run_passes(craft, 4)
+    run_turns(craft, 4)
     found = station.received(messages.CommandAck, messages.Statustext)
     assert [each.result for each in found if each.ID == messages.CommandAck.ID] == [FAILED]
     texts = [each for each in found if each.ID == messages.Statustext.ID]
@@ -281,7 +282,7 @@ def what_arrives_together_is_answered_before_its_turns():
 
 
 def _chunks(craft, station):
-    run_passes(craft, 6)
+    run_turns(craft, 6)
     return station.received(messages.Statustext)
 
 
@@ -318,10 +319,10 @@ def texts_reach_every_link():
         station.received()
     ports[0].is_up = False
     craft.texts("warning: one")
-    run_passes(craft, 6)
+    run_turns(craft, 6)
     assert [text.text for text in stations[1].received(messages.Statustext)] == ["one"]
     ports[0].is_up = True
-    run_passes(craft, 6)
+    run_turns(craft, 6)
     assert [text.text for text in stations[0].received(messages.Statustext)] == ["one"]
 
 

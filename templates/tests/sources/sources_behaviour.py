@@ -3,7 +3,6 @@
 As a program it prints one JSON object: what went wrong in each check, or null.
 """
 
-import json
 import sys
 
 import mock_time
@@ -16,6 +15,7 @@ from polling import UNKNOWN, Fault  # noqa: E402
 from source_facts import SOURCES  # noqa: E402
 from sources import Sources  # noqa: E402
 from state import SystemState  # noqa: E402
+from telling import tell  # noqa: E402
 
 try:
     from micropython import mem_total  # bytes that were ever allocated
@@ -358,19 +358,19 @@ CHECKS = (
 )
 
 
+def outcome(check, facts):
+    """Return None for a check that passes, else what went wrong."""
+    try:
+        check(facts)
+    except Exception as error:
+        if "-v" in sys.argv:
+            raise
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
 def main():
-    found = {}
-    for facts in SOURCES:
-        for _, check in CHECKS:
-            name = facts["name"] + "-" + check.__name__
-            found[name] = None
-            try:
-                check(facts)
-            except Exception as error:
-                found[name] = f"{type(error).__name__}: {error}"
-                if "-v" in sys.argv:
-                    raise
-    print(json.dumps(found))
+    tell((facts["name"] + "-" + check.__name__, outcome(check, facts)) for facts in SOURCES for _, check in CHECKS)
 
 
 if __name__ == "__main__":
