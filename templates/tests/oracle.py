@@ -115,8 +115,11 @@ def _plain(file, folder, corrections, messages):
 
 
 def _rename(tree):
-    """Give fields other names for pymavlink whose names are words of Python, or are taken in pymavlink's classes."""
-    taken = {"self", "force_mavlink1", *dir(message_class(shipped("v20", "minimal"), "heartbeat"))}
+    """Give fields other names for pymavlink whose names are words of Python, or are taken in pymavlink's classes.
+
+    Fields called id and name stay: messages of shipped dialects have them, and nothing of a class asks for its own.
+    """
+    taken = {"self", "force_mavlink1", *dir(message_class(shipped("v20", "minimal"), "heartbeat"))} - {"id", "name"}
     for field in tree.iter("field"):
         name = field.get("name")
         if keyword.iskeyword(name) or name in taken:

@@ -85,10 +85,10 @@ FAULTS = [
         SWAPPED,
         ("pack.voltage", "pack.current"),
     ),
-    ("address", "sources", "0x40, 2)", "0x44, 2)", ("pack.voltage-1", "pack.current-1")),
-    ("address-of-another", "sources", "0x45, 11)", "0x40, 11)", ("pack.voltage-2", "pack.current-2")),
+    ("address", "sources", "0x40, 2,", "0x44, 2,", ("pack.voltage-1", "pack.current-1")),
+    ("address-of-another", "sources", "0x45, 11,", "0x40, 11,", ("pack.voltage-2", "pack.current-2")),
     ("bus-of-another", "sources", "machine.I2C(1,", "machine.I2C(0,", ("pack.voltage-3", "pack.current-3")),
-    ("average", "sources", "0x40, 2)", "0x40, 3)", ("pack.voltage-1", "pack.current-1")),
+    ("average", "sources", "0x40, 2,", "0x40, 3,", ("pack.voltage-1", "pack.current-1")),
     ("scale-of-a-current", "sources", "value // 3 + (value % 3 + 1) // 3", "value // 4", ("pack.current-1",)),
     (
         "count-of-pulses",

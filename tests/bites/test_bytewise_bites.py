@@ -18,9 +18,9 @@ CAST, TYPE = "numbers_as_floats_are_refused", "another_type_is_refused"
 # A module, a text in it, what takes its place, and a check that then fails.
 FAULTS = [
     ("bytewise", 'pack_into("<I", wire, at, 0)', "pass", LIST),
-    ("bytewise", "int(value)", "value", SET),
-    ("bytewise", "code == _FLOAT else", "True else", SET),
-    ("bytewise", "pack_into(code, wire, at, value if", 'pack_into("<f", wire, at, value if', SET),
+    ("bytewise", "min(round(value), smallest + values - 1)", "value + 0.0", SET),
+    ("bytewise", "code != _FLOAT", "False", SET),
+    ("bytewise", "pack_into(code, wire, at, value)", 'pack_into("<f", wire, at, value)', SET),
     ("bytewise", "return unpack_from(code", 'return unpack_from("<f"', SET),
     ("bytewise", "return unpack_from(code, wire, at)[0]", 'return int(unpack_from("<f", wire, at)[0])', SET),
     ("bytewise", "if any(wire[", "if False and any(wire[", CAST),

@@ -94,6 +94,7 @@ OPEN = {
     "CAMERA_FOV_STATUS.lat_image": ["INT32_MIN"],
     "CAMERA_FOV_STATUS.lon_image": ["INT32_MIN"],
     "COMMAND_ACK.progress": ["255"],
+    "DISTANCE_SENSOR.signal_quality": ["1"],
     "MANUAL_CONTROL.s": ["0"],
     "MANUAL_CONTROL.t": ["0"],
     "MESSAGE_INTERVAL.interval_us": ["-1", "0"],

@@ -107,7 +107,7 @@ def test_what_a_sensor_may_give(low: int, high: int, taken: tuple[int, ...]) -> 
     """All within its limits; where every number is within them only the one that means unknown is none."""
     unknown = -SMALL_INT_MAX - 1
     output: Any = SimpleNamespace(low=low, high=high)
-    text = _plausible(output)
+    text = _plausible(output, keeps_limits=True)
     assert all(eval(text, {"value": value, "_UNKNOWN": unknown}) for value in taken)  # noqa: S307
     assert not eval(text, {"value": unknown, "_UNKNOWN": unknown})  # noqa: S307
     assert ("_UNKNOWN" in text) is (low == -SMALL_INT_MAX)

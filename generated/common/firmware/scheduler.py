@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 3971965722345115
+# Inputs: f5add0c242270968
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -158,13 +158,12 @@ class Scheduler:
                     left = self._most + spare
                     while True:
                         least_us = LONGEST_PERIOD_US
-                        is_waiting = False
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
                             if ahead_us <= 0 or (is_adrift and ahead_us > job.period_us):
                                 if left <= 0 and ahead_us + job.period_us > period_us:
-                                    is_waiting = True
+                                    least_us = 0
                                     continue
                                 left -= 1
                                 if -job.period_us < ahead_us <= 0:
@@ -186,9 +185,7 @@ class Scheduler:
                             break
                         spare -= 1
                         left = 1
-                    if is_waiting:
-                        least_us = 0
-                    elif least_us:  # each had its turn
+                    if least_us > 0:  # each had its turn
                         is_adrift = False
                     self._next_us = ticks_add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:

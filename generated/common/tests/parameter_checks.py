@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: e5409b681f609c4d
+# Inputs: 412e0f0f0376636e
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -248,7 +248,12 @@ CHECKS = (
     (multiplier_counts_from_the_next_start, "storage.reboot", "quantity.calibration"),
     (system_id_counts_from_the_next_start, "storage.reboot"),
 )
-LONG = (set_answers_with_the_value, refused_values_change_nothing)
+LONG = (
+    list_is_complete,
+    change_is_announced_on_other_links,
+    set_answers_with_the_value,
+    refused_values_change_nothing,
+)
 
 SUBJECT = PARAMETERS
 """The parameters of the program; without any, these checks are left out."""

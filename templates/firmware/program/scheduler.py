@@ -156,13 +156,12 @@ class Scheduler:
                     left = self._most + spare
                     while True:
                         least_us = LONGEST_PERIOD_US
-                        is_waiting = False
                         last = None
                         for job in jobs:
                             ahead_us = diff(job.due_us, now_us)
                             if ahead_us <= 0 or (is_adrift and ahead_us > job.period_us):
                                 if left <= 0 and ahead_us + job.period_us > period_us:
-                                    is_waiting = True
+                                    least_us = 0
                                     continue
                                 left -= 1
                                 if -job.period_us < ahead_us <= 0:
@@ -184,9 +183,7 @@ class Scheduler:
                             break
                         spare -= 1
                         left = 1
-                    if is_waiting:
-                        least_us = 0
-                    elif least_us:  # each had its turn
+                    if least_us > 0:  # each had its turn
                         is_adrift = False
                     self._next_us = ticks_add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:

@@ -246,7 +246,12 @@ CHECKS = (
     (multiplier_counts_from_the_next_start, "storage.reboot", "quantity.calibration"),
     (system_id_counts_from_the_next_start, "storage.reboot"),
 )
-LONG = (set_answers_with_the_value, refused_values_change_nothing)
+LONG = (
+    list_is_complete,
+    change_is_announced_on_other_links,
+    set_answers_with_the_value,
+    refused_values_change_nothing,
+)
 
 SUBJECT = PARAMETERS
 """The parameters of the program; without any, these checks are left out."""
