@@ -1,10 +1,10 @@
 """The way of the data for ``codegen import``: from a document to a proposal, beside the table that there is."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from codegen.commands.codec import read_codec_dialect
-from codegen.diagnostics import Diagnostic, Report, did_you_mean
+from codegen.diagnostics import Report, did_you_mean
 from codegen.emit.file import write_file
 from codegen.frozen import dataclass
 from codegen.importing.comparison import Compared, Verdict, compare
@@ -89,17 +89,15 @@ def surroundings(project: str | None, dialect: str | None, report: Report) -> tu
     if not systems:
         report.extend(reading)
         return (), None
-    unread = [finding for finding in reading if _is_of_unread_table(finding, systems)]
+    tables = {table.place.file for system in systems for table in system.spec.populations}
+    unread = [finding for finding in reading if finding.is_error and _is_other_table(finding.place.file, tables)]
     report.extend(unread)
     return ((), None) if unread else (systems, systems[0].dialect)
 
 
-def _is_of_unread_table(finding: Diagnostic, systems: Sequence[System]) -> bool:
-    """Return whether a population table could not be read for what is found: no program has it."""
-    tables = {table.place.file for system in systems for table in system.spec.populations}
-    file = finding.place.file
-    is_table = os.path.basename(os.path.dirname(file)) == "messages" and file not in tables
-    return is_table and finding.is_error
+def _is_other_table(file: str, read: Collection[str]) -> bool:
+    """Return whether a file is a population table, other than those that are ``read``."""
+    return os.path.basename(os.path.dirname(file)) == "messages" and file not in read
 
 
 def unknown_name(wanted: Wanted, systems: Sequence[System]) -> str | None:

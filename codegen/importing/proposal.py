@@ -96,9 +96,7 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
         mentioned.add(target.field.name)
         cell = row.cells.get(Role.VALUE)
         found = Report()
-        reading = UNREAD
-        if cell is not None:
-            reading = read_value(in_unit(cell, row.unit, target), target, sources, found)
+        reading = UNREAD if cell is None else read_value(in_unit(cell, row.unit, target), target, sources, found)
         if cell is not None and (note := row.cells.get(Role.NOTES)) and leaves_open(note):
             text = f"{note.text!r} beside {cell.text!r} leaves open what goes into {target.name}"
             found.add(DOCUMENT_AMBIGUOUS, note.place, text)

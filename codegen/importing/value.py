@@ -44,6 +44,7 @@ _ATOM = re.compile(
     r"\s*(?:\((?P<inner>[^()]*(?:\([^()]*\)[^()]*)*)\)|(?:=|:|,|;|[-\u2013\u2014]\s)\s*(?P<after>.*))?",
     re.DOTALL,
 )
+_LEADING = re.compile(rf"{_NUMBER}(?=\s*(?:[(;:,]|$))")
 _IN_BRACKETS = re.compile(rf"({_NUMBER})\s*\(([^()]*)\)")
 _BEHIND = re.compile(rf"({_NUMBER})\s*[=:,;\u2013\u2014-]\s*([^\W\d_]+|[^\s\d]+$)", re.DOTALL)
 _SHORTEST_WORD = 4
@@ -93,7 +94,7 @@ def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
 
     The number that stands for unknown stays as it is, and so does one of a field without a unit, such as an entry's.
     """
-    field, found = target.field, re.match(rf"{_NUMBER}(?=\s*(?:[(;:,]|$))", cell.text)
+    field, found = target.field, _LEADING.match(cell.text)
     is_own = unit == field.definition.units and field.multiplier == 1
     if not unit or not found or not field.definition.units or is_own:
         return cell
@@ -106,11 +107,12 @@ def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
 
 def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
     """A number, a limit, an entry or a word for unknown, with a remark behind it; None if the text is none of these."""
-    amount = _REMARK.sub("", _with_unit(text))
+    measured = _with_unit(text)
+    amount = _REMARK.sub("", measured)
     if target.field.definition.units and read_measure(amount) is not None:
         return Reading(f"{{constant: {amount}}}")
     match = _ATOM.fullmatch(text)
-    if match is None or amount != _REMARK.sub("", text):
+    if match is None or measured != text:
         return None
     head, remark = match["head"], match["inner"] or match["after"] or ""
     if match["after"] and not _is_remark(match["after"], head, target):

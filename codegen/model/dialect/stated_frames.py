@@ -1,11 +1,10 @@
 """Fields of a message that say from where, and along which axes, others are measured, and which others these are."""
 
-import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 from typing import NamedTuple
 
 from codegen.model.dialect.dialect import EnumDefinition, WireField, WireMessage
+from codegen.model.dialect.phrase import phrase
 from codegen.model.dialect.stated_validity import is_measured
 
 
@@ -15,12 +14,6 @@ class StatedFrame(NamedTuple):
     field: str
     judge: str
     example: str
-
-
-@cache
-def _compiled(expression: str) -> "re.Pattern[str]":
-    """The pattern, once a message is looked at: few projects need it."""
-    return re.compile(expression)
 
 
 _FRAME = r"(?:\w+_)?FRAME"
@@ -34,9 +27,9 @@ def stated_frames(message: WireMessage, enums: Mapping[str, EnumDefinition]) -> 
     """Yield the fields of a message whose frame another one says, in wire order."""
     for judge in message.fields:
         enum = enums.get(judge.definition.enum or "")
-        if enum is None or not _compiled(_FRAME).fullmatch(enum.name) or not judge.type.is_integer:
+        if enum is None or not phrase(_FRAME).fullmatch(enum.name) or not judge.type.is_integer:
             continue
-        options = [name for name in _compiled(_OPTIONS).findall(judge.definition.description) if enum.entry(name)]
+        options = [name for name in phrase(_OPTIONS).findall(judge.definition.description) if enum.entry(name)]
         example = next(iter(options), next((each.name for each in enum.entries if each.name.endswith("LOCAL_NED")), ""))
         for field in message.fields:
             if field is not judge and _is_in_frame(field, judge, options):
@@ -46,11 +39,11 @@ def stated_frames(message: WireMessage, enums: Mapping[str, EnumDefinition]) -> 
 def _is_in_frame(field: WireField, judge: WireField, options: list[str]) -> bool:
     """Return whether the numbers of a field are others in another frame: with global ones only heights are."""
     text = judge.definition.description
-    if listed := _compiled(_FIELDS).search(text):
+    if listed := phrase(_FIELDS).search(text):
         return field.name in listed[1].split(", ")
     if options and all("_GLOBAL" in name for name in options):
         return field.name in ("alt", "z")
-    if _compiled(_ALIKE).fullmatch(field.name) or not (is_measured(field) or field.name in ("x", "y", "z")):
+    if phrase(_ALIKE).fullmatch(field.name) or not (is_measured(field) or field.name in ("x", "y", "z")):
         return False
     is_of_motion = "/s" in (field.definition.units or "") or "velocity" in field.name
     if "velocity" in text:

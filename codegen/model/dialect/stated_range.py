@@ -1,13 +1,12 @@
 """The range that the words of a field state for its values: ``Yaw angle (-pi..+pi)``, ``0.0..359.99 degrees``."""
 
 import math
-import re
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cache
 from typing import NamedTuple
 
 from codegen.model.dialect.dialect import Kind, WireField
+from codegen.model.dialect.phrase import phrase
 from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.units.unit import conversion, unit_named
 
@@ -18,12 +17,6 @@ class StatedRange(NamedTuple):
     low: Fraction
     high: Fraction
     words: str
-
-
-@cache
-def _compiled(expression: str) -> "re.Pattern[str]":
-    """The pattern, once a description is looked at: few projects need it."""
-    return re.compile(expression)
 
 
 _NUMBER = r"[-+]?(?:\d{1,7}(?:\.\d{1,4})?|pi)"
@@ -60,7 +53,7 @@ def stated_range(field: WireField) -> StatedRange | None:
 def _ranges(field: WireField, text: str) -> Iterator[StatedRange]:
     """Yield each range, in numbers on the wire."""
     for expression in _RANGES:
-        for match in _compiled(expression).finditer(text):
+        for match in phrase(expression).finditer(text):
             unit = match.groupdict().get("unit")
             has_pi = "pi" in match["low"] + match["high"]
             factor = _on_wire(field, "rad" if has_pi and unit is None else unit)

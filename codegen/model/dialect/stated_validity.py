@@ -7,10 +7,10 @@ names of these (ADSB_FLAGS_VALID_COORDS).
 
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 from typing import NamedTuple
 
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, FieldDefinition, Kind, WireField, WireMessage
+from codegen.model.dialect.phrase import phrase
 
 
 class StatedValidity(NamedTuple):
@@ -24,12 +24,6 @@ class StatedValidity(NamedTuple):
     judge: str
     words: str
     proviso: str = ""
-
-
-@cache
-def _compiled(expression: str) -> "re.Pattern[str]":
-    """The pattern, once a description is looked at: few projects need it."""
-    return re.compile(expression)
 
 
 _BIT = r"\b[Vv]alid(?: data)? if bit (\d+) of (?:the )?(\w+)(?: field)? is set"
@@ -64,17 +58,17 @@ def _by_own_words(
 ) -> Iterator[StatedValidity]:
     """Yield what the words of a field say of what makes it a value, or of what makes another one none."""
     text = field.definition.description
-    if match := _compiled(_BIT).search(text):
+    if match := phrase(_BIT).search(text):
         yield StatedValidity(field.name, match[2], match[0], f"when: {{{match[2]}: bit {match[1]}}}")
-    if match := _compiled(_IGNORED).search(text):
+    if match := phrase(_IGNORED).search(text):
         yield StatedValidity(field.name, match[1], match[0])
-    if match := _compiled(_ELSE).search(text):
+    if match := phrase(_ELSE).search(text):
         other = match[2].lower().replace(" ", "_")
         other = {"parameter_id": "param_id"}.get(other, other)
         yield StatedValidity(other, field.name, match[0], f"when: {{{field.name}: {match[1]}}}")
-    if _compiled(_NO_CONDITION).search(text):
+    if phrase(_NO_CONDITION).search(text):
         return
-    for named in _compiled(_ENTRY).finditer(text):
+    for named in phrase(_ENTRY).finditer(text):
         for judge in message.fields:
             enum = enums.get(judge.definition.enum or "")
             if judge is not field and enum is not None and enum.entry(named[1]) is not None:
@@ -84,18 +78,18 @@ def _by_own_words(
 def _by_words(judge: WireField, message: WireMessage) -> Iterator[StatedValidity]:
     """Yield what the words of a field say of others: of those that they name, or of all that are measured."""
     text = judge.definition.description
-    for listed in _compiled(_LISTED).finditer(text):
+    for listed in phrase(_LISTED).finditer(text):
         flag = "MAV_BOOL_TRUE" if judge.definition.enum == "MAV_BOOL" else ""
         proviso = f"when: {{{judge.name}: {flag}}}" if flag else ""
         for name in _names(listed[1]):
             yield StatedValidity(name, judge.name, listed[0].strip(), proviso)
     if not judge.type.is_integer:
         return
-    if match := _compiled(_WHICH).search(text):
+    if match := phrase(_WHICH).search(text):
         for field in message.fields:
             if is_measured(field) and (field.is_array or field.definition.units is not None):
                 yield StatedValidity(field.name, judge.name, match[0])
-    if match := _compiled(_FAILS).search(text):
+    if match := phrase(_FAILS).search(text):
         proviso = f"unless: {{{judge.name}: {match[1]}}}"
         for field in _of_what_fails(match[0], judge, message):
             yield StatedValidity(field.name, judge.name, match[0], proviso)
@@ -118,10 +112,10 @@ def _by_flags(judge: WireField, message: WireMessage, enums: Mapping[str, EnumDe
         return
     for entry in enum.entries:
         when = f"when: {{{judge.name}: {entry.name}}}"
-        for listed in _compiled(_LISTED).finditer(entry.description):
+        for listed in phrase(_LISTED).finditer(entry.description):
             for name in _names(listed[1]):
                 yield StatedValidity(name, judge.name, f"{entry.name}: {listed[0].strip()}", when)
-        if match := _compiled(_UPDATED).search(entry.description):
+        if match := phrase(_UPDATED).search(entry.description):
             yield StatedValidity(match[1], judge.name, f"{entry.name}: {match[0]}", f"{when}, otherwise: unchanged")
     for field in message.fields:
         if field is judge:

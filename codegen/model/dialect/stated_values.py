@@ -6,10 +6,11 @@ NaN is looked for by itself: as no value is ever meant by it, every word about i
 import re
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cache
+from functools import partial
 from typing import NamedTuple
 
 from codegen.model.dialect.literals import LIMITS
+from codegen.model.dialect.phrase import phrase
 
 
 class StatedValue(NamedTuple):
@@ -36,10 +37,7 @@ class StatedValue(NamedTuple):
         return Fraction(self.text)
 
 
-@cache
-def _compiled(expression: str) -> "re.Pattern[str]":
-    """The pattern, once a description is looked at: few projects need it."""
-    return re.compile(expression, re.IGNORECASE)
+_compiled = partial(phrase, flags=re.IGNORECASE)
 
 
 _LIMIT = r"U?INT(?:8|16|32|64)_M(?:AX|IN)(?: ?- ?\d{1,3})?"

@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
+from codegen.model.answers.scaling import rounded
 from codegen.model.quantities.device import Exact
+from codegen.model.spec.population import Rounding
 from codegen.model.units.unit import conversion
 from codegen.model.vehicle import Component, Quantity
 
@@ -43,7 +45,7 @@ def stored_of(amount: Exact, quantity: Quantity) -> int:
     assert into is not None
     assert not into.pi
     exact = amount.value * into.factor + into.offset
-    return -nearest(-exact) if exact < 0 else nearest(exact)
+    return rounded(exact, Rounding.NEAREST)
 
 
 def nearest(exact: Fraction) -> int:
