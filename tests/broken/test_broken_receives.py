@@ -50,6 +50,7 @@ CASES = [
     Case("bad-proviso", STICK, "ahead}", "ahead, otherwise: §unchanged}", "nothing says when it is no value"),
     Case("unknown-enum-entry", FIX, "fix.yaw,", "fix.yaw, unless: {ignore_flags: §GPS_INPUT_IGNORE_FLAG_ALTI},", "did you mean GPS_INPUT_IGNORE_FLAG_ALT"),
     Case("unknown-enum-entry", STICK, "ahead}", "ahead, when: {enabled_extensions: §half}}", "has no entry half"),
+    Case("unknown-enum-entry", STICK, "ahead}", "ahead, when: {enabled_extensions: §\u00b2}}", "has no entry \u00b2"),
     Case("unknown-choice", STICK, "ahead}", "ahead, when: {y: 1}, otherwise: §unchangd}", "did you mean unchanged"),
     Case("unknown-quantity", RC, "{state: rc.rudder}", "{state: §rc.ruder}", "did you mean rc.rudder or"),
     Case("unknown-key", RC, "from:", "§form:", "did you mean from?"),

@@ -66,7 +66,7 @@ def named_number(text: str) -> int | float | None:
         return math.nan
     if text.upper() in LIMITS:
         return LIMITS[text.upper()]
-    return int(text) if text.removeprefix("-").isdigit() else None
+    return whole_number(text)
 
 
 def same_number(first: int | float | None, second: int | float | None) -> bool:
@@ -82,10 +82,14 @@ def type_and_length(text: str) -> tuple[str, str | None]:
     return (array[1], array[2]) if array else (text, None)
 
 
+def whole_number(text: str) -> int | None:
+    """A decimal number of up to 20 digits, with a minus or without, or None."""
+    digits = text.removeprefix("-")
+    return int(text) if digits.isascii() and digits.isdigit() and len(digits) <= 20 else None
+
+
 def bounded_number(text: str, maximum: int) -> int | None:
     """A decimal number from 0 to ``maximum``, or None."""
     text = text.strip()
-    if not text.isascii() or not text.isdigit() or len(text) > 20:
-        return None
-    value = int(text)
-    return value if value <= maximum else None
+    value = None if text.startswith("-") else whole_number(text)
+    return value if value is not None and value <= maximum else None

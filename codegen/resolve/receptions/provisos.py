@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireField, WireMessage
+from codegen.model.dialect.literals import whole_number
 from codegen.model.reception import Proviso
 from codegen.model.spec.receive import ReceivedFieldSpec, Said
 from codegen.model.units.unit import decimal
@@ -105,7 +106,7 @@ def _number(
         report.add(BAD_PROVISO, place, f"{field.name} has the bits 0 to {bits - 1}", "name one of these")
         return None
     entry = enum.entry(text) if enum else None
-    number = entry.value if entry else _whole(text)
+    number = entry.value if entry else whole_number(text)
     if number is None:
         known = [each.name for each in enum.entries] if enum else []
         hint = did_you_mean(text, known) or "write a whole number, bit 2, or an entry of its enum"
@@ -126,10 +127,6 @@ def _number(
         report.add(BAD_PROVISO, place, message, "write a number that it carries")
         return None
     return number, False
-
-
-def _whole(text: str) -> int | None:
-    return int(text) if text.removeprefix("-").isdigit() else None
 
 
 def _check_possible(
