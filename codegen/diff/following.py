@@ -11,7 +11,7 @@ from codegen.diff.report.grouping import Group
 from codegen.diff.system import behaviour_rules
 
 Carried = Mapping[str, tuple[str, ...]]
-"""The things that take numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
+"""All that takes numbers from parameters, ADC channels, quantities and facts of the board, as changes call these."""
 
 _TABLE = frozenset(
     rule.id
@@ -132,7 +132,7 @@ def _is_of_the_field(head: Group, group: Group, _: Carried) -> bool:
 def _is_kept_otherwise(head: Group, group: Group, carried: Carried) -> bool:
     """Return whether a number is converted otherwise because of how its source is kept, measured or limited."""
     reached = {target for change in head.changes for target in carried.get(change.subject, ())}
-    return set(_fields(group)) <= reached
+    return {_without_elements(change.subject) for change in group.changes} <= reached
 
 
 def _is_for_new_field(head: Group, group: Group, _: Carried) -> bool:
@@ -205,4 +205,8 @@ _RELATIONS = (
 
 def _fields(group: Group) -> Iterator[str]:
     """Return what a group is about, without the name of a program and without elements."""
-    return (_ELEMENTS.sub("", change.subject.rpartition(": ")[2]) for change in group.changes)
+    return (_without_elements(change.subject.rpartition(": ")[2]) for change in group.changes)
+
+
+def _without_elements(subject: str) -> str:
+    return _ELEMENTS.sub("", subject)

@@ -13,7 +13,11 @@ from codegen.source import Place
 
 PLACE = Place("specs/state.yaml", 1, 1)
 STATION = (Victim.OLD_STATION,)
-CARRIED = {"battery.voltage": ("M.a", "M.b"), "board.battery.cells": ("M.c", "battery.voltage", "LOW_VOLT")}
+CARRIED = {
+    "battery.voltage": ("M.a", "M.b"),
+    "buoy: battery.voltage": ("buoy: M.a",),
+    "board.battery.cells": ("M.c", "battery.voltage", "LOW_VOLT"),
+}
 
 
 def change(rule: ChangeRule, subject: str, texts: tuple[str | None, str | None] = ("1", "2"), **more: object) -> Change:
@@ -56,6 +60,7 @@ def heads(*changes: Change | tuple[Change, ...]) -> dict[str, list[str]]:
         (KEPT, LIMITS),
         (KEPT, replace(LIMITS, rule=rules.CONVERSION)),
         (replace(KEPT, rule=rules.CHANNEL), LIMITS),
+        (replace(KEPT, subject="buoy: battery.voltage"), replace(LIMITS, subject="buoy: M.a[2]")),
         (FACT, replace(LIMITS, subject="M.c")),
         (FACT, replace(DEFAULT, subject="LOW_VOLT")),
         (RATE, DEFAULT),
@@ -88,6 +93,8 @@ def test_one_follows_from_the_other(head: Change, group: Change) -> None:
         (ENTRY, replace(FLAGS, rows=("M.c",))),
         (ENTRY, replace(FLAGS, rule=rules.LIMITS)),
         (KEPT, replace(LIMITS, subject="M.c")),
+        (KEPT, replace(LIMITS, subject="buoy: M.a")),
+        (replace(KEPT, subject="buoy: battery.voltage"), LIMITS),
         (KEPT, FLAGS),
         (replace(KEPT, doubt=""), replace(LIMITS, doubt="whether it is meant")),
         (FACT, LIMITS),

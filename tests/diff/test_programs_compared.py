@@ -9,6 +9,10 @@ from typing import Any
 import pytest
 from in_process import codegen as run
 
+from codegen.diagnostics import Report
+from codegen.diff.system.system import compare_systems
+from codegen.project.systems import read_systems
+
 MOTORS = ("MAV_COMP_ID_ONBOARD_COMPUTER", "MAV_COMP_ID_WINCH")
 
 
@@ -221,3 +225,16 @@ def test_a_change_of_a_renamed_program_reaches_its_files_of_either_version(
     folders = {symbol.partition("/")[0] for symbol in change["symbols"]}
     assert {"sail", "yawl"} <= folders
     assert folders <= {"sail", "yawl", "common"}
+
+
+def test_a_program_sends_its_own_quantities_alone(fleet: Path, tmp_path: Path) -> None:
+    """Quantities of one name in two programs feed the fields of each: sail sends another roll, buoy sends none."""
+    new = tmp_path / "new"
+    shutil.copytree(fleet / "specs", new / "specs")
+    another_source(new / "specs")
+    systems = read_systems(str(new / "specs" / "codegen.yaml"), Report())
+    carried = compare_systems(systems, systems).carried
+    assert "ATTITUDE.roll" in carried["attitude.roll"]
+    assert "sail: attitude.roll" not in carried
+    assert carried["sail: attitude.pitch"] == ("sail: ATTITUDE.pitch",)
+    assert "buoy: attitude.pitch" not in carried

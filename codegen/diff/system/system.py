@@ -38,7 +38,8 @@ class Comparison:
 
     ``changes`` concern what is compared; ``elsewhere`` are those of a project's dialect that touch nothing that the
     project sends, receives or names. ``bandwidth`` has an entry for each program that both versions have, by its name,
-    which is "" for the project's own. ``carried`` is what takes numbers from parameters, ADC channels and quantities.
+    which is "" for the project's own. ``carried`` is what takes numbers from parameters, ADC
+    channels and quantities, each as changes call it: what is of a further program begins with the name of that.
     """
 
     changes: tuple[Change, ...]
@@ -70,13 +71,14 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     said_after = {name: _subjects(system) for name, system in after.items()}
     notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
     bandwidth = []
-    own_edits: set[str] = set()
+    carried: dict[str, tuple[str, ...]] = {}
     for name, system in after.items():
         known = before.get(name)
         if known is None:
             found.append(added(system))
             continue
-        own_edits.update(written_otherwise(known, system))
+        for source, reached in _carried(known, system).items():
+            carried[_called_in(name, source)] = tuple(_called_in(name, target) for target in reached)
         compared = compare_bandwidth(known, system)
         bandwidth.append((name, compared))
         own = [
@@ -94,10 +96,6 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     found += coverage_changes(old[0], new[0], _cited(old, said_once), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
-    carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
-    for system in new:
-        for fact, fed in fed_by_facts(system).items():
-            carried[fact] = (*carried.get(fact, ()), *(name for name in fed if name not in own_edits))
     return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth), carried)
 
 
@@ -106,9 +104,24 @@ def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
     return change.rule is CITATION and as_called_now(change.old or "", ids) == change.new
 
 
+def _carried(old: System, new: System) -> dict[str, tuple[str, ...]]:
+    """Return what takes numbers from each part of a program, in either version; what a fact feeds only if it is
+    written as before.
+    """
+    carried = {**carried_on(old), **carried_on(new)}
+    own_edits = set(written_otherwise(old, new))
+    for fact, fed in fed_by_facts(new).items():
+        carried[fact] = (*carried.get(fact, ()), *(name for name in fed if name not in own_edits))
+    return carried
+
+
 def _named(change: Change, program: str) -> Change:
-    is_named = program in ("", change.subject)
-    return change if is_named else replace(change, subject=f"{program}: {change.subject}")
+    is_named = change.subject == program
+    return change if is_named else replace(change, subject=_called_in(program, change.subject))
+
+
+def _called_in(program: str, subject: str) -> str:
+    return f"{program}: {subject}" if program else subject
 
 
 def _subjects(system: System) -> tuple[Subject, ...]:
