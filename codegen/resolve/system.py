@@ -122,7 +122,7 @@ def _check_output(spec: Spec, report: Report) -> None:
     if not spec.program:
         _check_output_folder(output, spec, report)
     allowed = (os.path.dirname(spec.folder), *(os.path.join(spec.folder, each) for each in project.outside))
-    if not any(os.path.commonpath([output, os.path.normpath(each)]) == os.path.normpath(each) for each in allowed):
+    if not any(_is_in(os.path.realpath(output), os.path.realpath(each)) for each in allowed):
         message = f"the output folder {project.output} lies outside of the project"
         hint = f"if it is meant, list it in codegen.yaml: outside: [{project.output}]"
         report.add(BAD_PROJECT, project.at("output"), message, hint)

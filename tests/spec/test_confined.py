@@ -103,6 +103,20 @@ def test_output_that_lies_outside(output: str, project: Path, capsys: pytest.Cap
     assert not (project / "specs" / output).exists()
 
 
+def test_output_that_is_a_link_which_leads_outside(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A pull request can bring one: nothing is written there unless the project lists it."""
+    away = project.parents[1] / "away"
+    away.mkdir()
+    (project / "generated").symlink_to(away)
+    assert main(["check"]) == 1
+    assert main(["build"]) == 1
+    assert "the output folder ../generated lies outside of the project" in "".join(capsys.readouterr())
+    assert not list(away.iterdir())
+    edit(project / "specs" / "codegen.yaml", "outside: [../generated]\n")
+    assert main(["build"]) == 0
+    assert (away / "firmware" / "telemetry.py").exists()
+
+
 def test_what_is_listed_is_meant(project: Path) -> None:
     """Folders under outside are read, and may hold the output."""
     (project.parents[1] / "shared").mkdir()
