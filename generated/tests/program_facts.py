@@ -224,9 +224,9 @@ MEASURED = (
         },
         "trend": "trend_mv_s",
         "trend_half": 20,
-        "estimate": None,
+        "estimated": [],
         "not_estimated": [],
-        "estimate_points": [],
+        "estimates": [],
     },
 )
 

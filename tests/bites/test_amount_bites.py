@@ -22,11 +22,16 @@ WRITTEN = "pair[0] = value >> 8\n        pair[1] = value & 0xFF"
 SWAPPED = "pair[1] = value >> 8\n        pair[0] = value & 0xFF"
 LEFT = "]\n    if part < 0:"
 
+CURVES = ("warmth.temp", "warmth.heat", "warmth.oil_heat", "tank.content")
+
 FAULTS = [
-    ("slope-of-a-curve", "curve", "(high[1] - low[1])", "(low[1] - high[1])", ("warmth.temp", "tank.content")),
-    ("steps-beside-a-curve", "curve", "// span\n", "// span + 60\n", ("warmth.temp", "tank.content")),
-    ("end-of-a-curve", "curve", "return curve[at - 1 if at else 0][1]", "return curve[0][1]", ("tank.content",)),
+    ("slope-of-a-curve", "curve", "(high[1] - low[1])", "(low[1] - high[1])", CURVES),
+    ("steps-beside-a-curve", "curve", "// span\n", "// span + 60\n", CURVES),
+    ("end-of-a-curve", "curve", "return curve[at - 1 if at else 0][1]", "return curve[0][1]", CURVES),
     ("point-of-a-curve", "state", "(900, 6000)", "(900, 6100)", ("warmth.temp",)),
+    ("second-curve", "state", "_CURVE = ((300, 100)", "_CURVE = ((300, 60)", ("warmth.heat",)),
+    ("curve-of-another-reading", "warmth_oil", "(1400, 7000)", "(900, 6000)", ("warmth.oil_heat",)),
+    ("estimate-of-another-word", "warmth_oil", "[_WARMTH_OIL_HEAT_CDEGC] = ", "[_WARMTH_OIL_MV] = ", ("warmth.oil",)),
     (
         "sign-of-a-trend",
         "state_plain",

@@ -34,3 +34,8 @@ class Basis:
             for each in quantities
             if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
         )
+
+    @property
+    def is_estimated_from(self) -> bool:
+        """Return whether a quantity follows it by a curve."""
+        return any(each.derivation.curves_by_instance for each in self.given)

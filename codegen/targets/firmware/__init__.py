@@ -69,7 +69,7 @@ def render_firmware(system: System) -> dict[str, str]:
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *further)}
     listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
-        "curve": view.has_estimate,
+        "curve": any(reading.is_estimated_from for reading in system.readings()),
         "adc_faults": view.is_measured,
         "adc_inputs": view.is_measured,
         "reading_turns": view.is_measured,

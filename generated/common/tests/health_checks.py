@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 1165c92596af607b
+# Inputs: 3ef574117ce3d0b2
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -169,29 +169,31 @@ def estimated():
     """An estimate follows its curve, unknown with the value and once that is gone; without a curve it stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
-        points = measured["estimate_points"]
         component = _state_of(new_craft(), measured)
         for name in measured["not_estimated"]:
             component.set_count(measured["full_scale"], 1)
             assert getattr(component, name) is None
-        if not points:
-            continue
         multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == measured["multiplier"])
-        returns = measured["returns"]
-        begins_anew = returns and any(name == measured["estimate"] for name, _ in returns["restarting"])
-        gone = returns["gone"] if begins_anew else None
-        for count in range(0, measured["full_scale"] + 1, 5):
-            component.set_count(count, multiplier)
-            value, found = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
-            if gone and getattr(component, gone):
-                assert found is None, (value, found)
-                continue
-            assert value > points[0][0] or found == points[0][1], (value, found)
-            assert value < points[-1][0] or found == points[-1][1], (value, found)
-            for (low, one), (high, other) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
-                assert not low <= value <= high or min(one, other) <= found <= max(one, other), (value, found)
-        component.forget()
-        assert getattr(component, measured["estimate"]) is None
+        for estimate, points in measured["estimates"]:
+            _follows(component, measured, estimate, points, multiplier)
+
+
+def _follows(component, measured, estimate, points, multiplier):
+    returns = measured["returns"]
+    begins_anew = returns and any(name == estimate for name, _ in returns["restarting"])
+    gone = returns["gone"] if begins_anew else None
+    for count in range(0, measured["full_scale"] + 1, 5):
+        component.set_count(count, multiplier)
+        value, found = getattr(component, measured["attribute"]), getattr(component, estimate)
+        if gone and getattr(component, gone):
+            assert found is None, (value, found)
+            continue
+        assert value > points[0][0] or found == points[0][1], (value, found)
+        assert value < points[-1][0] or found == points[-1][1], (value, found)
+        for (low, one), (high, other) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
+            assert not low <= value <= high or min(one, other) <= found <= max(one, other), (value, found)
+    component.forget()
+    assert getattr(component, estimate) is None
 
 
 def monitor_off_measures_nothing():

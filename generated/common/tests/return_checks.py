@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: 5a027d014c9344ab
+# Inputs: 2e2a598222a21f99
 """Checks of returns, such as of a pack that is exchanged: each counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
@@ -167,7 +167,7 @@ def put_in_after_the_start():
 def counting_begins_anew():
     """Back, a sum is 0, what has an initial value has that; all else is unknown once it is gone. Others keep theirs."""
     for measured in _returning():
-        restarting = [each for each in measured["returns"]["restarting"] if each[0] != measured["estimate"]]
+        restarting = [each for each in measured["returns"]["restarting"] if each[0] not in measured["estimated"]]
         needs(restarting, "something that begins anew")
         start, inputs = _inputs(measured)
         for is_known in (True, False):

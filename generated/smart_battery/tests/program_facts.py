@@ -165,9 +165,9 @@ MEASURED = (
         },
         "trend": None,
         "trend_half": 0,
-        "estimate": None,
+        "estimated": [],
         "not_estimated": [],
-        "estimate_points": [],
+        "estimates": [],
     },
 )
 

@@ -165,7 +165,7 @@ def put_in_after_the_start():
 def counting_begins_anew():
     """Back, a sum is 0, what has an initial value has that; all else is unknown once it is gone. Others keep theirs."""
     for measured in _returning():
-        restarting = [each for each in measured["returns"]["restarting"] if each[0] != measured["estimate"]]
+        restarting = [each for each in measured["returns"]["restarting"] if each[0] not in measured["estimated"]]
         needs(restarting, "something that begins anew")
         start, inputs = _inputs(measured)
         for is_known in (True, False):

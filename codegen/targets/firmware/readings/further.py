@@ -7,6 +7,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter, Reading
 from codegen.targets.firmware.families import FamilyView, family_view
 from codegen.targets.firmware.readings.board import BoardView, ReaderView
+from codegen.targets.firmware.readings.estimates import EstimateView, estimate_views
 from codegen.targets.firmware.readings.measured_view import (
     MeasuredView,
     TellView,
@@ -24,7 +25,7 @@ from codegen.targets.imports import either_import
 class FurtherModuleView:
     """The module that connects further inputs and reads them in turns: ``count`` and ``failures`` are words of these.
 
-    ``told`` is what is logged.
+    ``estimates`` follow what it measures; ``told`` is what is logged.
     """
 
     title: str
@@ -39,6 +40,7 @@ class FurtherModuleView:
     has_parameters: bool
     count: str
     failures: str
+    estimates: tuple[EstimateView, ...]
     told: tuple[TellView, ...]
     unreadable: str
 
@@ -50,6 +52,9 @@ def further_module_view(reading: Reading, board: BoardView, system: System, layo
     set_up = (*measured.set_up, *read_words(reading, block, "parameters"))
     count, failures = (block.constant(reading.word(word)) for word in ("count", "failures"))
     used = {count, failures, *(word for word, _ in set_up)}
+    estimates = tuple(estimate_views(reading, block))
+    for estimate in estimates:
+        used |= {estimate.word, measured.word, *((estimate.gone,) if estimate.gone else ())}
     used |= {block.constant(word) for word in block.offsets if any(block.constant(word) in text for _, text in set_up)}
     readers = [f"{reading.name}_reading", f"read_{reading.name}"]
     return FurtherModuleView(
@@ -67,6 +72,7 @@ def further_module_view(reading: Reading, board: BoardView, system: System, layo
         has_parameters=board.has_pins,
         count=count,
         failures=failures,
+        estimates=estimates,
         told=tuple(texts_of(reading, measured)),
         unreadable=unreadable(component, reading.quantity.name),
     )

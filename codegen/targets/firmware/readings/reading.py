@@ -125,7 +125,7 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
     threshold = reading.quantity.derivation.threshold
     logged = code.word(reading.component.name, reading.word("is_logged"))
     yield from (f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}")
-    if any(quantity.derivation.curves_by_instance for quantity in reading.given):
+    if reading.is_estimated_from:
         yield f"told |= {GOOD}"
     if reading.returns:
         yield from _returned(reading.component, reading.returns, code)

@@ -9,6 +9,7 @@ from codegen.model.spec.state import ComponentSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.targets.firmware.families import FamilyView, family_view
+from codegen.targets.firmware.readings.estimates import EstimateView, estimate_views
 from codegen.targets.firmware.readings.measured_view import (
     FurtherView,
     MeasuredView,
@@ -28,26 +29,12 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 
 @dataclass(frozen=True, slots=True)
-class EstimateView:
-    """An estimate from a measured quantity: its word, and the curve of each instance.
-
-    ``gone`` is the word that tells whether what it belongs to is gone, where it begins anew with another one.
-    """
-
-    word: str
-    gone: str | None
-    constant: str
-    each: str
-    text: str
-    name: str
-
-
-@dataclass(frozen=True, slots=True)
 class ComponentView:
     """One class of the state, and what is done with each reading of it.
 
     ``start`` are the words that are known from the start, with their values, by instance where these differ; ``set_up``
-    those that parameters decide. What is logged is given as literals, which name the instance where there are several.
+    those that parameters decide. ``estimates`` follow what the first reading measures. What is logged is given as
+    literals, which name the instance where there are several.
     """
 
     name: str
@@ -66,7 +53,7 @@ class ComponentView:
     measured: MeasuredView | None
     further: tuple[FurtherView, ...]
     followed: tuple[tuple[str, str], ...]
-    estimate: EstimateView | None
+    estimates: tuple[EstimateView, ...]
     emptied: tuple[str, ...]
     set_up: tuple[tuple[str, str], ...]
     told: tuple[TellView, ...]
@@ -92,7 +79,6 @@ class StateView:
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
     aged: tuple[AgedWords, ...]
-    has_estimate: bool
     modules: tuple[str, ...]
     is_measured: bool
     waiting: int = WAITING
@@ -103,7 +89,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     told = reaches(system)
     components = tuple(_component(component, layout, told) for component in system.components.values())
     measured = [component for component in components if component.measured]
-    has_estimate = any(component.estimate for component in components)
+    has_estimate = any(component.estimates for component in components)
     words = {"Component", "UNKNOWN", "together"} | {
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
@@ -136,7 +122,6 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         aged=aged,
-        has_estimate=has_estimate,
         modules=tuple(sorted(modules | ({"wide"} if "rows" in modules else set()))),
         is_measured=bool(measured),
     )
@@ -161,7 +146,6 @@ def _families(system: System) -> tuple[FamilyView, ...]:
 
 def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) -> ComponentView:
     block = layout.blocks[component.name]
-    quantities = component.quantities.values()
     readings = component.readings
     enabled = component.enabled
     view = measured_view(readings[0], block) if readings else None
@@ -183,7 +167,7 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) 
         measured=view,
         further=tuple(further_view(reading, "self.parameters") for reading in readings[1:]),
         followed=view.followed if view else (),
-        estimate=next(filter(None, (_estimate(quantity, component, block) for quantity in quantities)), None),
+        estimates=tuple(estimate_views(readings[0], block)) if readings else (),
         emptied=tuple(place for place, _ in _counters(component, block)),
         set_up=tuple(_set_up(component, block, view)),
         told=tuple(texts_of(readings[0], view)) if view else (),
@@ -280,15 +264,3 @@ def _forgotten(component: Component, block: Block) -> Iterator[str]:
     for quantity in component.quantities.values():
         if quantity.derivation.comes_of_readings:
             yield block.constant(quantity.attribute)
-
-
-def _estimate(quantity: Quantity, component: Component, block: Block) -> EstimateView | None:
-    curves = quantity.derivation.curves_by_instance
-    if not curves:
-        return None
-    several = component.instances > 1
-    constant = f"_{component.name.upper()}_CURVE{'S' if several else ''}"
-    each = f"{constant}[self._instance]" if several else constant
-    text = repr(curves if several else curves[0])
-    gone = block.constant("gone") if quantity.spec.restarts_with else None
-    return EstimateView(block.constant(quantity.attribute), gone, constant, each, text, quantity.name)

@@ -10,7 +10,7 @@ from codegen.model.quantities.conversion import factors_by_instance
 from codegen.model.quantities.reach import Reach, reaches
 from codegen.model.spec.state import ComponentSpec, QuantitySpec
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind, by_instance
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind, Reading, by_instance
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.suite.cases.case import literal_of
 from codegen.targets.suite.cases.messages import first_attribute
@@ -144,8 +144,10 @@ class EstimateFacts:
 class ComponentFacts:
     """One component; ``measured`` is what its first of so many ``readings`` gives, where a parameter multiplies that.
 
-    ``not_estimated`` are attributes that criteria about estimates are about, and that nothing sets.
-    ``enabled`` is the attribute that says whether it is measured, ``enabled_by`` its parameter's."""
+    ``estimates`` follow what that gives, ``estimated`` are the attributes of all. ``not_estimated`` are attributes that
+    criteria about estimates are about, and that nothing sets. ``enabled`` is the attribute that says whether it is
+    measured, ``enabled_by`` its parameter's.
+    """
 
     name: str
     instances: int
@@ -156,7 +158,8 @@ class ComponentFacts:
     measured: MeasuredFacts | None
     readings: int
     trend: TrendFacts | None
-    estimate: EstimateFacts | None
+    estimates: tuple[EstimateFacts, ...]
+    estimated: tuple[str, ...]
     not_estimated: tuple[str, ...]
     returns: ReturnsFacts | None
     set_together: SetTogetherFacts | None
@@ -187,7 +190,8 @@ def _component(component: Component, system: System, told: Mapping[str, Reach]) 
         measured=_measured(measured, component, system) if measured else None,
         readings=len(component.readings),
         trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
-        estimate=_estimate(component),
+        estimates=tuple(_estimates(first)) if first else (),
+        estimated=tuple(quantity.attribute for quantity in quantities if quantity.derivation.curves_by_instance),
         not_estimated=tuple(
             quantity.attribute
             for quantity in quantities
@@ -266,9 +270,10 @@ def _row(quantity: Quantity) -> str:
     return "" if is_one else literal_of(nominal_values(quantity, 0))
 
 
-def _estimate(component: Component) -> EstimateFacts | None:
-    found = ((quantity, quantity.derivation.curves_by_instance) for quantity in component.quantities.values())
-    return next((EstimateFacts(quantity.attribute, curves) for quantity, curves in found if curves), None)
+def _estimates(reading: Reading) -> Iterator[EstimateFacts]:
+    for quantity in reading.given:
+        if quantity.derivation.curves_by_instance:
+            yield EstimateFacts(quantity.attribute, quantity.derivation.curves_by_instance)
 
 
 def _returns(component: Component) -> ReturnsFacts | None:
