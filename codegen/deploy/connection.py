@@ -53,11 +53,12 @@ class Connection:
 
     def __init__(self, port: str, answer_s: float = ANSWER_S) -> None:
         from mpremote.transport import TransportError  # noqa: PLC0415 - only where it is there
-        from mpremote.transport_serial import SerialTransport  # noqa: PLC0415
+
+        from codegen.deploy.transport import BoundedTransport  # noqa: PLC0415
 
         self.port = port
         try:
-            self.transport = SerialTransport(port, timeout=answer_s)
+            self.transport = BoundedTransport(port, timeout=answer_s)
         except (TransportError, OSError) as fault:
             raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}") from None
         self._answer_s = answer_s
