@@ -4,11 +4,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from codegen.frozen import dataclass
+from codegen.model.board_model import Architecture
 
-_ARCHITECTURES = (
-    *("bytecode", "x86", "x64", "armv6", "armv6m", "armv7m", "armv7em", "armv7emsp", "armv7emdp"),
-    *("xtensa", "xtensawin", "rv32imc", "rv64imc"),
-)
+_ARCHITECTURES = tuple(Architecture)
 """By their numbers in .mpy files (MicroPython, py/persistentcode.h)."""
 
 
@@ -57,7 +55,7 @@ def board_of(told: Mapping[str, Any]) -> Board:
         machine=told["machine"],
         mpy=(mpy & 0xFF, mpy >> 8 & 3),
         number=number,
-        architecture=_ARCHITECTURES[number] if number < len(_ARCHITECTURES) else None,
+        architecture=_ARCHITECTURES[number].value if number < len(_ARCHITECTURES) else None,
         block=told["block"],
         room=told["room"],
         free=told["free"],

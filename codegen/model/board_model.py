@@ -59,6 +59,24 @@ class UartPins(StrEnum):
     FIXED = "fixed"
 
 
+class Architecture(StrEnum):
+    """The architectures that mpy-cross knows, in the order of their numbers in .mpy files."""
+
+    BYTECODE = "bytecode"
+    X86 = "x86"
+    X64 = "x64"
+    ARMV6 = "armv6"
+    ARMV6M = "armv6m"
+    ARMV7M = "armv7m"
+    ARMV7EM = "armv7em"
+    ARMV7EMSP = "armv7emsp"
+    ARMV7EMDP = "armv7emdp"
+    XTENSA = "xtensa"
+    XTENSAWIN = "xtensawin"
+    RV32IMC = "rv32imc"
+    RV64IMC = "rv64imc"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoardModelSpec(Written):
     """A kind of board, as its YAML file states it."""
@@ -66,7 +84,7 @@ class BoardModelSpec(Written):
     name: str = described("Name of the board, for people.")
     mcu: str = described("Name of the microcontroller.")
     source: str = described("Where all of this is stated: datasheets, and the documentation of its MicroPython.")
-    architecture: str = described("What mpy-cross compiles machine code for, such as armv7emsp.")
+    architecture: Architecture = described("What mpy-cross compiles machine code for, such as armv7emsp.")
     pins: Verbatim = described("GPIO numbers that exist, such as 0..22, 26..28.")
     taken: Mapping[str, str] = described(
         "GPIO numbers that the board needs for itself, each with what for.", default_factory=dict
@@ -170,6 +188,8 @@ def no_such_pin(what: str, gpio: int, choices: frozenset[int], board: BoardModel
     taken = f": the {board.name} needs it for {board.taken[gpio]}" if gpio in board.taken else ""
     near = min(left, key=lambda pin: (abs(pin - gpio), pin), default=None)
     hint = None if near is None else f"{key}: {near}"
+    if not left:
+        return f"the {board.name} leaves no GPIO for {what}", "take another of these, or another board"
     return f"{what} is GPIO {shown_pins(left)} on the {board.name}, not {gpio}{taken}", hint
 
 

@@ -13,7 +13,7 @@ from codegen.decode.board_model import FOLDER
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
-from codegen.model.board_model import BoardModel, BoardModelSpec, shown_pins
+from codegen.model.board_model import BoardModel, BoardModelSpec, no_such_pin, shown_pins
 from codegen.project.systems import read_system
 from codegen.resolve.board.model import resolve_board_model
 from codegen.targets.firmware import render_firmware
@@ -257,6 +257,47 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     assert hint in found.hint
 
 
+def found_in(end, tmp_path):
+    """Return what is found in the board whose file ends so: lines, rules and messages."""
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace("usb: false", end))
+    report = Report()
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
+    return [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
+
+
+@pytest.mark.parametrize(
+    ("opened", "wanted"),
+    [
+        ("machine.ADC(({gpio})", "opened is no expression of Python: '(' was never closed"),
+        ("foo.ADC({gpio})", "opened has the name foo, which nothing gives; known are machine and {gpio}"),
+        ("machine.ADC({gpio}, {pin})", "opened has the name pin,"),
+        ("import machine; {gpio}", "opened is no expression of Python"),
+    ],
+)
+def test_code_that_opens_an_input_can_run(opened, wanted, tmp_path):
+    """It goes into board.py as it is: what is no Python, or names nothing, would keep the program from starting."""
+    found = found_in(f"usb: false\nadc: {{bits: 12, {ADC.replace('machine.ADC({gpio})', opened)}", tmp_path)
+    assert len(found) == 1, found
+    assert f"bad-board: {wanted}" in found[0]
+
+
+def test_an_architecture_is_one_of_mpy_cross(tmp_path):
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace("architecture: bytecode", "architecture: armv99"))
+    report = Report()
+    assert decode_record_file(str(path), BoardModelSpec, DISK, report) is None
+    assert "armv99" in next(iter(report)).message
+
+
+def test_statements_know_what_those_before_them_give(tmp_path):
+    """As on the board: a timer that is made in one statement is started by the next one."""
+    hold = '["import esp32", "t = machine.Timer({period})", "t.init(callback=lambda _: esp32.feed())"]'
+    assert found_in("usb: false\n" + WATCHED.partition("\n")[2].replace("[pass]", hold), tmp_path) == []
+
+
 WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
 
 
@@ -272,17 +313,14 @@ WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
         ("restart: 2", "restart: 2\n  caused: machine.", "bad-board: caused is no expression of Python"),
         ("[pass]", "[]", "bad-board: a prompt would be reset as long as nothing holds the watchdog"),
         ("[pass]", '["while {period}"]', "bad-board: hold is no statement of Python"),
+        ("[pass]", '["machine.Timer({perod})"]', "bad-board: hold has the name perod, which nothing gives"),
+        ("restart: 2", "restart: 2\n  caused: machin.reset_cause()", "bad-board: caused has the name machin,"),
         ("  restart: 2\n", "", "missing-key"),
     ],
 )
 def test_a_watchdog_that_contradicts_itself(old, new, wanted, tmp_path):
     """Each fault is a finding in the file of the board, at its line."""
-    (tmp_path / "specs" / "boards").mkdir(parents=True)
-    path = tmp_path / "specs" / "boards" / "own.yaml"
-    path.write_text(OWN.replace("usb: false", WATCHED.replace(old, new)))
-    report = Report()
-    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
-    found = [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
+    found = found_in(WATCHED.replace(old, new), tmp_path)
     assert len(found) == 1, found
     assert wanted in found[0], found
     assert int(found[0].split(" ")[0]) >= 7
@@ -337,3 +375,12 @@ def test_pins_in_words():
         "1 and 2",
         "1 to 3 and 7",
     ]
+
+
+def test_pins_that_the_board_needs_all_itself():
+    """No list of none."""
+    board = model_of("pico_2_w")
+    message, hint = no_such_pin("tx of UART 1", 23, frozenset({23, 24}), board, "tx")
+    wanted = "the Raspberry Pi Pico 2 W leaves no GPIO for tx of UART 1"
+    assert message == wanted
+    assert hint is not None

@@ -1,6 +1,5 @@
 """Resolves the kind of board of a project: its pins as sets of numbers."""
 
-import ast
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
@@ -9,6 +8,7 @@ from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Con
 from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.units.unit import decimal, unit_named
 from codegen.pattern import pattern
+from codegen.resolve.board.code import faults_in
 from codegen.source import Place
 
 MOST_GPIO = 127
@@ -94,6 +94,8 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
     if "{gpio}" not in written.opened:
         hint = "opened: machine.ADC(machine.Pin({gpio}))"
         report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
+    for code, fault in faults_in((written.opened,), "{gpio}", is_expression=True):
+        report.add(BAD_BOARD, written.at("opened"), f"opened {fault}", code)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
     return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
 
@@ -142,13 +144,10 @@ def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
 
 
 def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
-    for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
-        for code in codes:
-            try:
-                ast.parse(code.replace("{period}", "1"), mode=mode)
-            except SyntaxError as fault:
-                message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
-                report.add(BAD_BOARD, spec.at(key), message, code)
+    for code, fault in faults_in((spec.caused,), "{period}", is_expression=True):
+        report.add(BAD_BOARD, spec.at("caused"), f"caused {fault}", code)
+    for code, fault in faults_in(spec.hold, "{period}"):
+        report.add(BAD_BOARD, spec.at("hold"), f"hold {fault}", code)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:
