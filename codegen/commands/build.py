@@ -106,12 +106,18 @@ def compile_firmware(system: System, architecture: str, report: Report) -> dict[
 
 def firmware_modules(system: System, architecture: str) -> dict[str, str]:
     """The texts of the modules of the firmware for boards of an architecture, by file name."""
+    system = as_compiled_for(system, architecture)
+    return {os.path.basename(path): text for path, text in render_firmware(system).items()}
+
+
+def as_compiled_for(system: System, architecture: str) -> System:
+    """The system of a program that is compiled for an architecture: bytecode has no machine code."""
     from codegen.emit.mpy import BYTECODE
 
-    if architecture == BYTECODE:
-        project = replace(system.spec.project, machine_code=False)
-        system = replace(system, spec=replace(system.spec, project=project))
-    return {os.path.basename(path): text for path, text in render_firmware(system).items()}
+    if architecture != BYTECODE:
+        return system
+    project = replace(system.spec.project, machine_code=False)
+    return replace(system, spec=replace(system.spec, project=project))
 
 
 def board_folder(system: System, architecture: str) -> str:
