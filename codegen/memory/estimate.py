@@ -11,7 +11,7 @@ from codegen.once import once
 SHARE = Fraction(4, 5)
 """The part of a heap that a program may take once it has started: running takes up to a quarter more than that."""
 ACCURACY = Fraction(1, 10)
-"""How far an estimate may be off, as a share of it. Programs to which no cost was fitted were off by less."""
+"""The share of an estimate by which it may be off: of nearly all programs that no cost was fitted to it is less."""
 
 GROUPS: dict[str, tuple[Part, ...]] = {
     "the program itself": (Part.PROGRAM,),

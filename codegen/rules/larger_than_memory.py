@@ -16,6 +16,7 @@ RULE = Rule(
     "and fields that nobody reads, set machine_code: false, or choose a board with more memory. Modules that run in "
     "place, from a ROMFS or frozen into MicroPython, take about half: who installs them so waives this in "
     "waivers.yaml, with the reason. A module with PSRAM is a board of its own, with its `memory`.",
+    remedy="codegen explain heap tells what takes how much",
 )
 
 

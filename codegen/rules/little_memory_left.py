@@ -17,6 +17,7 @@ RULE = Rule(
     "more memory, or let modules run in place, from a ROMFS or frozen into MicroPython. Who has seen it run there "
     "waives this in waivers.yaml.",
     Severity.WARNING,
+    remedy="codegen explain heap tells what takes how much",
 )
 
 
