@@ -207,3 +207,16 @@ def test_explain_and_the_page_tell_it(specs: Path) -> None:
         if share >= 1024:
             assert re.search(rf"{name} +{round(share / 1024)} KB", said)
             assert re.search(rf"{name}</\w+>\s*<td[^>]*>{round(share / 1024)} KB", page)
+
+
+@pytest.mark.parametrize(("files", "code"), [(20, 1), (200, 0)])
+def test_files_that_the_board_does_not_hold_are_not_written(specs: Path, files: int, code: int) -> None:
+    """Known once they are compiled; a deploy asks the board itself."""
+    on_board(specs, memory(189_440, f"files: {files} KiB, "))
+    done = codegen(specs.parent, "build", "--mpy", "bytecode")
+    assert done.returncode == code, done.stdout
+    words = (
+        r"board\.yaml:1:8: error board-full: its files take \d\d KB, and the file system of the Raspberry .* has 20\n"
+    )
+    assert bool(re.search(words, done.stdout)) == bool(code)
+    assert (specs.parent / "build" / "bytecode" / "main.py").exists() != bool(code)
