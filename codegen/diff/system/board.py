@@ -62,8 +62,9 @@ def _memory(system: System) -> str:
     memory = system.board.memory if system.board else None
     if memory is None:
         return ""
-    files = "" if memory.files is None else f", {memory.files // 1024} KB of files"
-    return f"{memory.heap // 1024} KB of heap{files}"
+    wifi = f", {memory.wifi} less with Wi-Fi on" if memory.wifi else ""
+    files = "" if memory.files is None else f", {memory.files} bytes of files"
+    return f"{memory.heap} bytes of heap{wifi}{files}"
 
 
 def _number(number: int, parameter: Parameter | None) -> str:
