@@ -16,7 +16,7 @@ class Board:
 
     ``mpy`` is the version and sub-version of .mpy files that it loads, (0, 0) if none; ``architecture`` is what
     mpy-cross calls its machine code, ``bytecode`` where it runs none, and None where its ``number`` is unknown.
-    ``roms`` is how many partitions for a ROMFS it has.
+    ``roms`` is how many partitions for a ROMFS it has, ``heap`` the bytes of its heap.
     """
 
     version: tuple[int, ...]
@@ -28,6 +28,7 @@ class Board:
     room: int
     free: int
     roms: int
+    heap: int
 
     @property
     def words(self) -> str:
@@ -60,4 +61,5 @@ def board_of(told: Mapping[str, Any]) -> Board:
         room=told["room"],
         free=told["free"],
         roms=max(0, told["roms"]),
+        heap=told["heap"],
     )

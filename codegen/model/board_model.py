@@ -52,6 +52,20 @@ class TimingSpec(Written):
     source: str = described("Where this was measured.")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MemorySpec(Written):
+    """The memory of a board, for the estimate of whether a program finds room."""
+
+    heap: Amount = described(
+        "What its MicroPython leaves to programs, as gc.mem_free() says after the start, such as 185 KiB."
+    )
+    wifi: Amount | None = described(
+        "What of it is no longer there once Wi-Fi is on, where both have their memory of the same RAM.", default=None
+    )
+    files: Amount | None = described("How large its file system is, such as 848 KiB.", default=None)
+    source: str = described("Where this is stated, or how it was measured.")
+
+
 class UartPins(StrEnum):
     """The pins of a UART, or of an I2C bus: chosen when it is opened, or fixed by the board."""
 
@@ -107,6 +121,9 @@ class BoardModelSpec(Written):
     timing: TimingSpec | None = described(
         "How fast it is. Without it, nothing is predicted of the time that the firmware takes.", default=None
     )
+    memory: MemorySpec | None = described(
+        "How much memory programs have. Without it, nothing is said of whether one finds room.", default=None
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +166,18 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True)
+class Memory:
+    """The memory of a board in bytes: the heap that programs have, what Wi-Fi takes of it, and the file system.
+
+    ``files`` is None where nobody knows.
+    """
+
+    heap: int
+    wifi: int
+    files: int | None
+
+
+@dataclass(frozen=True, slots=True)
 class BoardModel:
     """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for.
 
@@ -165,6 +194,7 @@ class BoardModel:
     watchdog: BoardWatchdog | None
     spec: BoardModelSpec
     timing: Timing | None = None
+    memory: Memory | None = None
 
     @property
     def free(self) -> frozenset[int]:

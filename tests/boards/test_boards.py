@@ -37,6 +37,32 @@ print(board.read_pack_adc(), [(port.name, port.is_up) for port in board.open_por
 TIMING = "timing: {clock: 150 MHz, cycles: 1.34, most_cycles: 1.9, conversion: 4.6 us, source: a bench}"
 
 
+MEMORY = "memory: {heap: 8 KiB, wifi: 7 KiB, files: 9 KiB, source: its prompt}"
+
+
+def test_each_board_says_how_much_memory_it_has():
+    """Less than the RAM of its chip; a part of it is gone with Wi-Fi where that is no chip of its own."""
+    memories = {name: model_of(name).memory for name in BOARDS}
+    assert all(memory is not None and memory.files for memory in memories.values())
+    least = {name: (memory.heap - memory.wifi) // 1024 for name, memory in memories.items() if memory}
+    assert least == {
+        "esp32": 107,
+        "esp32_c3": 123,
+        "esp32_s3": 180,
+        "esp32_s3_psram": 1900,
+        "pico": 220,
+        "pico_2": 465,
+        "pico_2_w": 440,
+        "pico_w": 185,
+        "pyboard": 91,
+    }
+    page = (Path(FOLDER).parents[1] / "docs" / "boards.md").read_text()
+    for name, memory in memories.items():
+        row = next(line for line in page.splitlines() if f"`{name}`" in line and line.startswith("|"))
+        assert str(memory.heap // 1024) in row
+        assert name == "pyboard" or f"{least[name]} KB" in row.split("|")[5] or name in ("pico", "pico_2")
+
+
 def test_how_fast_a_board_is_may_be_known():
     """Of those that were measured; times are computed for these."""
     timing = model_of("pico_2_w").timing
@@ -232,6 +258,10 @@ def test_a_description_that_contradicts_itself(old, new, wanted, tmp_path):
         ),
         ("usb: false", f"usb: false\n{TIMING.replace('1.9', '1.3')}", "at most is less than likely", "1.34"),
         ("usb: false", f"usb: false\n{TIMING.replace('4.6', '-1')}", "takes less than no time", "conversion: 4.6 us"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('8', '0')}", "has no heap", "heap: 185 KiB"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('7', '8')}", "Wi-Fi takes 8 KiB of a heap of 8 KiB", "left out"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('7', '-7')}", "Wi-Fi takes -7 KiB of a heap", "left out"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('9', '0')}", "holds no files", "files: 848 KiB"),
         ("usb: false", f"usb: false\nadc: {{bits: 40, {ADC}", "a count has 40 bits, not 8 to 12", "bits: 12"),
         ("usb: false", f"usb: false\nadc: {{bits: -1, {ADC}", "a count has -1 bits, not 8 to 12", "bits: 12"),
         (

@@ -195,6 +195,21 @@ def test_other_boards(
         assert "remove telemetry_viper.mpy: it belongs no more" in said
 
 
+@pytest.mark.parametrize(("heap", "code"), [(40_000, 1), (400_000, 0)])
+def test_a_heap_that_is_too_small_is_told_before_anything_is_changed(
+    heap: int, code: int, tmp_path: Path, run: Any
+) -> None:
+    """Whatever board.yaml says: the board that is connected has as much as it says itself."""
+    with powered(tmp_path / "flash", told=PICO, heap=heap) as board:
+        exit_code, said = run("--port", board.port)
+        assert exit_code == code, said
+        found = re.search(
+            r"error board-small: the program takes some \d+ KB of heap once .*the board has 39 KB\n", said
+        )
+        assert bool(found) == bool(code)
+        assert (on_board(board, "import os; print(os.listdir())") == "[]\n") == bool(code)
+
+
 def test_a_full_file_system_is_told_before_anything_is_changed(tmp_path: Path, run: Any) -> None:
     with powered(tmp_path / "small", told=PICO, blocks=16) as small:
         code, said = run("--port", small.port)
