@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from io import StringIO
 from typing import Any
 
+from codegen.deploy.bounded import bounded
 from codegen.deploy.findings import (
     BOARD_FULL,
     BOARD_LOST,
@@ -54,13 +55,14 @@ class Connection:
     def __init__(self, port: str, answer_s: float = ANSWER_S) -> None:
         from mpremote.transport import TransportError  # noqa: PLC0415 - only where it is there
 
-        from codegen.deploy.transport import BoundedTransport  # noqa: PLC0415
+        from mpremote.transport_serial import SerialTransport  # noqa: PLC0415
 
         self.port = port
         try:
-            self.transport = BoundedTransport(port, timeout=answer_s)
+            self.transport = SerialTransport(port, timeout=answer_s)
         except (TransportError, OSError) as fault:
             raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}") from None
+        self.transport.read_until = bounded(self.transport)
         self._answer_s = answer_s
         with self._closed_after_a_fault():
             self.begin_anew()
