@@ -54,7 +54,6 @@ class Connection:
 
     def __init__(self, port: str, answer_s: float = ANSWER_S) -> None:
         from mpremote.transport import TransportError  # noqa: PLC0415 - only where it is there
-
         from mpremote.transport_serial import SerialTransport  # noqa: PLC0415
 
         self.port = port
