@@ -446,7 +446,6 @@ CASES = [
         is_alone=False,
     ),
     Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[parameters.0]"),
-    Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[a, a]", "different names"),
     Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[a, b, c]"),
     Case("bad-program", "vehicle.yaml", "chunk: 64", "chunk: §15", "16 to 256"),
     Case("bad-program", "vehicle.yaml", "chunk: 64", "chunk: §257", "16 to 256"),

@@ -34,7 +34,10 @@ class ControlSpec(Written):
 class StorageSpec(Written):
     """The storage of parameters on the board."""
 
-    files: tuple[str, ...] = described("Names of two files in the board's flash; saves take turns between them.")
+    files: tuple[str, ...] = described(
+        "Names of two files in the board's flash; saves take turns between them. A name has letters, digits, _, . and "
+        "-, and is neither that of a module nor of another file on the board."
+    )
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
     step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -53,7 +56,10 @@ class StorageSpec(Written):
 class ArmingSpec(Written):
     """The arming of the vehicle."""
 
-    force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
+    force: int = described(
+        "Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks: 21196, or another number that a "
+        "float of 32 bits carries, but 0, which every command to arm has."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: command, reasons, stop (when stop_motors() is called).", default_factory=dict

@@ -1,6 +1,5 @@
 """Resolves the access to commands: ``access`` of vehicle.yaml."""
 
-import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
@@ -29,7 +28,7 @@ def resolve_access(
     access = vehicle.access
     if access is None:
         return None
-    problems = [*_link_problems(access, spec), *_key_problems(access, vehicle, spec, dialect)]
+    problems = [*_link_problems(access, spec), *_key_problems(access, spec, dialect)]
     for key, message, hint in problems:
         report.add(BAD_ACCESS, access.at(key), message, hint)
     if problems:
@@ -69,9 +68,7 @@ def _link_problems(access: AccessSpec, spec: Spec) -> Iterator[_Problem]:
             yield "stations", f"{number} is not a system id from 1 to 255", "stations: [255]"
 
 
-def _key_problems(access: AccessSpec, vehicle: VehicleSpec, spec: Spec, dialect: Dialect) -> Iterator[_Problem]:
-    if not re.fullmatch(r"[A-Za-z0-9_.-]{1,64}", access.key) or access.key in vehicle.storage.files:
-        yield "key", f"{access.key} cannot be the name of the key's file", "key: signing.key"
+def _key_problems(access: AccessSpec, spec: Spec, dialect: Dialect) -> Iterator[_Problem]:
     if access.setup and Admission.SIGNED not in access.links.values():
         yield "setup", "no link is signed, so there is no use for a key", "leave setup out, or write signed for a link"
     for name in access.setup:

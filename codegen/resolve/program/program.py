@@ -28,7 +28,8 @@ BAD_PROGRAM = Rule(
     "bad-program",
     "vehicle.yaml contradicts itself or the rest of the specification: what can be armed needs the component vehicle "
     "of the state with armed, ready, status, mode and load, actions need failsafes, parameters are saved in two files, "
-    "and each action has a name of its own.",
+    "each action has a name of its own, and what passes over the checks before arming is a number that a command can "
+    "have and that not every one has.",
     remedy="make vehicle.yaml fit the component vehicle of state.yaml",
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
