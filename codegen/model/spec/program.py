@@ -99,8 +99,8 @@ class ServicesSpec(Written):
 
     fastest: Amount = described("Highest rate at which messages without a stream can be asked for, such as 10 Hz.")
     silence: Amount = described(
-        "Time without a HEARTBEAT after which a ground station is gone; once back, it is told what is sent on "
-        "connection.",
+        "Time without a HEARTBEAT, which come once a second, after which a ground station is gone; once back, it is "
+        "told what is sent on connection.",
         default="10 s",
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
