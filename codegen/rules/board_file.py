@@ -32,14 +32,13 @@ _OF_DEPLOY = {
 class _Kept(NamedTuple):
     """A file on the board: its name, who keeps what in it, where it is written, and a name that would do.
 
-    ``is_shared``: others of the same kind may have the same file. ``besides`` are names of files that come with it.
+    ``besides`` are names of files that come with it.
     """
 
     name: str
     what: str
     place: Place
     instead: str
-    is_shared: bool = False
     besides: tuple[str, ...] = ()
 
 
@@ -56,7 +55,7 @@ def check(system: System) -> Iterator[Diagnostic]:
             continue
         for name in (kept.name, *kept.besides):
             what, other = owners.setdefault(name.lower(), (kept.what, kept))
-            if other is kept or (other is not None and other.is_shared and kept.is_shared and other.name == kept.name):
+            if other is kept:
                 continue
             message = f"{name} cannot be where {kept.what}: {what} there"
             if other is not None and name not in (other.name, *other.besides):
@@ -81,7 +80,8 @@ def _files(system: System) -> Iterator[_Kept]:
     for name, link in system.spec.board.links.items():
         if link.credentials is not None:
             what, instead = f"{name} has its credentials", "credentials: wifi.json"
-            yield _Kept(link.credentials, what, link.at("credentials"), instead, is_shared=True)
+            yield _Kept(link.credentials, what, link.at("credentials"), instead)
+            return  # all links have the same, or bad-link says that they have not
 
 
 def _problem(name: str) -> str | None:

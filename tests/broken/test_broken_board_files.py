@@ -70,19 +70,3 @@ def test_a_name_that_destroys_something_is_refused(
     assert place in errors[0]
     assert re.search("hint: (files: .parameters.0, parameters.1.|key: signing.key|credentials: wifi.json)\n", printed)
     assert not (tmp_path / "generated").exists()
-
-
-def test_links_share_a_file_and_may_have_one_each(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What each link reads may be one file; differing in capital letters it is one on FAT, and two elsewhere."""
-    specs = Path(shutil.copytree(SPECS, tmp_path / "specs"))
-    second = "  field: {udp: 14560, to: 255.255.255.255, credentials: wifi.json, retry: 5 s}\n"
-    changed(specs, "  cable: {usb: true}\n", f"  cable: {{usb: true}}\n{second}")
-    changed(specs, "radio: listed}", "radio: listed, field: open}")
-    assert main(["check", "--project", str(specs / "codegen.yaml")]) == 0
-    changed(specs, second, second.replace("wifi.json", "WiFi.json"))
-    capsys.readouterr()
-    assert main(["check", "--project", str(specs / "codegen.yaml")]) == 1
-    assert (
-        "WiFi.json cannot be where field has its credentials: wifi has its credentials there, in wifi.json, and FAT"
-        in (capsys.readouterr().out)
-    )

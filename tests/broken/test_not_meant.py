@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BOAT = "examples/boat"
 VEHICLE, PARAMETERS, BOARD, STATE = "vehicle.yaml", "parameters.yaml", "board.yaml", "state.yaml"
 TIMEOUT = "unit: s, default: 5, min: 2, max: 120, step: 1"
+WIFI = "udp: 14550, to: 255.255.255.255, credentials: wifi.json, retry: 5 s"
 SILENT = "after: FS_GCS_TIMEOUT, action: come_back"
 
 
@@ -120,6 +121,43 @@ CASES = {
         "of what OLD was, SHALLOW would take over 0 alone: no unit is 1e-10 of another",
         "was: {OLD: 1}, if a number means the same",
         (PARAMETERS, "max: 20, step: 0.01, ", "max: 20, step: 0.01, was: {OLD: §-1e-10}, "),
+    ),
+    # links
+    "one_local_port": case(
+        "bad-link",
+        "local_port of wifi is UDP port 14550 of the vehicle, which b takes already",
+        "take another one",
+        (
+            BOARD,
+            "links:\n",
+            "links:\n  b: {udp: 1, local_port: 14550, to: 10.0.0.1, credentials: wifi.json, retry: 5 s}\n",
+        ),
+        (BOARD, WIFI, f"{WIFI}, local_port: §14550"),
+    ),
+    "other_credentials": case(
+        "bad-link",
+        "credentials of wifi are other.json, and wifi.json has those of the one Wi-Fi there is",
+        "credentials: wifi.json; under the name of a link",
+        (BOARD, "links:\n", "links:\n  b: {udp: 1, to: 10.0.0.1, credentials: wifi.json, retry: 5 s}\n"),
+        (BOARD, WIFI, WIFI.replace("wifi.json", "§other.json")),
+    ),
+    **{
+        f"address_{written}": case(
+            "bad-link", f"{written} is {says}", "to: ", (BOARD, WIFI, WIFI.replace("255.255.255.255", f"§{written}"))
+        )
+        for written, says in (
+            ("300.1.1.1", "no address: 300 is more than 255"),
+            ("0.0.0.0", "the address of no station"),  # noqa: S104
+            ("010.0.0.1", "read as another address where a number with 0 in front is octal"),
+            ("240.0.0.1", "the address of no station"),
+            ("\u0663.1.1.1", "not an address"),
+        )
+    },
+    "connection_to_a_group": case(
+        "bad-link",
+        "224.0.0.1 is a group, and a TCP connection goes to one station",
+        "to: 192.168.4.2",
+        (BOARD, WIFI, WIFI.replace("udp:", "tcp_client:").replace("255.255.255.255", "§224.0.0.1") + ", timeout: 9 s"),
     ),
     # silence of ground stations
     "silent_between_two": case(
