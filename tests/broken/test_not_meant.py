@@ -16,12 +16,16 @@ BOAT = "examples/boat"
 VEHICLE, PARAMETERS, BOARD, STATE = "vehicle.yaml", "parameters.yaml", "board.yaml", "state.yaml"
 TIMEOUT = "unit: s, default: 5, min: 2, max: 120, step: 1"
 WIFI = "udp: 14550, to: 255.255.255.255, credentials: wifi.json, retry: 5 s"
+OUTPUTS = (
+    "message: ACTUATOR_OUTPUT_STATUS\nrequirement: FR-2.1\nstream: POSITION\nsend: while_known\n"
+    "fields: {time_usec: {clock: §unix}, active: {constant: 0}, actuator: unknown}\n"
+)
 SILENT = "after: FS_GCS_TIMEOUT, action: come_back"
 
 
 @dataclass(frozen=True)
 class Change:
-    """A text of a file, and what takes its place."""
+    """A text of a file, and what takes its place; none is a new file."""
 
     file: str
     old: str
@@ -159,6 +163,32 @@ CASES = {
         "to: 192.168.4.2",
         (BOARD, WIFI, WIFI.replace("udp:", "tcp_client:").replace("255.255.255.255", "§224.0.0.1") + ", timeout: 9 s"),
     ),
+    # fields of messages
+    "unix_since_boot": case(
+        "other-clock",
+        "ATTITUDE.time_boot_ms counts from the start, as its name says, and clock: unix from 1970",
+        "write {clock: boot}",
+        ("messages/attitude.yaml", "{clock: boot}", "{clock: §unix}"),
+    ),
+    "boot_since_1970": case(
+        "other-clock",
+        "SYSTEM_TIME.time_unix_usec counts from 1970, as its name says, and clock: boot from the start",
+        "write {clock: unix}",
+        ("messages/system_time.yaml", "send: while_known\n", ""),
+        ("messages/system_time.yaml", "time_unix_usec: {clock: unix}", "time_unix_usec: {clock: §boot}"),
+    ),
+    "unix_by_words": warns(
+        "other-clock-in-words",
+        "ACTUATOR_OUTPUT_STATUS.time_usec is 'Timestamp (since system boot)', and clock: unix counts from 1970",
+        "write {clock: boot}",
+        ("messages/outputs.yaml", "", OUTPUTS),
+    ),
+    "moving_instance": warns(
+        "instance-that-changes",
+        "DISTANCE_SENSOR.id tells instances apart, and vehicle.mode can become another number",
+        "write one number, such as {constant: 0}",
+        ("messages/distance_sensor.yaml", "  id: {constant: 1}", "  id: {state: §vehicle.mode}"),
+    ),
     # silence of ground stations
     "silent_between_two": case(
         "silence-between-heartbeats",
@@ -215,7 +245,7 @@ def test_is_told_at_its_place(name: str, tmp_path: Path, capsys: pytest.CaptureF
     place = ""
     for change in one.changes:
         path = specs / change.file
-        text = path.read_text()
+        text = path.read_text() if change.old else ""
         assert change.old in text
         text = text.replace(change.old, change.new, 1)
         before, mark, _ = text.partition("§")
