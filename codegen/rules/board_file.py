@@ -51,7 +51,9 @@ def check(system: System) -> Iterator[Diagnostic]:
     for kept in _files(system):
         problem = _problem(kept.name)
         if problem is not None:
-            yield Diagnostic(kept.place, RULE, f"{kept.name} cannot be where {kept.what}: {problem}", kept.instead)
+            yield Diagnostic(
+                kept.place, RULE, f"{kept.name or repr('')} cannot be where {kept.what}: {problem}", kept.instead
+            )
             continue
         for name in (kept.name, *kept.besides):
             what, other = owners.setdefault(name.lower(), (kept.what, kept))

@@ -20,6 +20,10 @@ OUTPUTS = (
     "message: ACTUATOR_OUTPUT_STATUS\nrequirement: FR-2.1\nstream: POSITION\nsend: while_known\n"
     "fields: {time_usec: {clock: §unix}, active: {constant: 0}, actuator: unknown}\n"
 )
+UNKNOWN_LOAD = (
+    "failsafes:\n  busy:\n    watches: vehicle.load\n    levels: {lost: {unknown: §true, after: 5 s}}\n"
+    "    arming: false\n    requirement: FR-4.2\n"
+)
 SILENT = "after: FS_GCS_TIMEOUT, action: come_back"
 
 
@@ -188,6 +192,60 @@ CASES = {
         "DISTANCE_SENSOR.id tells instances apart, and vehicle.mode can become another number",
         "write one number, such as {constant: 0}",
         ("messages/distance_sensor.yaml", "  id: {constant: 1}", "  id: {state: §vehicle.mode}"),
+    ),
+    # the program
+    "empty_text": case(
+        "bad-failsafe",
+        "an empty text goes to every ground station, and tells none what has happened",
+        "leave it out: without it a text says what is watched",
+        (VEHICLE, "text: The ground is not seen", 'text: §""'),
+    ),
+    "empty_over": case(
+        "bad-failsafe",
+        "an empty text goes to every ground station",
+        "leave it out",
+        (VEHICLE, "over: The ground is seen again", 'over: §" "'),
+    ),
+    "empty_title": case(
+        "bad-failsafe", "'' names nothing", "leave it out", (VEHICLE, "  echo:\n", '  echo:\n    title: §""\n')
+    ),
+    "twice_in_base": case(
+        "bad-mode",
+        "steered is listed twice",
+        "leave out the second one",
+        (VEHICLE, "base: [steered]", "base: [steered, §steered]"),
+    ),
+    "station_twice": case(
+        "bad-access",
+        "255 is listed twice",
+        "leave out the second one",
+        (VEHICLE, "stations: [255, 254]", "stations: [255, §255]"),
+        at="tests/projects/guarded",
+    ),
+    "setup_twice": case(
+        "bad-access",
+        "cable is listed twice",
+        "leave out the second one",
+        (VEHICLE, "setup: [cable]", "setup: [cable, §cable]"),
+        at="tests/projects/guarded",
+    ),
+    "no_such_step": case(
+        "bad-program",
+        "no step of a save takes 10 s: to erase flash takes 0.4 s at most",
+        "step_limit: 10 ms, up to 1 s",
+        (VEHICLE, "step_limit: 10 ms", "step_limit: §10 s"),
+    ),
+    "flood_of_texts": case(
+        "bad-program",
+        "1 ms is more than ten texts a second, which miss slots themselves",
+        "report_every: 10 s",
+        (VEHICLE, "report_every: 10 s", "report_every: §1 ms"),
+    ),
+    "load_unknown": warns(
+        "known-for-ever",
+        "vehicle.load is never unknown: the program itself measures it",
+        "wait for above: 90 %",
+        (VEHICLE, "failsafes:\n", UNKNOWN_LOAD),
     ),
     # silence of ground stations
     "silent_between_two": case(

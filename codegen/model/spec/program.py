@@ -20,7 +20,9 @@ class ControlSpec(Written):
         "How often failsafes look, and the checks before arming are made, where no reading of the ADC comes as often.",
         default="10 Hz",
     )
-    report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
+    report_every: Amount = described(
+        "Shortest time between two reports about missed slots, such as 10 s; 100 ms at least."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: grid, order, missed, memory.",
@@ -39,7 +41,9 @@ class StorageSpec(Written):
         "-, and is neither that of a module nor of another file on the board."
     )
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
-    step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
+    step_limit: Amount = described(
+        "Longest time that one step of a save may take, up to 1 s; longer ones are warned about."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: kept, defaults, power_cut, steps, wear, set, read, reboot, over_link, lost, "

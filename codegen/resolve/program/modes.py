@@ -79,7 +79,9 @@ def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity,
     for index, name in enumerate(mode.base):
         quantity = vehicle.quantities.get(name)
         place = mode.at(f"base[{index}]")
-        if quantity is None:
+        if name in mode.base[:index]:
+            report.add(BAD_MODE, place, f"{name} is listed twice", "leave out the second one")
+        elif quantity is None:
             if not vehicle.spec.is_written(name):
                 hint = did_you_mean(name, vehicle.quantities)
                 report.add(BAD_MODE, place, f"the component vehicle has no quantity {name}", hint)
