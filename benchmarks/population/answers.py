@@ -64,8 +64,13 @@ def _elements(message: Message, field: Field, clocks: list[str], dice: random.Ra
         name = field.name.lower().replace("_", "") + (f"x{at}" if field.count else "")
         name += "value" if name in TAKEN or keyword.iskeyword(name) else ""
         base = Answer(field, at, "number", f"{{state: {component(message)}.{name}}}", name)
-        if clocks and field.unit in CLOCKS and not field.count and field.bits >= 32 and not field.is_float:
-            yield _clock(base, clocks.pop()) if dice.random() < 0.4 else whole(base, dice)
+        fitting = [clock for clock in clocks if clock not in _other_clocks(field)]
+        if fitting and field.unit in CLOCKS and not field.count and field.bits >= 32 and not field.is_float:
+            if dice.random() < 0.4:
+                clocks.remove(fitting[-1])
+                yield _clock(base, fitting[-1])
+            else:
+                yield whole(base, dice)
         elif field.enum is not None and field.enum.is_bitmask and not field.count and dice.random() < 0.4:
             yield _flags(message, base, dice)
         elif field.enum is not None:
@@ -74,6 +79,12 @@ def _elements(message: Message, field: Field, clocks: list[str], dice: random.Ra
             yield real(base, dice)
         else:
             yield whole(base, dice)
+
+
+def _other_clocks(field: Field) -> set[str]:
+    """Return the clocks that a field does not count by, where its name says which one it does."""
+    parts = set(field.name.lower().split("_"))
+    return {"unix"} if "boot" in parts else {"boot"} if "unix" in parts else set()
 
 
 def _clock(base: Answer, name: str) -> Answer:

@@ -11,14 +11,16 @@ from codegen.model.spec.spec import ParametersSpec, Requirement, Spec, StreamSpe
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import SLOWEST_ASKED, Parameter, Stream
 from codegen.resolve.citation import cite_optional
+from codegen.resolve.in_force import check_at_once
 from codegen.resolve.vehicle import find_parameter
 
 BAD_STREAM = Rule(
     "bad-stream",
-    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000. Its "
-    "data_stream is an entry of MAV_DATA_STREAM, and fastest is at most 1000 Hz. Nothing goes faster than that: it is "
-    "neither below the rate nor below the maximum of the parameter. What goes less often than once in 1073 s, the "
-    "longest interval that a ground station can ask for, has a fixed rate.",
+    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000, and "
+    "without reboot: the stream follows it at once. Its data_stream is an entry of MAV_DATA_STREAM, and fastest is at "
+    "most 1000 Hz. Nothing goes faster than that: it is neither below the rate nor below the maximum of the "
+    "parameter. What goes less often than once in 1073 s, the longest interval that a ground station can ask for, has "
+    "a fixed rate.",
     remedy="write an entry of MAV_DATA_STREAM, such as MAV_DATA_STREAM_EXTRA1, or leave data_stream out",
 )
 
@@ -95,6 +97,7 @@ def _resolve_stream(
             hint=f"declare {parameter.name} with unit: Hz, min: 0, max: 50 and step: 0.1",
         )
         return None
+    check_at_once(parameter, "a stream", BAD_STREAM, spec.at("parameter"), report)
     if not _is_fast_enough(name, spec, largest, fastest, report):
         return None
     return Stream(name, None, parameter, number, fastest or largest, spec, citation)

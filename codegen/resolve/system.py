@@ -9,6 +9,7 @@ from codegen.model.program_folders import SPECIFICATION_FOLDERS
 from codegen.model.spec.population import Clock
 from codegen.model.spec.spec import Spec
 from codegen.model.system import System
+from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import Parameter
 from codegen.resolve.board.links import resolve_links
 from codegen.resolve.board.model import resolve_board_model
@@ -16,6 +17,7 @@ from codegen.resolve.board.sources import resolve_sources
 from codegen.resolve.citation import index_requirements
 from codegen.resolve.commands.commands import NO_PROGRAM_FOR_COMMANDS
 from codegen.resolve.families import ParameterFamilies
+from codegen.resolve.in_force import check_at_start
 from codegen.resolve.instances import resolve_instances
 from codegen.resolve.population.generations import resolve_generations
 from codegen.resolve.population.population import Parts, resolve_message
@@ -32,9 +34,10 @@ from codegen.source import Place, shown_path
 
 BAD_PROJECT = Rule(
     "bad-project",
-    "codegen.yaml sets a value that cannot be: system and component id are 1 to 255, and those of the parameters that "
-    "set them, the protocol is 1 or 2, and the output goes to a folder of its own in the project, with none of the "
-    "specification in it, and not to one of git.",
+    "codegen.yaml sets a value that cannot be: system and component id are 1 to 255, and so are the parameters that "
+    "set them, which have no unit and say reboot: true, as they are looked at when the board starts; the protocol is "
+    "1 or 2, and the output goes to a folder of its own in the project, with none of the specification in it, and not "
+    "to one of git.",
 )
 
 
@@ -194,6 +197,12 @@ def _check_id(parameter: Parameter, place: Place, kind: str, report: Report) -> 
             related=related,
             hint=f"give {parameter.name} min: 1, max: 255 and step: 1",
         )
+    elif parameter.unit is not NUMBER:
+        related = [(parameter.spec.at("unit"), f"{parameter.name} is declared here")]
+        message = f"{parameter.name} is in {parameter.unit.name}, and a {kind} id is a number without a unit"
+        report.add(BAD_PROJECT, place, message, f"take unit: {parameter.unit.name} out at {parameter.name}", related)
+    else:
+        check_at_start(parameter, BAD_PROJECT, place, report)
 
 
 def _component_parameter(

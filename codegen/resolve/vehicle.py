@@ -9,18 +9,20 @@ from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.spec.board import AdcSpec, BoardSpec
 from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement
-from codegen.model.units.unit import decimal, unit_named
+from codegen.model.units.unit import NUMBER, decimal, unit_named
 from codegen.model.vehicle import AdcChannel, Citation, Parameter
 from codegen.pattern import pattern
 from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
+from codegen.resolve.in_force import check_at_start
 from codegen.source import Place
 
 BAD_ADC = Rule(
     "bad-adc",
     "An ADC channel cannot be built: its pin is an input of the board's converter, a count has 8 bits to as many as "
-    "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only.",
+    "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only, and "
+    "says reboot: true, as that of when does: both are looked at when the board starts.",
     remedy="take a board with a converter, or leave the channel out",
 )
 _NAME = pattern("[A-Z][A-Z0-9_]{0,15}")
@@ -28,9 +30,10 @@ _NAME = pattern("[A-Z][A-Z0-9_]{0,15}")
 
 BAD_PARAMETER = Rule(
     "bad-parameter",
-    "A parameter contradicts itself: names have at most 16 characters of A-Z, 0-9 and _; min <= default <= max; "
-    "all three are whole multiples of step and, in steps, fit a small integer of MicroPython. A whole type has a whole "
-    "step and carries min and max; single values lie within them, and the default is one of them.",
+    "A parameter contradicts itself: names have at most 16 characters of A-Z, 0-9 and _; min <= default <= max; all "
+    "three are whole multiples of step and, in steps, fit a small integer of MicroPython. A whole type has a whole "
+    "step and carries min and max; single values lie within them, each once, and the default is one of them. What "
+    "values of earlier names are multiplied by is a factor between units, and not 0.",
     remedy="make min, default and max whole multiples of step, in this order",
 )
 UNKNOWN_PARAMETER = Rule(
@@ -43,6 +46,8 @@ _Fault = tuple[str, str, str]
 """The key of a parameter that is wrong, what is wrong with it, and a hint."""
 _NAMES = "use at most 16 of A-Z, 0-9 and _"
 _REAL = "leave type out: REAL32 carries it; or narrow min and max, with whole steps"
+_LEAST_FACTOR = Fraction(1, 10**9)
+"""From one unit to another in which a vehicle counts: nA and A."""
 _VALUE = "write a multiple of step from min to max"
 
 
@@ -133,8 +138,8 @@ def _when(
         related = [(parameter.spec.place, f"{switch} is declared here")]
         message = f"{switch} is never {decimal(value)}, so {name} is never read"
         report.add(BAD_ADC, spec.at("when"), message, f"write a value that {switch} can have", related)
-    elif not parameter.spec.reboot:
-        report.add(BAD_ADC, spec.at("when"), f"{switch} is looked at when the board starts", f"{switch}: reboot: true")
+    else:
+        check_at_start(parameter, BAD_ADC, spec.at("when"), report)
     return parameter, int(steps)
 
 
@@ -159,7 +164,11 @@ def _gpio(
     if pin is None:
         return None
     accepted = pin.choices or range(pin.minimum, pin.maximum + 1)
-    if pin.step != 1 or not inputs.issuperset(accepted):
+    if pin.step != 1 or pin.unit is not NUMBER or not inputs.issuperset(accepted):
+        if pin.unit is not NUMBER:
+            message = f"{pin.name} is in {pin.unit.name}, and a pin is a number without a unit"
+            report.add(BAD_ADC, spec.at("pin"), message, f"take unit: {pin.unit.name} out at {pin.name}")
+            return pin.default
         message = f"{pin.name} takes other numbers than those of inputs of the {model.name}, {shown_pins(inputs)}"
         related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
         report.add(
@@ -170,6 +179,7 @@ def _gpio(
             hint=f"narrow min and max of {pin.name}, or give it values, one for each pin",
         )
         return None
+    check_at_start(pin, BAD_ADC, spec.at("pin"), report)
     return pin.default
 
 
@@ -224,6 +234,11 @@ def _check_earlier_names(parameters: Mapping[str, Parameter], report: Report) ->
                     f"{name} is not 0 times what {old} was",
                     f"was: {{{old}: 1}}, if a number means the same",
                 )
+            elif not _LEAST_FACTOR <= abs(factor) <= 1 / _LEAST_FACTOR:
+                problem = (
+                    f"of what {old} was, {name} would take over 0 alone: no unit is {float(abs(factor)):.3g} of another"
+                )
+                hint = f"was: {{{old}: 1}}, if a number means the same"
             if problem is not None and parameter.instance == 0:
                 report.add(BAD_PARAMETER, parameter.spec.at(f"was.{old}"), problem, hint)
 
@@ -291,7 +306,7 @@ def _type_problems(name: str, spec: ParameterSpec) -> list[_Fault]:
 
 
 def _choices(name: str, spec: ParameterSpec, problems: list[_Fault]) -> dict[Fraction, str]:
-    choices = {}
+    choices: dict[Fraction, str] = {}
     for written, meaning in spec.values.items():
         try:
             value = Fraction(written)
@@ -300,6 +315,9 @@ def _choices(name: str, spec: ParameterSpec, problems: list[_Fault]) -> dict[Fra
             continue
         if not spec.min <= value <= spec.max or spec.step <= 0 or (value / spec.step).denominator != 1:
             problems.append((f"values.{written}", f"{written} is not a value that {name} can have", _VALUE))
+        if value in choices:
+            message = f"{written} of {name} means {choices[value]!r} already, and nobody could tell which it is"
+            problems.append((f"values.{written}", message, "keep one of them"))
         choices[value] = meaning
     if choices and spec.default not in choices:
         problems.append(

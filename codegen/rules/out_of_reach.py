@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.failsafe import Condition, Failsafe, Sense, Setting
+from codegen.model.program import is_set_by_program
 from codegen.model.quantities.attainable import attainable
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
@@ -29,9 +30,12 @@ BY_DEFAULT = Rule(
 KNOWN_FOR_EVER = Rule(
     "known-for-ever",
     "A failsafe waits until a received quantity is unknown, and nothing makes it so again after the first message: no "
-    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten.",
+    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten. Nor is "
+    "vehicle.load ever unknown, which the program measures.",
     Severity.WARNING,
 )
+
+_LOAD = "vehicle.load"
 
 
 def check(system: System) -> Iterator[Diagnostic]:
@@ -54,6 +58,9 @@ def _of_condition(
     if quantity is None:
         return
     if limit is None:
+        if condition.sense is Sense.UNKNOWN and quantity.path == _LOAD and _is_measured(system):
+            message = f"{quantity.path} is never unknown: the program itself measures it, in each second"
+            yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, "wait for above: 90 %, or leave it out")
         if condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
             message = f"{quantity.path} is never unknown again once a message has set it"
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
@@ -99,6 +106,11 @@ def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
         return False
     fields = [taken for table in system.receptions for taken in table.fields if taken.quantity.path == quantity.path]
     return not any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
+
+
+def _is_measured(system: System) -> bool:
+    """Return whether the program measures its load."""
+    return is_set_by_program(system.components.get("vehicle"), "load")
 
 
 def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str, *, is_below: bool) -> Diagnostic:

@@ -117,6 +117,24 @@ def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
     assert case.says in printed
 
 
+def test_a_mode_that_no_command_can_change_to(tmp_path, monkeypatch, capsys):
+    """MAV_CMD_DO_SET_MODE has its number in a float: 16777217 would be another mode."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    for name, old, new in (
+        (VEHICLE, "  11: {name: RTL", "  16777217: {name: RTL"),
+        (STATE, "max: 30", "max: 20000000"),
+    ):
+        path = tmp_path / "specs" / name
+        path.write_text(path.read_text().replace(old, new))
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 1
+    printed = capsys.readouterr().out
+    assert (
+        "error bad-mode: MAV_CMD_DO_SET_MODE cannot change to 16777217: its float of 32 bits makes 16777216" in printed
+    )
+    assert "hint: take 16777216, or a number up to 16777216" in printed
+
+
 def test_a_command_that_programs_answer_otherwise_only(tmp_path, monkeypatch, capsys):
     """Without modes MAV_CMD_DO_SET_MODE is the project's own, and COMMAND_CANCEL may be missing."""
     shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")

@@ -53,6 +53,9 @@ CASES = [
     Case("unknown-requirement", "vehicle.yaml", "told: FR-00071.7", "told: §FR-00071.17", "no criterion 17"),
     Case("missing-key", "vehicle.yaml", "  timeout: 2 s\n", "", at="vehicle.yaml:14:3"),
     Case("bad-program", "vehicle.yaml", "call: terminate", "call: §stop_motors", "a call of its own"),
+    Case("bad-program", "vehicle.yaml", "force: 21196", "force: §0", "0 is what every command to arm has there"),
+    Case("bad-program", "vehicle.yaml", "force: 21196", "force: §16777217", "nobody can send 16777217"),
+    Case("bad-program", "vehicle.yaml", "force: 21196", "force: §-1000000000001", "nobody can send -1000000000001"),
     Case("program-alone", "codegen.yaml", "project: pico-trail", "project: pico-trail\nbase: §.."),
 ]  # fmt: skip
 

@@ -29,7 +29,10 @@ class AccessSpec(Written):
         "not attackers)."
     )
     stations: tuple[int, ...] = described("System ids whose frames count on links that are listed.", default=())
-    key: str = described("File on the board with the key, 64 hexadecimal digits.", default="signing.key")
+    key: str = described(
+        "File on the board with the key, 64 hexadecimal digits; no folder, no module, and no other file's name.",
+        default="signing.key",
+    )
     setup: tuple[str, ...] = described(
         "Open links over a cable on which SETUP_SIGNING brings a new key. Without it a key comes with the file only.",
         default=(),

@@ -62,22 +62,22 @@ class LinkSpec(Written):
         "that a TCP client connects to.",
         default=None,
     )
-    local_port: int = described("UDP port of the vehicle, 0 for any.", default=0)
+    local_port: int = described("UDP port of the vehicle, of this link alone; 0 for any.", default=0)
     backlog: int | None = described("Connections that wait until a TCP server takes them. Default: 4.", default=None)
     timeout: Amount | None = described(
-        "Time after which a TCP connection is closed over which no frame of a station came, or that took none, such as "
-        "30 s.",
+        "Time after which a TCP connection is closed over which no frame of a station came, or that took none, such "
+        "as 30 s.",
         default=None,
     )
     credentials: str | None = described(
-        "JSON file on the board with the Wi-Fi's ssid and password; host, port and local_port in it win over the "
-        "values given here. Under the name of a link they stand for that link alone; those of a TCP link do, but for "
-        "the host of a client.",
+        "JSON file on the board with the Wi-Fi's ssid and password, the same for all links; host, port and local_port "
+        "in it win over the values given here. Under the name of a link they stand for that link alone; those of a "
+        "TCP link do, but for the host of a client.",
         default=None,
     )
     retry: Amount | None = described(
-        "Time between two attempts to join the Wi-Fi, such as 5 s, and from a TCP client's first attempt to connect to "
-        "the second; each further pause is twice as long, up to 16 times.",
+        "Time between two attempts to join the Wi-Fi, such as 5 s, and from a TCP client's first attempt to connect "
+        "to the second; each further pause is twice as long, up to 16 times.",
         default=None,
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)

@@ -20,7 +20,9 @@ class ControlSpec(Written):
         "How often failsafes look, and the checks before arming are made, where no reading of the ADC comes as often.",
         default="10 Hz",
     )
-    report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
+    report_every: Amount = described(
+        "Shortest time between two reports about missed slots, such as 10 s; 100 ms at least."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: grid, order, missed, memory.",
@@ -34,9 +36,14 @@ class ControlSpec(Written):
 class StorageSpec(Written):
     """The storage of parameters on the board."""
 
-    files: tuple[str, ...] = described("Names of two files in the board's flash; saves take turns between them.")
+    files: tuple[str, ...] = described(
+        "Names of two files in the board's flash; saves take turns between them. A name has letters, digits, _, . and "
+        "-, and is neither that of a module nor of another file on the board."
+    )
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
-    step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
+    step_limit: Amount = described(
+        "Longest time that one step of a save may take, up to 1 s; longer ones are warned about."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: kept, defaults, power_cut, steps, wear, set, read, reboot, over_link, lost, "
@@ -53,7 +60,10 @@ class StorageSpec(Written):
 class ArmingSpec(Written):
     """The arming of the vehicle."""
 
-    force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
+    force: int = described(
+        "Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks: 21196, or another number that a "
+        "float of 32 bits carries, but 0, which every command to arm has."
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: command, reasons, stop (when stop_motors() is called).", default_factory=dict
@@ -93,8 +103,8 @@ class ServicesSpec(Written):
 
     fastest: Amount = described("Highest rate at which messages without a stream can be asked for, such as 10 Hz.")
     silence: Amount = described(
-        "Time without a HEARTBEAT after which a ground station is gone; once back, it is told what is sent on "
-        "connection.",
+        "Time without a HEARTBEAT, which come once a second, after which a ground station is gone; once back, it is "
+        "told what is sent on connection.",
         default="10 s",
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)

@@ -113,10 +113,14 @@ class ParameterSpec(Written):
     values: Mapping[str, str] = described(
         "What single values mean, by the value; no others are accepted then.", default_factory=dict
     )
-    reboot: bool = described("True: a new value is used only after a restart.", default=False)
+    reboot: bool = described(
+        "True: a new value is used only after a restart, which is said where it is set. It is an error where the value "
+        "is followed at once (streams, failsafes, represents), and missing where it is not (pins, ids, enabled_by).",
+        default=False,
+    )
     was: Mapping[str, Fraction] = described(
-        "Names that it had in earlier firmware, with what values of then are multiplied by: what is stored under them "
-        "is taken over.",
+        "Names that it had in earlier firmware, with what values of then are multiplied by (a factor between units): "
+        "what is stored under them is taken over.",
         default_factory=dict,
     )
     for_each: str | None = described(

@@ -1,6 +1,7 @@
 """The links of the board to ground stations."""
 
 import keyword
+import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule
@@ -19,7 +20,9 @@ BAD_LINK = Rule(
     "A link cannot be built: its name is a lower-case identifier, a UART is one of the board's with tx, rx and baud, "
     "UDP has a port, an address to start with, credentials and a retry time, a TCP client these and a timeout, a TCP "
     "server a port that is its own, credentials, a retry time and a timeout, keys of one kind do not stand with "
-    "another, and the board has what it needs.",
+    "another, and the board has what it needs. No two links have one port of the vehicle, and all over Wi-Fi have the "
+    "same credentials: there is one radio. An address has four numbers from 0 to 255, and is one that something can "
+    "be sent to.",
     remedy="write a link such as usb: true, or {uart: 0, tx: 0, rx: 1, baud: 57600}",
 )
 _OF_KIND = {
@@ -39,6 +42,9 @@ _EXAMPLES = {
     "retry": "5 s",
     "timeout": "30 s",
 }
+_FIRST_MULTICAST, _LAST_MULTICAST = 224, 239
+"""First numbers of addresses that are those of groups; what lies above is kept for nobody, but for everybody's."""
+_EVERYBODY = "255.255.255.255"
 _SHORTEST_TIMEOUT_MS = 2000
 _LONGEST_RETRY_MS = 3_600_000
 
@@ -90,9 +96,14 @@ def _time_problems(name: str, kind: LinkKind, retry: int | None, timeout: int | 
 
 def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
     """Report a link that takes a port which an earlier one takes already."""
-    for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tcp_server", "TCP port {}")):
+    for key, what in (
+        ("uart", "UART {}"),
+        ("usb", "the USB port"),
+        ("tcp_server", "TCP port {}"),
+        ("local_port", "UDP port {} of the vehicle"),
+    ):
         value = getattr(spec, key)
-        if value is None:
+        if value is None or (key == "local_port" and value == 0):
             continue
         place = spec.at(key)
         owner, first = taken.setdefault(what.format(value), (name, place))
@@ -105,6 +116,13 @@ def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]]
                 related=[(first, f"{owner} takes it here")],
                 hint="take another one, or leave out one of the links",
             )
+    if spec.credentials is not None:
+        place = spec.at("credentials")
+        owner, first = taken.setdefault("the Wi-Fi", (spec.credentials, place))
+        if owner != spec.credentials:
+            message = f"credentials of {name} are {spec.credentials}, and {owner} has those of the one Wi-Fi there is"
+            hint = f"credentials: {owner}; under the name of a link it has what stands for that link alone"
+            report.add(BAD_LINK, place, message, hint, [(first, "it is named here")])
 
 
 def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Problem]:
@@ -118,11 +136,8 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
     for key in dict.fromkeys((*(key for keys in _OF_KIND.values() for key in keys), *_ONLY_OF)):
         if getattr(spec, key) is not None and key not in needed and _ONLY_OF.get(key) is not kind:
             yield key, f"{key} says nothing about a link over {kind.words}", f"leave {key} out"
-    if spec.to is not None and not pattern(r"\d{1,3}(\.\d{1,3}){3}").fullmatch(spec.to):
-        message = f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
-        yield "to", message, "to: 192.168.4.2, or 255.255.255.255 for whoever listens"
-    elif kind is LinkKind.TCP_CLIENT and spec.to is not None and spec.to.endswith(".255"):
-        yield "to", f"{spec.to} is a broadcast, and a TCP connection goes to one station", "to: 192.168.4.2"
+    if spec.to is not None:
+        yield from _address_problems(kind, spec.to)
     limits = {
         **dict.fromkeys(("udp", "tcp_server", "tcp_client"), (1, 65535)),
         "local_port": (0, 65535),
@@ -134,6 +149,28 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
         value = getattr(spec, key)
         if value is not None and not low <= value <= high:
             yield key, f"{key} of {name} is {value}, not {low} to {high}", f"{key}: {min(max(value, low), high)}"
+
+
+def _address_problems(kind: LinkKind, written: str) -> Iterator[_Problem]:
+    """Yield why nothing can be sent to an address."""
+    usual = "to: 192.168.4.2, or 255.255.255.255 for whoever listens"
+    if not pattern(r"\d{1,3}(\.\d{1,3}){3}", re.ASCII).fullmatch(written):
+        message = f"{written} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
+        yield "to", message, usual
+        return
+    parts = written.split(".")
+    plain = ".".join(str(int(part)) for part in parts)
+    if any(int(part) > 255 for part in parts):
+        large = next(part for part in parts if int(part) > 255)
+        yield "to", f"{written} is no address: {large} is more than 255", usual
+    elif plain != written:
+        message = f"{written} is read as another address where a number with 0 in front is octal"
+        yield "to", message, f"to: {plain}"
+    elif int(parts[0]) == 0 or (int(parts[0]) > _LAST_MULTICAST and written != _EVERYBODY):
+        yield "to", f"{written} is the address of no station: nothing that is sent there arrives", usual
+    elif kind is LinkKind.TCP_CLIENT and (int(parts[0]) >= _FIRST_MULTICAST or written.endswith(".255")):
+        what = "broadcast" if written.endswith(".255") else "group"
+        yield "to", f"{written} is a {what}, and a TCP connection goes to one station", "to: 192.168.4.2"
 
 
 def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[_Problem]:

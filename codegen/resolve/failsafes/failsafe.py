@@ -133,7 +133,11 @@ def _title(name: str, spec: FailsafeSpec, component: Component | None, scope: Fa
     if spec.title is None:
         return name.replace("_", " ").capitalize() + (" {number}" if several else "")
     rest = spec.title.replace("{number}", "")
-    if set(rest) & set('{}"\\') or not spec.title.isprintable():
+    if not rest.strip():
+        scope.bad(
+            spec, "title", f"{spec.title!r} names nothing", hint="leave it out: without it the failsafe's name is shown"
+        )
+    elif set(rest) & set('{}"\\') or not spec.title.isprintable():
         scope.bad(
             spec,
             "title",

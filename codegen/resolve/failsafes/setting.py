@@ -14,6 +14,7 @@ from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.pattern import pattern
 from codegen.resolve.failsafes.finding import BAD_FAILSAFE
 from codegen.resolve.families import is_single
+from codegen.resolve.in_force import check_at_once
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
 
@@ -32,6 +33,8 @@ class SettingReader:
     def parameter(self, name: str, place: Place, component: Component | None) -> Parameter | None:
         """A parameter, one for all or one of a family of the component; None after a finding."""
         found = find_parameter(name, place, self._written, self._parameters, self._report)
+        if found is not None:
+            check_at_once(found, "a failsafe", BAD_FAILSAFE, place, self._report)
         if found is not None and (component is None or found.component != component.name):
             return found if is_single(found, place, self._report) else None
         return found

@@ -17,6 +17,10 @@ def read_text(
     written: str, place: Place, component: Component | None, watched: Quantity | None, report: Report
 ) -> FailsafeText | None:
     """The text; None, with a finding, where braces name nothing. ``{name}`` and ``{level}`` stay as they are."""
+    if not written.strip():
+        message = "an empty text goes to every ground station, and tells none what has happened"
+        report.add(BAD_FAILSAFE, place, message, "leave it out: without it a text says what is watched and which level")
+        return None
     found: list[str | Shown | Clause] = []
     for number, piece in enumerate(_CLAUSE.split(written)):
         parts = _parts(piece, place, component, watched, report)

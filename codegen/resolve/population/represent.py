@@ -10,6 +10,7 @@ from codegen.model.spec.state import StateSpec
 from codegen.model.system import Policy, Representation
 from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import Component, Parameter, QuantityKind
+from codegen.resolve.in_force import check_at_once
 from codegen.resolve.quantities.component import find_component
 from codegen.resolve.vehicle import find_parameter
 
@@ -95,6 +96,7 @@ def _choice(
                 hint=f"give {parameter.name} min: 1 and step: 1, and no unit",
             )
             return None
+        check_at_once(parameter, "what stands for all", BAD_REPRESENTATION, place, report)
         return Representation(component, Policy.PARAMETER, parameter=parameter)
     if policy.lowest is not None:
         place = policy.at("lowest")

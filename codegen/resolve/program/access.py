@@ -1,6 +1,5 @@
 """Resolves the access to commands: ``access`` of vehicle.yaml."""
 
-import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
@@ -29,7 +28,7 @@ def resolve_access(
     access = vehicle.access
     if access is None:
         return None
-    problems = [*_link_problems(access, spec), *_key_problems(access, vehicle, spec, dialect)]
+    problems = [*_link_problems(access, spec), *_key_problems(access, spec, dialect)]
     for key, message, hint in problems:
         report.add(BAD_ACCESS, access.at(key), message, hint)
     if problems:
@@ -64,17 +63,24 @@ def _link_problems(access: AccessSpec, spec: Spec) -> Iterator[_Problem]:
         yield "links", "a link is listed, and no station is", "stations: [255], with the system ids of those that count"
     if access.stations and not is_listed:
         yield "stations", "stations are listed, and no link asks for them", "links: {wifi: listed}"
-    for number in access.stations:
-        if not 1 <= number <= 255:
+    yield from _station_problems(access)
+
+
+def _station_problems(access: AccessSpec) -> Iterator[_Problem]:
+    for index, number in enumerate(access.stations):
+        if number in access.stations[:index]:
+            yield f"stations[{index}]", f"{number} is listed twice", "leave out the second one"
+        elif not 1 <= number <= 255:
             yield "stations", f"{number} is not a system id from 1 to 255", "stations: [255]"
 
 
-def _key_problems(access: AccessSpec, vehicle: VehicleSpec, spec: Spec, dialect: Dialect) -> Iterator[_Problem]:
-    if not re.fullmatch(r"[A-Za-z0-9_.-]{1,64}", access.key) or access.key in vehicle.storage.files:
-        yield "key", f"{access.key} cannot be the name of the key's file", "key: signing.key"
+def _key_problems(access: AccessSpec, spec: Spec, dialect: Dialect) -> Iterator[_Problem]:
     if access.setup and Admission.SIGNED not in access.links.values():
         yield "setup", "no link is signed, so there is no use for a key", "leave setup out, or write signed for a link"
-    for name in access.setup:
+    for index, name in enumerate(access.setup):
+        if name in access.setup[:index]:
+            yield f"setup[{index}]", f"{name} is listed twice", "leave out the second one"
+            continue
         link = spec.board.links.get(name)
         if link is None:
             yield "setup", f"the board has no link {name}", did_you_mean(name, spec.board.links)

@@ -1,8 +1,10 @@
 """The modes that vehicle.yaml declares."""
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.code.storage import Storage
 from codegen.model.command import Mode
 from codegen.model.spec.program import ModeSpec, VehicleSpec
 from codegen.model.spec.spec import Requirement
@@ -12,9 +14,9 @@ from codegen.resolve.citation import cite_optional
 
 BAD_MODE = Rule(
     "bad-mode",
-    "A mode has a whole number that vehicle.mode of the state can have, and a name of its own; what its base lists are "
-    "booleans of the component vehicle that can be set. Where modes are declared, the one at the start and those "
-    "of actions are among them.",
+    "A mode has a whole number that vehicle.mode of the state and the float of a command can have, and a name of its "
+    "own; what its base lists are booleans of the component vehicle that can be set. Where modes are declared, the one "
+    "at the start and those of actions are among them.",
     remedy="name a boolean of the component vehicle that code sets",
 )
 
@@ -51,6 +53,10 @@ def resolve_modes(
                 hint=f"take a whole number from {quantity.minimum} to {quantity.maximum}",
             )
             continue
+        near = Storage.BINARY32.nearest(Fraction(int(key)))
+        if near != int(key):
+            message = f"MAV_CMD_DO_SET_MODE cannot change to {key}: its float of 32 bits makes {near} of it"
+            report.add(BAD_MODE, mode.place, message, f"take {near}, or a number up to {2**24}")
         if any(mode.name == other.name for other in found.values()):
             report.add(
                 BAD_MODE,
@@ -73,7 +79,9 @@ def _base(mode: ModeSpec, vehicle: Component, report: Report) -> tuple[Quantity,
     for index, name in enumerate(mode.base):
         quantity = vehicle.quantities.get(name)
         place = mode.at(f"base[{index}]")
-        if quantity is None:
+        if name in mode.base[:index]:
+            report.add(BAD_MODE, place, f"{name} is listed twice", "leave out the second one")
+        elif quantity is None:
             if not vehicle.spec.is_written(name):
                 hint = did_you_mean(name, vehicle.quantities)
                 report.add(BAD_MODE, place, f"the component vehicle has no quantity {name}", hint)

@@ -1,8 +1,10 @@
 """Findings about a program as a whole: vehicle.yaml against the state, and against names that are taken."""
 
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from typing import NamedTuple
 
+from codegen.model.code.storage import Storage
 from codegen.model.program import VEHICLE_QUANTITIES, can_be_set_as, is_set_by_program
 from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.state import StateSpec
@@ -21,6 +23,7 @@ _WRITTEN = {
     "load": 'load: {doc: Of the main loop., unit: "%", stored: d%, min: 0, max: 100, initial: 0}',
 }
 """The quantities that arming needs, as state.yaml has them."""
+_USUAL_FORCE = "force: 21196, as ground stations send it"
 
 
 class Problem(NamedTuple):
@@ -47,12 +50,13 @@ def program_problems(spec: VehicleSpec, components: Mapping[str, Component], sta
             message = f"arming needs a {kind} {name} that can be set in the component vehicle of the state"
             yield Problem(spec.at("arming"), message, f"write below its quantities: {_WRITTEN[name]}")
     files = spec.storage.files
-    if len(files) != 2 or files[0] == files[-1]:
-        message = "parameters are saved in turns in two files with different names"
+    if len(files) != 2:
+        message = f"parameters are saved in turns in two files, not {len(files)}"
         yield Problem(spec.storage.at("files"), message, "files: [parameters.0, parameters.1]")
     if not 16 <= spec.storage.chunk <= 256:
         message = f"a step writes 16 to 256 bytes, not {spec.storage.chunk}"
         yield Problem(spec.storage.at("chunk"), message, "chunk: 64")
+    yield from _force(spec)
     yield from _actions(spec, vehicle)
     yield from _code(spec.code)
 
@@ -81,6 +85,19 @@ def _code(code: CodeSpec | None) -> Iterator[Problem]:
     if not is_name(code.class_name.lower()) or code.class_name == "Vehicle":
         message = f"{code.class_name} cannot be the name of a class of its own"
         yield Problem(code.at("class"), message, "class: Boat")
+
+
+def _force(spec: VehicleSpec) -> Iterator[Problem]:
+    """Yield that everybody sends the number by which a command to arm passes over the checks, or that nobody can."""
+    if spec.arming is None:
+        return
+    force, place = spec.arming.force, spec.arming.at("force")
+    if force == 0:
+        message = "0 is what every command to arm has there: each of them would pass over the checks"
+        yield Problem(place, message, _USUAL_FORCE)
+    elif Storage.BINARY32.nearest(Fraction(force)) != force:
+        message = f"nobody can send {force}: parameters of commands are floats of 32 bits, which do not carry it"
+        yield Problem(place, message, _USUAL_FORCE)
 
 
 def _actions(spec: VehicleSpec, vehicle: Component | None) -> Iterator[Problem]:

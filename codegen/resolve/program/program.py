@@ -23,16 +23,21 @@ from codegen.resolve.program.absences import mission_results, resolve_absences
 from codegen.resolve.program.modes import resolve_modes
 from codegen.resolve.program.problems import program_problems
 from codegen.resolve.program.services import Uses, service_constants, service_messages
+from codegen.resolve.program.watchdog import SHORTEST_MS
 
 BAD_PROGRAM = Rule(
     "bad-program",
     "vehicle.yaml contradicts itself or the rest of the specification: what can be armed needs the component vehicle "
     "of the state with armed, ready, status, mode and load, actions need failsafes, parameters are saved in two files, "
-    "and each action has a name of its own.",
+    "each action has a name of its own, and what passes over the checks before arming is a number that a command can "
+    "have and that not every one has.",
     remedy="make vehicle.yaml fit the component vehicle of state.yaml",
 )
 LONGEST_PERIOD_US = (1 << 29) - 1
 """The largest difference of two ticks_us() on a board."""
+SHORTEST_REPORT_MS = 100
+LONGEST_STEP_US = 1000 * SHORTEST_MS
+"""A step of a save that takes longer is none: the watchdog of a board would end it."""
 
 
 def resolve_program(
@@ -110,6 +115,7 @@ def resolve_program(
                 "a job of the main loop is due every 536 s at least",
                 hint=f"{key}: {'60 s' if key == 'report_every' else '1 Hz'}",
             )
+    _check_times(spec, report_ms, step_limit, report)
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
     if fastest is not None and fastest < SLOWEST_ASKED:
         report.add(
@@ -155,6 +161,16 @@ def resolve_program(
         absences=absences,
         encoding=written.encoding,
     )
+
+
+def _check_times(spec: VehicleSpec, report_ms: int | None, step_limit_us: int | None, report: Report) -> None:
+    """Report what is told too often, and what could never be told."""
+    if report_ms is not None and report_ms < SHORTEST_REPORT_MS:
+        message = f"{spec.control.report_every} is more than ten texts a second, which miss slots themselves"
+        report.add(BAD_PROGRAM, spec.control.at("report_every"), message, "report_every: 10 s")
+    if step_limit_us is not None and step_limit_us > LONGEST_STEP_US:
+        message = f"no step of a save takes {spec.storage.step_limit}: to erase flash takes 0.4 s at most"
+        report.add(BAD_PROGRAM, spec.storage.at("step_limit"), message, "step_limit: 10 ms, up to 1 s")
 
 
 def _present(**parts: Cited | None) -> dict[str, Cited]:

@@ -12,8 +12,10 @@ from codegen.model.quantities.source_kind import Source
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.spec import Requirement, Spec
 from codegen.model.spec.state import ComponentSpec, StateSpec
+from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity, Returns
 from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.in_force import check_at_start
 from codegen.resolve.quantities.carriers import find_carriers
 from codegen.resolve.quantities.quantity import is_name, resolve_quantity
 from codegen.resolve.vehicle import find_parameter
@@ -107,16 +109,17 @@ def _first_number(
         return None
     place = spec.at("first_number")
     parameter = find_parameter(spec.first_number, place, whole.parameters, parameters, report)
-    if parameter is not None and (parameter.step != 1 or parameter.minimum < 0 or parameter.maximum > 255):
+    if parameter is not None and (
+        parameter.step != 1 or parameter.minimum < 0 or parameter.maximum > 255 or parameter.unit is not NUMBER
+    ):
         report.add(
             BAD_COMPONENT,
             place,
             f"{parameter.name} is not a whole number from 0 to 255",
-            hint=f"give {parameter.name} min: 0, max: 255 and step: 1, or name another parameter",
+            hint=f"give {parameter.name} min: 0, max: 255, step: 1 and no unit, or name another parameter",
         )
-    elif parameter is not None and not parameter.spec.reboot:
-        message = f"{parameter.name} is looked at when the board starts"
-        report.add(BAD_COMPONENT, place, message, f"{parameter.name}: reboot: true")
+    elif parameter is not None:
+        check_at_start(parameter, BAD_COMPONENT, place, report)
     return parameter
 
 
