@@ -48,7 +48,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "claims": {"findings", *READING, "model", *GROUND},
     "trace": {"findings", "summaries", "targets", "render", "model", *GROUND},
     "explain": {"findings", "load", "loop", "memory", "summaries", "targets", "model", *GROUND},
-    "diff": {"findings", "loop", "project", "trace", "render", *READING, "model", *GROUND},
+    "diff": {"findings", "loop", "project", "summaries", "trace", "render", *READING, "model", *GROUND},
     "commands": {
         "claims",
         "deploy",

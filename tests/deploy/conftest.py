@@ -15,6 +15,8 @@ def compiled_as_written(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("direct", "with_constants", "with_short_arguments"):
         monkeypatch.setattr(mpy, name, lambda texts, *_: texts)
     monkeypatch.setattr(mpy, "shortened", lambda texts, _: SimpleNamespace(texts=texts, names={}))
-    monkeypatch.setattr(mpy, "bundled", lambda texts, started, *_: SimpleNamespace(texts=texts, names={}, started=started))
+    monkeypatch.setattr(
+        mpy, "bundled", lambda texts, started, *_: SimpleNamespace(texts=texts, names={}, started=started)
+    )
     for name in ("with_small_classes", "with_frequent_names_first"):
         monkeypatch.setattr(mpy, name, lambda text: text)
