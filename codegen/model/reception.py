@@ -9,10 +9,6 @@ from codegen.model.dialect.dialect import Kind, SentinelForm, WireField, WireMes
 from codegen.model.spec.receive import Otherwise, ReceivedFieldSpec, ReceiveSpec
 from codegen.model.vehicle import Citation, Cited, Quantity, QuantityKind
 
-SYSTEM_FIELDS = ("target_system", "target")
-"""The fields that say which system a message is for; MANUAL_CONTROL has the second name for it."""
-COMPONENT_FIELD = "target_component"
-
 
 @dataclass(frozen=True, slots=True)
 class Proviso:
@@ -227,8 +223,7 @@ class Reception(Cited):
     @property
     def targets(self) -> tuple[WireField | None, WireField | None]:
         """The fields with the system and with the component that it is for."""
-        system = next((field for name in SYSTEM_FIELDS if (field := self.wire.field(name))), None)
-        return system, self.wire.field(COMPONENT_FIELD)
+        return self.wire.target_system, self.wire.target_component
 
     def looks_at(self, name: str, taken: ReceivedField) -> bool:
         """Return whether what another field says of one is heeded: by the table, by its own provisos, or by code.

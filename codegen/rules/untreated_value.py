@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.dialect.dialect import Kind
 from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_negative, stated_values
-from codegen.model.reception import COMPONENT_FIELD, SYSTEM_FIELDS, ReceivedField, Reception
+from codegen.model.reception import ReceivedField, Reception
 from codegen.model.system import System
 
 RULE = Rule(
@@ -22,7 +22,7 @@ def check(system: System) -> Iterator[Diagnostic]:
     """One finding for each such number of a field that is taken."""
     for table in system.receptions:
         for taken in table.fields:
-            if taken.is_text or taken.field.definition.enum or taken.field.name in (*SYSTEM_FIELDS, COMPONENT_FIELD):
+            if taken.is_text or taken.field.definition.enum or taken.field in table.targets:
                 continue
             ignored = stated_nan(taken.field.definition.description) if taken.field.type.kind is Kind.FLOAT else None
             if ignored is not None and ignored.is_left and not _is_nan_treated(taken):

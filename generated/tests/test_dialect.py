@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 7cf2d65f596ab56d
+# Inputs: c4843b40f5f443d2
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -19,7 +19,6 @@ from pymavlink.generator.mavcrc import x25crc
 
 ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
 CONSTANT = re.compile(r"^_*(\w+) = (?:const\()?(\d\w*)\)?(?:  #.*)?$", re.MULTILINE)
-TARGETS = ("target_system", "target", "target_component")
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
@@ -38,6 +37,12 @@ def fields_of(known):
         found.append([name, form, places])
         places += struct.calcsize("<" + form)
     return found
+
+
+def addresses(fields, name):
+    """Return where a message has the system and the component that it is for, which take a byte each."""
+    names = ("target", "target_component") if name == "MANUAL_CONTROL" else ("target_system", "target_component")
+    return [place for target in names for field, form, place in fields if field == target and form == "B"]
 
 
 def struct_forms(known):
@@ -77,7 +82,7 @@ def test_messages(laid_out, modules):
         assert fields == fields_of(known), name
         assert base in (*(place for _name, _form, place in fields), length), name  # an extension begins there
         assert crc_extra(known, base, name) == extra, (name, "bytes without extension fields")
-        assert targets == [place for target in TARGETS for field, _form, place in fields if field == target], name
+        assert targets == addresses(fields, name), name
         encode = getattr(modules[0].MAVLink, known.msgname.lower() + "_encode")
         defaults = {key: each.default for key, each in inspect.signature(encode).parameters.items()}
         assert first == {key: defaults[key] for key in first}, name
@@ -92,7 +97,7 @@ def test_bare_messages(laid_out, modules):
         assert [extra, length] == [known.crc_extra, known.unpacker.size], known.msgname
         assert base in (*(place for _name, _form, place in fields), length), known.msgname
         assert crc_extra(known, base) == extra, known.msgname
-        assert targets == [place for target in TARGETS for field, _form, place in fields if field == target]
+        assert targets == addresses(fields, known.msgname)
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])

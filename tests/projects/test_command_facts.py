@@ -1,6 +1,7 @@
 """Facts that checks of commands compare with: the ends of parameters, the floats beside them, and what is no value."""
 
 import math
+import shutil
 import struct
 from pathlib import Path
 from typing import Any
@@ -85,6 +86,30 @@ def test_the_ends_and_what_is_left_to_the_method(facts: Any, method: str, ends: 
     left = [(differing(params, good)[0], arguments) for params, arguments in facts[method]["unknown"]]
     assert [number for number, _ in left] == list(unknown)
     assert all(unknown[number] in arguments for number, arguments in left)
+
+
+CIRCLE = """
+  MAV_CMD_SET_GUIDED_SUBMODE_CIRCLE:
+    doc: Goes round a place.
+    method: circle
+    requirement: FR-301.2
+    params: {5: {name: lat}, 6: {name: lon, unit: degE7}}
+"""
+
+
+def test_a_position_that_the_dialect_states_in_steps_is_in_degrees_in_a_float(tmp_path: Path) -> None:
+    """Of COMMAND_INT alone degE7 is true: 54.3 of COMMAND_LONG are no 54.3 steps of 1e-7 degrees."""
+    shutil.copytree(SPECS.parent, tmp_path / "specs")
+    with (tmp_path / "specs" / "commands.yaml").open("a") as file:
+        file.write(CIRCLE.removeprefix("\n"))
+    system = read_system(str(tmp_path / "specs" / "codegen.yaml"), Report())
+    assert system is not None
+    assert system.program is not None
+    found = [dict(each.entries) for each in command_facts(system.program)]
+    circle = next(each for each in found if each["method"] == '"circle"')
+    good = (0, 0, 0, 0, -90, -180, 0), (-90.0, -18 * 10**8)
+    assert eval(circle["good"]) == good  # noqa: S307
+    assert eval(circle["as_int"])[4:6] == (-9 * 10**8, -18 * 10**8)  # noqa: S307
 
 
 NOT_FINITE = [INFINITE, -INFINITE]

@@ -276,6 +276,12 @@ class WireField:
         return self.definition.name
 
     @property
+    def is_address(self) -> bool:
+        """Return whether it can carry the id of a system or of a component."""
+        is_one = self.type.kind is Kind.UNSIGNED and self.type.size == 1 and not self.is_array
+        return is_one and not self.definition.units
+
+    @property
     def is_array(self) -> bool:
         """Return whether the dialect declares an array (of one element, too)."""
         return self.definition.length is not None
@@ -319,9 +325,25 @@ class WireMessage:
     @property
     def targets(self) -> tuple[int, ...]:
         """Return where the payload has its target system and component, as far as it has them."""
-        system = self.field("target_system") or self.field("target")
-        fields = (system, self.field("target_component")) if system else ()
+        fields = (self.target_system, self.target_component) if self.target_system else ()
         return tuple(field.offset for field in fields if field)
+
+    @property
+    def target_system(self) -> WireField | None:
+        """Return the field with the system that it is for, which MANUAL_CONTROL calls ``target``.
+
+        In other messages that is a name for any value, such as where a servo is to go.
+        """
+        return self._address("target" if self.name == "MANUAL_CONTROL" else "target_system")
+
+    @property
+    def target_component(self) -> WireField | None:
+        """Return the field with the component that it is for."""
+        return self._address("target_component")
+
+    def _address(self, name: str) -> WireField | None:
+        found = self.field(name)
+        return found if found is not None and found.is_address else None
 
     def field(self, name: str) -> WireField | None:
         """The field called ``name``, or None."""

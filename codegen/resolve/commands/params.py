@@ -79,6 +79,9 @@ def _stated(entry: EnumEntry, key: str) -> _Stated:
     if unit is None and axis is not None:
         unit = unit_named("deg")
     minimum, maximum, increment = (_number(attributes.get(name)) for name in ("minValue", "maxValue", "increment"))
+    if axis is not None and unit == _DEGREES_E7:  # which is said of COMMAND_INT: a float has degrees
+        unit = unit_named("deg")
+        minimum, maximum = (None if end is None else end / 10**7 for end in (minimum, maximum))
     if axis is not None and unit is not None and minimum is maximum is None:
         found = conversion(unit_named("deg"), unit)
         end = found.exact(Fraction(axis.value)) if found else None

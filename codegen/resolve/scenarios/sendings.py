@@ -10,7 +10,6 @@ from codegen.model.dialect.dialect import Kind, WireField, WireMessage
 from codegen.model.dialect.literals import LIMITS
 from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.listening import deaf_links
-from codegen.model.reception import SYSTEM_FIELDS
 from codegen.model.scenario import GROUND_STATION, Sending
 from codegen.model.spec.scenario import EventSpec
 from codegen.model.system import System
@@ -42,10 +41,8 @@ def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues
         values.say(SCENARIO_SEND, event.at("send"), message, "open a link in access, or list that station")
         return None
     payload = bytearray(wire.length)
-    own = {**dict.fromkeys(SYSTEM_FIELDS, system.system_id), "target_component": system.component_id}
-    for target, number in own.items():
-        field = wire.field(target)
-        if field is not None and field.type.size == 1:
+    for field, number in ((wire.target_system, system.system_id), (wire.target_component, system.component_id)):
+        if field is not None:
             payload[field.offset] = number
     for written, text in event.fields.items():
         _put(payload, wire, written, text, event.at(f"fields.{written}"), values)
