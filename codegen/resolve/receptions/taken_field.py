@@ -17,7 +17,7 @@ from codegen.model.reception import ReceivedField
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.receive import ReceivedFieldSpec
 from codegen.model.units.affine import AffineMap
-from codegen.model.units.unit import conversion
+from codegen.model.units.unit import conversion, unit_named
 from codegen.model.vehicle import Citation, Quantity, QuantityKind
 from codegen.resolve.population.population import Parts
 from codegen.resolve.quantities.state import find_quantity
@@ -247,7 +247,10 @@ def _bounds(
         assert natural_end is not None
         if end is not None and sign * (natural_end - end) >= 1:
             message = f"{key} has no effect: {quantity.path} takes {field.name} from {_shown(natural.low)}"
-            report.add(LIMIT_BEYOND_FIELD, written.at(key), f"{message} to {_shown(natural.high)} on the wire anyway")
+            coarser = "keep it in coarser steps: stored, or leave it out"
+            hint = coarser if getattr(quantity.spec, key) is None and quantity.storage is Storage.SMALL else None
+            told = f"{message} to {_shown(natural.high)} on the wire anyway"
+            report.add(LIMIT_BEYOND_FIELD, written.at(key), told, hint)
     if field.type.is_integer and quantity.storage is Storage.SMALL and factor != 1:
         worst = max(abs(low), abs(high)) * factor.numerator + factor.denominator
         if worst > SMALL_INT_MAX:
@@ -258,7 +261,52 @@ def _bounds(
             hint = f"a max (and a min) of up to {most} {quantity.unit.name}, or keep it in {kept}"
             report.add(NOT_RECEIVED, at, message, hint)
             return None
-    return low, high
+        return None if _is_cut(natural, field, quantity, written, report) else (low, high)
+    return None if _is_no_turn(field, quantity, written, report) else (low, high)
+
+
+def _is_no_turn(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report) -> bool:
+    """Return whether a word ends before a whole turn, and nobody says that an angle ends there; a finding then."""
+    turn = conversion(unit_named("deg"), quantity.unit)
+    if turn is None or field.type.is_integer or quantity.storage is not Storage.SMALL:
+        return False
+    for key, end in (("max", quantity.maximum), ("min", quantity.minimum)):
+        last = float(end / quantity.steps)
+        is_stated = getattr(written, key) is not None or getattr(quantity.spec, key) is not None
+        if not is_stated and abs(last) < turn.settled(Fraction(360), float):
+            return _report_cut(key, last, field, quantity, written, report)
+    return False
+
+
+def _is_cut(natural: Bounds, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report) -> bool:
+    """Return whether numbers of the field are left out because a word ends, and nobody says that none of them come.
+
+    It is a finding then: the quantity would stay as it was from some number on, such as a time after 18 minutes.
+    """
+    stated = dialect_bounds(field)
+    special = set(field.sentinel.values) if field.sentinel else set()
+    for key, end, wire_end in (
+        ("max", natural.high, field.type.maximum if stated.high is None else stated.high),
+        ("min", natural.low, field.type.minimum if stated.low is None else stated.low),
+    ):
+        is_stated = getattr(written, key) is not None or getattr(quantity.spec, key) is not None
+        assert end is not None
+        if is_stated or end == wire_end or (abs(wire_end - end) == 1 and wire_end in special):
+            continue
+        last = float((quantity.maximum if key == "max" else quantity.minimum) / quantity.steps)
+        return _report_cut(key, last, field, quantity, written, report)
+    return False
+
+
+def _report_cut(
+    key: str, last: float, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report
+) -> bool:
+    """Report a number that the quantity ends with though the field goes on, and return True."""
+    most = f"{last:.7g} {quantity.unit.name}".rstrip()
+    message = f"{field.name} has numbers that {quantity.path} cannot keep: a word in {quantity.stored.name} ends at"
+    hint = f"say how far it comes, {key}: up to {most}, or keep it in coarser steps: stored"
+    report.add(NOT_RECEIVED, written.at("state"), f"{message} {most}", hint)
+    return True
 
 
 def _shown(number: Fraction | None) -> str:
