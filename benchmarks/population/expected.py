@@ -100,9 +100,11 @@ def _beside(answer: Answer, low: float, high: float) -> Carried:
 
 
 def _after(number: float, code: str) -> float:
-    """The next float that is further from zero; of zero, with whatever sign, the smallest above it."""
+    """The next float that is further from zero; of zero, with whatever sign, the smallest normal one above it."""
+    if number == 0:
+        return float.fromhex({"f": "0x1p-126", "d": "0x1p-1022"}[code])
     whole = {"f": "<I", "d": "<Q"}[code]
-    bits = struct.unpack(whole, struct.pack(f"<{code}", number or 0.0))[0] + 1
+    bits = struct.unpack(whole, struct.pack(f"<{code}", number))[0] + 1
     return float(struct.unpack(f"<{code}", struct.pack(whole, bits))[0])
 
 

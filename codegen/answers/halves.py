@@ -9,9 +9,15 @@ from codegen.answers.limits import Bounds
 from codegen.model.answers.scaling import Scaling
 from codegen.model.code.storage import HALF, Storage
 
+_SMALLEST = {Storage.BINARY32: Fraction(1, 1 << 126), Storage.BINARY64: Fraction(1, 1 << 1022)}
+"""The smallest floats above 0 that are normal (IEEE 754)."""
+
 
 def float_within(scaling: Scaling, sentinel: float | None, storage: Storage) -> Scaling:
-    """The limits as floats of this size that do not pass them; beside a sentinel is the next float, away from 0."""
+    """The limits as floats of this size that do not pass them; beside a sentinel is the next float, away from 0.
+
+    Beside 0 is the smallest that is normal, where that is within: who takes smaller ones for 0 would read the sentinel.
+    """
     low = storage.nearest(scaling.low)
     high = storage.nearest(scaling.high)
     if low < scaling.low:
@@ -21,7 +27,9 @@ def float_within(scaling: Scaling, sentinel: float | None, storage: Storage) -> 
     if sentinel is None or not math.isfinite(sentinel) or not low <= sentinel <= high:
         return replace(scaling, low=low, high=high)
     hole = Fraction(storage.held(sentinel))
-    beside = _stepped(hole, storage, up=hole == low or (hole >= 0 and hole != high))
+    up = hole == low or (hole >= 0 and hole != high)
+    normal = _SMALLEST[storage] if up else -_SMALLEST[storage]
+    beside = normal if hole == 0 and low <= normal <= high else _stepped(hole, storage, up=up)
     return replace(scaling, low=low, high=high, hole=hole, beside=beside)
 
 

@@ -110,10 +110,10 @@ def test_lists_arrive_as_they_were_set(rows, interpreter):
     assert fresh.q == without.q
     assert old is None  # half a second and one millisecond after it was set
     assert unknown is None  # the quaternion has no number for an unknown element
-    # The dialect says in words: "Zero values indicate unused channels." A real 0 is the float beside it.
+    # The dialect says in words: "Zero values indicate unused channels." A real 0 is the smallest normal float.
     expected = [single(at / 3 - 4) for at in range(32)]
     expected[5] = expected[31] = 0
-    expected[12] = 2.0**-149
+    expected[12] = 2.0**-126
     assert outputs.actuator == expected
     assert refused[:4] == ["ValueError", "ValueError", "IndexError", "IndexError"]
     assert refused[4] in ("TypeError", "AttributeError")  # as the list that ages has no such method
