@@ -15,7 +15,7 @@ from codegen.pattern import pattern
 from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
-from codegen.resolve.in_force import check_at_start
+from codegen.resolve.in_force import said_start, unsaid_start
 from codegen.source import Place
 
 BAD_ADC = Rule(
@@ -138,8 +138,8 @@ def _when(
         related = [(parameter.spec.place, f"{switch} is declared here")]
         message = f"{switch} is never {decimal(value)}, so {name} is never read"
         report.add(BAD_ADC, spec.at("when"), message, f"write a value that {switch} can have", related)
-    else:
-        check_at_start(parameter, BAD_ADC, spec.at("when"), report)
+    elif not parameter.spec.reboot:
+        report.add(BAD_ADC, spec.at("when"), unsaid_start(parameter), said_start(parameter))
     return parameter, int(steps)
 
 
@@ -179,7 +179,8 @@ def _gpio(
             hint=f"narrow min and max of {pin.name}, or give it values, one for each pin",
         )
         return None
-    check_at_start(pin, BAD_ADC, spec.at("pin"), report)
+    if not pin.spec.reboot:
+        report.add(BAD_ADC, spec.at("pin"), unsaid_start(pin), said_start(pin))
     return pin.default
 
 
