@@ -164,11 +164,7 @@ def _gpio(
     if pin is None:
         return None
     accepted = pin.choices or range(pin.minimum, pin.maximum + 1)
-    if pin.step != 1 or pin.unit is not NUMBER or not inputs.issuperset(accepted):
-        if pin.unit is not NUMBER:
-            message = f"{pin.name} is in {pin.unit.name}, and a pin is a number without a unit"
-            report.add(BAD_ADC, spec.at("pin"), message, f"take unit: {pin.unit.name} out at {pin.name}")
-            return pin.default
+    if pin.step != 1 or not inputs.issuperset(accepted):
         message = f"{pin.name} takes other numbers than those of inputs of the {model.name}, {shown_pins(inputs)}"
         related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
         report.add(
@@ -179,7 +175,10 @@ def _gpio(
             hint=f"narrow min and max of {pin.name}, or give it values, one for each pin",
         )
         return None
-    if not pin.spec.reboot:
+    if pin.unit is not NUMBER:
+        message = f"{pin.name} is in {pin.unit.name}, and a pin is a number without a unit"
+        report.add(BAD_ADC, spec.at("pin"), message, f"take unit: {pin.unit.name} out at {pin.name}")
+    elif not pin.spec.reboot:
         report.add(BAD_ADC, spec.at("pin"), unsaid_start(pin), said_start(pin))
     return pin.default
 
