@@ -20,7 +20,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test suite browser valgrind tools lint clean benchmarks costs conformance mutation generator-mutation soak fuzz quality reference docs
+.PHONY: build test suite browser valgrind tools lint clean benchmarks costs memory conformance mutation generator-mutation soak fuzz quality reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -68,6 +68,10 @@ benchmarks: $(INSTALLED) $(RELEASES) $(MICROPYTHON32) valgrind
 # Half a minute; codegen/loop/costs.json has what each part of a pass of the main loop takes. Pages of generated/ show it.
 costs: $(INSTALLED) valgrind
 	$(BIN)/python benchmarks/loop.py
+
+# Some five minutes; codegen/memory/costs.json has what each part of a program takes of the heap. Pages of generated/ show it.
+memory: $(INSTALLED) $(MICROPYTHON32)
+	$(BIN)/python benchmarks/memory.py
 
 # Some ten minutes; docs/conformance.md says what was compared with pymavlink. Then the drafts that specs/codegen.yaml can list
 # are switched through, each with all tests that are not about another one: as long as `make test`, for each.

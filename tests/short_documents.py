@@ -4,11 +4,12 @@ from collections.abc import Collection
 from pathlib import Path
 
 _KEPT = ("Metadata", "Acceptance Criteria")
+_TABLES = (*_KEPT, "Field Population", "Worked Examples")
 
 
-def shorten_documents(specs: Path, whole: Collection[str] = ()) -> None:
-    """Leave the documents of a copy their titles and the sections that state criteria, but for the ``whole`` ones."""
+def shorten_documents(specs: Path, tables: Collection[str] = ()) -> None:
+    """Leave the documents of a copy their titles and the sections that state criteria, and some their ``tables``."""
     for document in (specs / "requirements").glob("*.md"):
-        if not document.name.startswith(tuple(whole)):
-            title, *sections = document.read_text().split("\n## ")
-            document.write_text("\n## ".join([title, *(each for each in sections if each.startswith(_KEPT))]) + "\n")
+        kept = _TABLES if document.name.startswith(tuple(tables)) else _KEPT
+        title, *sections = document.read_text().split("\n## ")
+        document.write_text("\n## ".join([title, *(each for each in sections if each.startswith(kept))]) + "\n")

@@ -26,6 +26,12 @@ NOT_A_BOOLEAN = Rule(
     "Only a boolean quantity can decide whether a flag is set.",
     remedy="name a quantity with boolean: true",
 )
+VOID_CONDITION = Rule(
+    "void-condition",
+    "A flag with a condition is set without one by the same field, too, so that the condition decides nothing: the "
+    "flag is always set.",
+    remedy="leave out the flag that has no condition, or the condition",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +79,11 @@ class FlagsAnswer(KindOfAnswer):
                 names.append(name.strip())
             else:
                 conditional.append((name.strip(), value, quantity))
+        for name, value, quantity in conditional:
+            if value and not value & ~mask:
+                message = f"{name} is always set, so that 'if {quantity.path}' decides nothing"
+                hint = f"write it once: {name} if {quantity.path}"
+                scope.report.add(VOID_CONDITION, place, message, hint)
         return cls(covers, mask, tuple(names), tuple(conditional))
 
     @property

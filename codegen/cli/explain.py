@@ -1,4 +1,4 @@
-"""``codegen explain``: the whole story of one message, field, parameter or rule, or of the main loop."""
+"""``codegen explain``: the whole story of one message, field, parameter or rule, of the main loop, or of the heap."""
 
 import argparse
 import sys
@@ -17,7 +17,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         metavar="TOPIC",
         help="a message (GPS_RAW_INT) or its field (GPS_RAW_INT.eph), a table by its own name, a component (gps) or "
         "its quantity (gps.latitude), a parameter, a stream, a requirement or its criterion (FR-1.3), the id of a "
-        "rule (sentinel-contradiction), or loop: what the main loop leaves to control() on the board",
+        "rule (sentinel-contradiction), loop: what the main loop leaves to control() on the board, or heap: what the "
+        "program takes of its memory",
     )
     parser.set_defaults(run=run)
 

@@ -94,24 +94,42 @@ def compile_systems(systems: Iterable[System], architecture: str, report: Report
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
     """The modules of the firmware as a board loads them, by file name; empty after a diagnostic.
 
-    What the user's own modules name keeps its name, as in a deploy.
+    What the user's own modules name keeps its name, as in a deploy. Those that are larger than the file system of the
+    board are one, too.
     """
     from codegen.deploy.contents import own_modules
+    from codegen.deploy.findings import BOARD_FULL
     from codegen.emit.mpy import compiled
 
     modules = firmware_modules(system, architecture)
     own = own_modules(system, project_folder([system]), modules, Report())
-    return compiled(modules, architecture, report, unnumbered=modules, beside=own.values())
+    files = compiled(modules, architecture, report, unnumbered=modules, beside=own.values())
+    room = system.board.memory.files if system.board and system.board.memory else None
+    size = sum(len(content) for content in files.values())
+    if room is not None and size > room:
+        message = (
+            f"its files take {-(-size // 1024)} KB, and the file system of the {system.board_name} has {room // 1024}"
+        )
+        hint = "codegen explain heap tells what a program is made of"
+        report.add(BOARD_FULL, system.spec.board.at("board"), message, hint)
+        return {}
+    return files
 
 
 def firmware_modules(system: System, architecture: str) -> dict[str, str]:
     """The texts of the modules of the firmware for boards of an architecture, by file name."""
+    system = as_compiled_for(system, architecture)
+    return {os.path.basename(path): text for path, text in render_firmware(system).items()}
+
+
+def as_compiled_for(system: System, architecture: str) -> System:
+    """The system of a program that is compiled for an architecture: bytecode has no machine code."""
     from codegen.emit.mpy import BYTECODE
 
-    if architecture == BYTECODE:
-        project = replace(system.spec.project, machine_code=False)
-        system = replace(system, spec=replace(system.spec, project=project))
-    return {os.path.basename(path): text for path, text in render_firmware(system).items()}
+    if architecture != BYTECODE:
+        return system
+    project = replace(system.spec.project, machine_code=False)
+    return replace(system, spec=replace(system.spec, project=project))
 
 
 def board_folder(system: System, architecture: str) -> str:

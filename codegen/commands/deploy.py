@@ -24,11 +24,15 @@ def wifi_of(path: str, system: "System", report: "Report") -> tuple[str, bytes] 
 
 def prepared_for(connection: "Connection", board: "Board", system: "System", report: "Report") -> "Prepared | None":
     """Return what a deploy would do on a board; None after a finding that stops it."""
+    from codegen.commands.build import as_compiled_for
     from codegen.deploy.prepared import architecture_for, prepare
 
     architecture = architecture_for(board, connection.port, report)
     contents = None if architecture is None else compiled_for(system, architecture, report)
-    return None if contents is None else prepare(connection, board, system, contents, shipped_boards(), report)
+    if architecture is None or contents is None:
+        return None
+    deployed = as_compiled_for(system, architecture)
+    return prepare(connection, board, deployed, contents, shipped_boards(), report)
 
 
 def shipped_boards() -> "list[BoardModelSpec]":

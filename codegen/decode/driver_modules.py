@@ -13,7 +13,7 @@ from codegen.model.spec.source import SourceSpec
 def driver_module(path: str, text: str) -> DriverModule:
     """Return what a module defines that is a file of the project."""
     found: DefinedNames = defined_names(text)
-    return DriverModule(path, None if found.is_open else found.names, found.classes, found.fault)
+    return DriverModule(path, None if found.is_open else found.names, found.classes, found.shapes, found.fault)
 
 
 def user_modules(sources: Iterable[SourceSpec], specification: str, files: Files) -> dict[str, DriverModule]:

@@ -4,11 +4,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from codegen.frozen import dataclass
+from codegen.model.board_model import Architecture
 
-_ARCHITECTURES = (
-    *("bytecode", "x86", "x64", "armv6", "armv6m", "armv7m", "armv7em", "armv7emsp", "armv7emdp"),
-    *("xtensa", "xtensawin", "rv32imc", "rv64imc"),
-)
+_ARCHITECTURES = tuple(Architecture)
 """By their numbers in .mpy files (MicroPython, py/persistentcode.h)."""
 
 
@@ -18,7 +16,7 @@ class Board:
 
     ``mpy`` is the version and sub-version of .mpy files that it loads, (0, 0) if none; ``architecture`` is what
     mpy-cross calls its machine code, ``bytecode`` where it runs none, and None where its ``number`` is unknown.
-    ``roms`` is how many partitions for a ROMFS it has.
+    ``roms`` is how many partitions for a ROMFS it has, ``heap`` the bytes of its heap.
     """
 
     version: tuple[int, ...]
@@ -30,6 +28,7 @@ class Board:
     room: int
     free: int
     roms: int
+    heap: int
 
     @property
     def words(self) -> str:
@@ -57,9 +56,10 @@ def board_of(told: Mapping[str, Any]) -> Board:
         machine=told["machine"],
         mpy=(mpy & 0xFF, mpy >> 8 & 3),
         number=number,
-        architecture=_ARCHITECTURES[number] if number < len(_ARCHITECTURES) else None,
+        architecture=_ARCHITECTURES[number].value if number < len(_ARCHITECTURES) else None,
         block=told["block"],
         room=told["room"],
         free=told["free"],
         roms=max(0, told["roms"]),
+        heap=told["heap"],
     )

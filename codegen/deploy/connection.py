@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from io import StringIO
 from typing import Any
 
+from codegen.deploy.bounded import bounded
 from codegen.deploy.findings import (
     BOARD_FULL,
     BOARD_LOST,
@@ -60,6 +61,7 @@ class Connection:
             self.transport = SerialTransport(port, timeout=answer_s)
         except (TransportError, OSError) as fault:
             raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}") from None
+        self.transport.read_until = bounded(self.transport)
         self._answer_s = answer_s
         with self._closed_after_a_fault():
             self.begin_anew()

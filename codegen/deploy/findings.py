@@ -56,6 +56,13 @@ BOARD_FULL = Rule(
     "mpremote ls, and mpremote rm for what is not needed.",
     remedy="see with mpremote ls what is on it, and remove with mpremote rm what is not needed",
 )
+BOARD_SMALL = Rule(
+    "board-small",
+    "The program does not find room in the heap of the board that is connected, even if the estimate is off by a "
+    "tenth: it would end with a MemoryError while it is imported. Nothing was copied. `codegen explain heap` has what "
+    "takes how much.",
+    remedy="codegen explain heap tells what takes how much",
+)
 OTHER_ARCHITECTURE = Rule(
     "other-architecture",
     "mpy-cross makes no machine code for the processor of this board. Bytecode runs on every board, but slower.",

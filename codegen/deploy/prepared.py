@@ -7,6 +7,7 @@ from codegen.deploy.connection import Connection
 from codegen.deploy.contents import Contents
 from codegen.deploy.findings import (
     BOARD_FULL,
+    BOARD_SMALL,
     BOARD_TOO_OLD,
     HIDDEN_MODULE,
     OTHER_ARCHITECTURE,
@@ -20,6 +21,8 @@ from codegen.diagnostics import Report
 from codegen.emit.mpy import BYTECODE, emitted_version, has_machine_code
 from codegen.emit.short_names import TABLE, read_table
 from codegen.frozen import dataclass
+from codegen.memory.estimate import memory_estimate
+from codegen.memory.words import advice, kilobytes
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.system import System
 from codegen.source import Place, shown_path
@@ -95,4 +98,9 @@ def prepare(
         once = " once what is outdated is removed" if free > board.free else ""
         message = f"{needed}, and {free // 1024} KB are free there{once}"
         report.add(BOARD_FULL, place, message, "mpremote rm removes what is not needed; nothing was changed")
+    estimate = memory_estimate(system)
+    if estimate is not None and estimate.least > board.heap:
+        needed, heap = kilobytes(estimate.bytes), kilobytes(board.heap)
+        message = f"the program takes some {needed} of heap once it has started, and the board has {heap}"
+        report.add(BOARD_SMALL, place, message, advice(estimate))
     return None if report.has_errors else Prepared(content, todo, owned)

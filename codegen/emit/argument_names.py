@@ -40,7 +40,7 @@ def _written(text: str, given: Collection[str]) -> str:
     names_of = {
         line: outer.names for outer in _outer_functions(text, given) for line in range(outer.first, outer.last + 1)
     }
-    return renamed(text, lambda place: names_of.get(place[0], {}), attributes=False)
+    return renamed(text, lambda line: names_of.get(line, {}), attributes=False)
 
 
 def _given(text: str) -> Iterator[str]:

@@ -54,11 +54,11 @@ class Module:
         return dict(pair for node in self.nodes for pair in _imports(node))
 
 
-_PARTLESS = frozenset(("ctx", "op", "ops"))
-"""Fields whose nodes only say which of a few kinds theirs is: they are half of all."""
+_PARTLESS = frozenset(("ctx", "op", "ops", "id", "attr", "arg", "kind", "type_comment"))
+"""Fields with no nodes, or with some that only say which of a few kinds theirs is: these are half of all."""
 
 
-_PARTS: dict[str, tuple[str, ...]] = {}
+_PARTS: dict[str, tuple[str, ...]] = {"Constant": ()}
 """The fields of nodes with others below them, by the names of their kinds, as far as they have been met."""
 
 

@@ -1,35 +1,44 @@
 """Writes other names into the text of a module, and nothing else: what is made of a tree compiles differently."""
 
+import re
 from collections.abc import Callable, Mapping
-from io import StringIO
-from itertools import accumulate
 from re import Match
-from token import NAME, STRING
-from tokenize import generate_tokens
 
 from codegen.emit.private_names import WORD
 
+_TOKEN = re.compile(
+    r"""
+    (?P<prefix>[rRbBuUfF]{0,2})(?:\"{3}(?:[^\\]|\\.)*?\"{3}|'{3}(?:[^\\]|\\.)*?'{3}|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')
+    |\#[^\n]*
+    |0[xXbBoO]\w+|(?:\d[\d_]*\.?[\d_]*|\.\d[\d_]*)(?:[eE][-+]?[\d_]+)?
+    |(?P<dot>\.\s*)?(?P<name>[^\W\d]\w*)
+    """,
+    re.DOTALL | re.VERBOSE,
+)
+"""A string, a comment, a number, or a name with the dot before that of an attribute; nothing else has letters."""
 
-def renamed(text: str, names_at: Callable[[tuple[int, int]], Mapping[str, str]], *, attributes: bool) -> str:
-    """Return a text with other names; ``names_at`` has those for a place: a line from 1, a column from 0.
+
+def renamed(text: str, names_at: Callable[[int], Mapping[str, str]], *, attributes: bool) -> str:
+    """Return a text with other names; ``names_at`` has those for a line, from 1.
 
     ``attributes`` are names, too, or stay as they are. No string has a name that changes, but where an f-string has an
     expression.
     """
-    starts = [0, *accumulate(map(len, StringIO(text)))]
-    pieces, end, before = [], 0, ""
-    for token in generate_tokens(StringIO(text).readline):
-        new = token.string
-        if token.type == NAME and (attributes or before != "."):
-            new = names_at(token.start).get(new, new)
-        elif token.type == STRING and "f" in new.partition(new[-1])[0].lower():
-            new = _formatted(new, names_at(token.start), attributes=attributes)
-        before = token.string
-        if new != token.string:
-            start = starts[token.start[0] - 1] + token.start[1]
-            pieces += [text[end:start], new]
-            end = starts[token.end[0] - 1] + token.end[1]
-    return "".join([*pieces, text[end:]])
+    line, counted = 1, 0
+
+    def new(token: Match[str]) -> str:
+        nonlocal line, counted
+        prefix, dot, name = token.groups()
+        is_formatted = prefix and "f" in prefix.lower()
+        if not is_formatted and (name is None or (dot and not attributes)):
+            return token[0]
+        line += text.count("\n", counted, token.start())
+        counted = token.start()
+        if is_formatted:
+            return _formatted(token[0], names_at(line), attributes=attributes)
+        return f"{dot or ''}{names_at(line).get(name, name)}"
+
+    return _TOKEN.sub(new, text)
 
 
 def _formatted(text: str, names: Mapping[str, str], *, attributes: bool) -> str:

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, Severity, shortened_list
-from codegen.exchanged.stated import Formatted, Stated, StatedFile
+from codegen.exchanged.stated import UNREADABLE_TEXT, Formatted, Stated, StatedFile
 from codegen.exchanged.xhtml import formatted
 from codegen.frozen import dataclass
 from codegen.load.files import DISK
@@ -127,12 +127,22 @@ class _Reader:
                 continue
             content = _only(value, "THE-VALUE")
             if content is not None:
-                yield name, content
+                yield name, self._original(value, content)
             elif value.tag.endswith("ENUMERATION"):
                 chosen = [_all_text(each) for each in _children(_only(value, "VALUES"))]
                 yield name, ", ".join(self._named.get(each, each) for each in chosen)
             else:
                 yield name, value.attributes.get("THE-VALUE", "")
+
+    def _original(self, value: MixedElement, content: MixedElement) -> MixedElement:
+        """Return a text as it was written first: a tool that cannot show its form leaves that beside a simpler one."""
+        if value.attributes.get("IS-SIMPLIFIED", "").strip() not in ("true", "1"):
+            return content
+        original = _only(value, "THE-ORIGINAL-VALUE")
+        if original is None or _plain(original) != _plain(content):
+            message = "a tool has simplified this text, and what it was before is not there, or says otherwise"
+            self._report.add(UNREADABLE_TEXT, self._at(content), message, "export it from where it was written")
+        return content if original is None else original
 
     def _placed(self) -> dict[str, str | None]:
         """The objects that stand in hierarchies with the one that each stands below."""
@@ -176,18 +186,27 @@ class _Reader:
         is_requirement = self._attributes.text in found.values
         has_heading = self._attributes.heading in found.values
         title = heading.plain if heading and (is_requirement or has_heading) else ""
-        facts = {name.lower(): _plain(value) for name, value in found.values.items() if name.lower() in FACTS}
+        told = {name: self._said(found, name) for name in found.values if name.lower() in FACTS}
+        facts = {name.lower(): said or "" for name, said in told.items()}
         return Stated(
             key=key,
-            name=_plain(found.values.get(self._attributes.id, "")),
+            name=self._said(found, self._attributes.id) or "",
             title=title,
             text=text if text and text.plain else None,
-            is_broken=is_requirement and text is None,
+            is_broken=is_requirement and (text is None or None in told.values()),
             parent=parent,
             depends_on=depends_on,
             facts=facts,
             place=self._at(found.element),
         )
+
+    def _said(self, found: _Object, attribute: str) -> str | None:
+        """Return what a short attribute says; None, after a finding, where its marks would say otherwise."""
+        value = found.values.get(attribute, "")
+        if isinstance(value, str):
+            return " ".join(value.split())
+        read = formatted(value, self._path, self._report)
+        return None if read is None else read.plain
 
     def _formatted(self, found: _Object, attribute: str) -> Formatted | None:
         value = found.values.get(attribute)

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from codegen.diagnostics import Report
 from codegen.exchanged.stated import UNREADABLE_TEXT, Formatted
 from codegen.load.markdown_blocks import read_inline
+from codegen.load.markup_style import said_otherwise
 from codegen.load.xml_tree import MixedElement, place_of
 
 _PLAIN = {"div", "p", "span", "a", "u", "ins", "big", "small", "abbr", "acronym", "cite", "dfn", "address"}
-_PARAGRAPHS = {"div", "p", "br"}
+_PARAGRAPHS = {"div", "p", "br", "address"}
 _MARKS = {"b": "**", "strong": "**", "i": "*", "em": "*"}
 _CODE = {"code", "tt", "samp", "kbd", "var"}
 _SPECIAL = re.compile(r"[\\`*_\[\]<>&!]")
@@ -19,6 +20,7 @@ _BEGINNING = re.compile(r"^(\d+)([.)])(?=\s|$)|^([-+#>=|~]|\[(?=[ xX]\]))")
 def formatted(element: MixedElement, path: str, report: Report) -> Formatted | None:
     """The content of an element; None, after findings, where it holds what cannot be written as a line of prose."""
     faults = Report()
+    _check_attributes(element, path, faults)
     pieces = list(_pieces(element, path, faults))
     report.extend(faults)
     if faults.has_errors:
@@ -46,6 +48,7 @@ def _pieces(element: MixedElement, path: str, report: Report) -> Iterator[tuple[
         if isinstance(each, str):
             yield each, each
             continue
+        _check_attributes(each, path, report)
         inner = list(_pieces(each, path, report))
         plain = "".join(text for _, text in inner)
         if each.tag in _PARAGRAPHS:
@@ -64,3 +67,11 @@ def _pieces(element: MixedElement, path: str, report: Report) -> Iterator[tuple[
             report.add(UNREADABLE_TEXT, place_of(each, path), message, "put it into words there")
         if each.tag in _PARAGRAPHS:
             yield " ", " "
+
+
+def _check_attributes(element: MixedElement, path: str, report: Report) -> None:
+    """Refuse words that an attribute strikes, raises, hides or turns: as plain text they would say otherwise."""
+    found = said_otherwise(element.attributes)
+    if found is not None:
+        message = f"<{element.tag}> with the {found} says something else than its plain text"
+        report.add(UNREADABLE_TEXT, place_of(element, path), message, "put it into words there")

@@ -28,8 +28,8 @@ UNKNOWN_TOPIC = Rule(
     remedy="name a message, a field as MESSAGE.field, a parameter, a quantity or a rule",
 )
 
-LOOP = "loop"
-"""The topic that is nothing in a specification: the main loop, whatever else is called so."""
+LOOP, HEAP = "loop", "heap"
+"""The topics that are nothing in a specification: the main loop and the heap, whatever else is called so."""
 
 _COLUMNS = (
     "offset",
@@ -75,6 +75,10 @@ def own_story(topic: str, system: System) -> str | None:
         from codegen.explain.loop import loop_story  # noqa: PLC0415  nothing else needs what was measured
 
         return loop_story(system)
+    if topic == HEAP:
+        from codegen.explain.heap import heap_story  # noqa: PLC0415  nor what was weighed
+
+        return heap_story(system)
     return explain_rule(topic) or _explain_part(topic, system)
 
 
@@ -115,7 +119,8 @@ def _topics(system: System) -> list[str]:
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
-    return [LOOP, *known, *system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
+    known += [*system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
+    return [LOOP, HEAP, *known]
 
 
 def _message(message: PopulatedMessage, system: System) -> str:

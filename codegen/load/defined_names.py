@@ -2,21 +2,26 @@
 
 import ast
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import field
 
 from codegen.frozen import dataclass
+from codegen.load.defined_classes import defined_classes
+from codegen.model.spec.python_class import PythonClass
 
 
 @dataclass(frozen=True, slots=True)
 class DefinedNames:
     """The names of a module once it is imported, and which of them are classes that it defines itself.
 
-    ``is_open``: it can have others, too, which its source does not show. ``fault`` is the line that is no Python, from
-    1 on, and what is wrong with it; then nothing else is known.
+    ``shapes`` are those of its classes of which the source shows all. ``is_open``: it can have other names, too, which
+    its source does not show. ``fault`` is the line that is no Python, from 1 on, and what is wrong with it; then
+    nothing else is known.
     """
 
     names: frozenset[str] = frozenset()
     classes: tuple[str, ...] = ()
+    shapes: Mapping[str, PythonClass] = field(default_factory=dict)
     is_open: bool = False
     fault: tuple[int, str] | None = None
 
@@ -44,7 +49,7 @@ def defined_names(text: str) -> DefinedNames:
         is_open = is_open or "*" in found or "__getattr__" in found or _is_globals(node)
         if isinstance(node, ast.ClassDef):
             classes.append(node.name)
-    return DefinedNames(frozenset(names), tuple(dict.fromkeys(classes)), is_open)
+    return DefinedNames(frozenset(names), tuple(dict.fromkeys(classes)), defined_classes(tree), is_open)
 
 
 def _run_on_import(body: Iterable[ast.AST]) -> Iterator[ast.AST]:

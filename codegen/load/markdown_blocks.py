@@ -10,6 +10,7 @@ from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
+from codegen.load.markup_style import attributes_of, said_otherwise
 from codegen.pattern import pattern
 from codegen.source import Place
 
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 _LINE_END = pattern(r"\r\n?|\n")
-_TAG = pattern(r"(?i)<(/?(?:br|sup|del|s|strike))\b")
-_TAGS = {"br": " ", "sup": "^", "/sup": ""}
+_TAG = pattern(r"(?i)<(/?(?:br|sup|sub|del|s|strike))\b")
+_TAGS = {"br": " ", "sup": "^", "/sup": "", "sub": "_", "/sub": ""}
 """The text in place of a tag: without it two numbers, or one and its exponent, would be one. Others are not seen."""
 _STRUCK = "~~"
 """As Markdown writes it: what is struck is not what is said."""
@@ -164,5 +165,7 @@ def _collect(tokens: Sequence["Token"], pieces: list[str], codes: list[str]) -> 
             pieces.append(f"![{token.content}]")
         elif token.type == "html_inline" and (tag := _TAG.match(token.content)):
             pieces.append(_TAGS.get(tag[1].lower(), _STRUCK))
+        elif token.type == "html_inline" and said_otherwise(attributes_of(token.content)) is not None:
+            pieces.append(_STRUCK)
         elif token.children:
             _collect(token.children, pieces, codes)

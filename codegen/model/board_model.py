@@ -52,11 +52,43 @@ class TimingSpec(Written):
     source: str = described("Where this was measured.")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MemorySpec(Written):
+    """The memory of a board, for the estimate of whether a program finds room."""
+
+    heap: Amount = described(
+        "What its MicroPython leaves to programs, as gc.mem_free() says after the start, such as 185 KiB."
+    )
+    wifi: Amount | None = described(
+        "What of it is no longer there once Wi-Fi is on, where both have their memory of the same RAM.", default=None
+    )
+    files: Amount | None = described("How large its file system is, such as 848 KiB.", default=None)
+    source: str = described("Where this is stated, or how it was measured.")
+
+
 class UartPins(StrEnum):
     """The pins of a UART, or of an I2C bus: chosen when it is opened, or fixed by the board."""
 
     CHOSEN = "chosen"
     FIXED = "fixed"
+
+
+class Architecture(StrEnum):
+    """The architectures that mpy-cross knows, in the order of their numbers in .mpy files."""
+
+    BYTECODE = "bytecode"
+    X86 = "x86"
+    X64 = "x64"
+    ARMV6 = "armv6"
+    ARMV6M = "armv6m"
+    ARMV7M = "armv7m"
+    ARMV7EM = "armv7em"
+    ARMV7EMSP = "armv7emsp"
+    ARMV7EMDP = "armv7emdp"
+    XTENSA = "xtensa"
+    XTENSAWIN = "xtensawin"
+    RV32IMC = "rv32imc"
+    RV64IMC = "rv64imc"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,7 +98,7 @@ class BoardModelSpec(Written):
     name: str = described("Name of the board, for people.")
     mcu: str = described("Name of the microcontroller.")
     source: str = described("Where all of this is stated: datasheets, and the documentation of its MicroPython.")
-    architecture: str = described("What mpy-cross compiles machine code for, such as armv7emsp.")
+    architecture: Architecture = described("What mpy-cross compiles machine code for, such as armv7emsp.")
     pins: Verbatim = described("GPIO numbers that exist, such as 0..22, 26..28.")
     taken: Mapping[str, str] = described(
         "GPIO numbers that the board needs for itself, each with what for.", default_factory=dict
@@ -88,6 +120,9 @@ class BoardModelSpec(Written):
     wifi: bool = described("True: the board has Wi-Fi.")
     timing: TimingSpec | None = described(
         "How fast it is. Without it, nothing is predicted of the time that the firmware takes.", default=None
+    )
+    memory: MemorySpec | None = described(
+        "How much memory programs have. Without it, nothing is said of whether one finds room.", default=None
     )
 
 
@@ -131,6 +166,18 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True)
+class Memory:
+    """The memory of a board in bytes: the heap that programs have, what Wi-Fi takes of it, and the file system.
+
+    ``files`` is None where nobody knows.
+    """
+
+    heap: int
+    wifi: int
+    files: int | None
+
+
+@dataclass(frozen=True, slots=True)
 class BoardModel:
     """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for.
 
@@ -147,6 +194,7 @@ class BoardModel:
     watchdog: BoardWatchdog | None
     spec: BoardModelSpec
     timing: Timing | None = None
+    memory: Memory | None = None
 
     @property
     def free(self) -> frozenset[int]:
@@ -170,6 +218,8 @@ def no_such_pin(what: str, gpio: int, choices: frozenset[int], board: BoardModel
     taken = f": the {board.name} needs it for {board.taken[gpio]}" if gpio in board.taken else ""
     near = min(left, key=lambda pin: (abs(pin - gpio), pin), default=None)
     hint = None if near is None else f"{key}: {near}"
+    if not left:
+        return f"the {board.name} leaves no GPIO for {what}", "take another of these, or another board"
     return f"{what} is GPIO {shown_pins(left)} on the {board.name}, not {gpio}{taken}", hint
 
 

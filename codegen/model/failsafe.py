@@ -36,6 +36,15 @@ class Setting:
         return self.parameter is not None and self.parameter.minimum >= 0
 
     @property
+    def ends(self) -> tuple[int, int]:
+        """The least and the largest of its amounts, but for the 0 that switches it off."""
+        parameter = self.parameter
+        if parameter is None:
+            return self.count, self.count
+        least = max(parameter.minimum, 1) if self.is_off_at_zero else parameter.minimum
+        return least * self.count, parameter.maximum * self.count
+
+    @property
     def by_default(self) -> int | None:
         """The amount, or what the default of the parameter makes of it; None where that switches it off."""
         if self.parameter is None:
@@ -192,6 +201,11 @@ class Failsafe:
     def conditions(self) -> tuple[Condition, ...]:
         """Return the conditions of all levels, the mildest first."""
         return tuple(condition for level in self.levels for condition in level.conditions)
+
+    def floor(self, condition: Condition) -> int | None:
+        """Return up to where what a condition of a level compares counts as unknown, in stored units; None: nowhere."""
+        is_compared = condition.limit is not None and condition.quantity is self.quantity
+        return self.believed_above if is_compared else None
 
     @property
     def recovers(self) -> bool:

@@ -101,14 +101,13 @@ class ReceivedField:
     def sentinel(self) -> int | float | None:
         """The number on the wire that means unknown; None for one that here leaves the quantity as it was."""
         sentinel = self.field.sentinel
-        number = sentinel.values[self.speaking] if sentinel else None
-        is_own = self.speaking == self.element
-        return None if is_own and _words(number) in map(_words, self.unchanged) else number
+        number = sentinel.values[self.speaking[0]] if sentinel else None
+        return None if self.speaks_for_itself and _words(number) in map(_words, self.unchanged) else number
 
     @property
     def special(self) -> tuple[int | float, ...]:
         """The finite numbers of its own that set no value."""
-        own = (self.sentinel,) if self.speaking == self.element else ()
+        own = (self.sentinel,) if self.speaks_for_itself else ()
         numbers = (*self.unchanged, *self.absent, *own)
         return tuple(number for number in numbers if number is not None and math.isfinite(number))
 
@@ -128,10 +127,20 @@ class ReceivedField:
         return self.quantity.kind is QuantityKind.BOOLEAN or 0 in self.unchanged
 
     @property
-    def speaking(self) -> int:
-        """The element whose number says that this one is unknown: its own, or the first one for the whole array."""
-        sentinel = self.field.sentinel
-        return 0 if sentinel and sentinel.form is SentinelForm.FIRST else self.element
+    def speaking(self) -> tuple[int, ...]:
+        """The elements whose numbers say that this one is unknown.
+
+        Its own, the first one for the whole array, or all of the array together.
+        """
+        form = self.field.sentinel.form if self.field.sentinel else None
+        if form is SentinelForm.FIRST:
+            return (0,)
+        return tuple(range(self.field.count)) if form is SentinelForm.VALUE and not self.is_text else (self.element,)
+
+    @property
+    def speaks_for_itself(self) -> bool:
+        """Return whether its own number alone says that it is unknown."""
+        return self.speaking == (self.element,)
 
     def kept(self, number: int | Fraction) -> int | Fraction:
         """Return what the quantity is, in stored units, after a number on the wire that is taken."""

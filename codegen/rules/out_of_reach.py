@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.failsafe import Condition, Failsafe, Sense, Setting
+from codegen.model.failsafe import Condition, Failsafe, Sense
 from codegen.model.program import is_set_by_program
 from codegen.model.quantities.attainable import attainable
 from codegen.model.quantities.reach import Reach
@@ -16,8 +16,8 @@ RULE = Rule(
     "threshold-out-of-reach",
     "A failsafe, or a boolean that follows a limit, waits for a value that its quantity cannot have: beyond the limits "
     "of the quantity, beyond what is plausible of the sensor, or beyond what the table of a received message takes. "
-    "What is measured or received there is unknown, or left out, so that nothing would ever happen. Widen the narrower "
-    "range, or take a threshold within it.",
+    "What is measured or received there is unknown, or left out, so that nothing would ever happen. So it is with what "
+    "believed_above makes unknown. Widen the narrower range, or take a threshold within it.",
     remedy="take a threshold between these, or widen where the quantity comes from",
 )
 BY_DEFAULT = Rule(
@@ -42,8 +42,11 @@ def check(system: System) -> Iterator[Diagnostic]:
     """Every condition of a failsafe, and every boolean that follows a limit."""
     found = attainable(system)
     for failsafe in system.program.failsafes if system.program else ():
-        for condition in (*failsafe.to_arm, *failsafe.conditions):
+        for condition in failsafe.to_arm:
             yield from _of_condition(failsafe, condition, found, system)
+        for condition in failsafe.conditions:
+            told = tuple(_of_condition(failsafe, condition, found, system))
+            yield from told or _of_belief(failsafe, condition, found)
     for component in system.components.values():
         for quantity in component.quantities.values():
             followed = component.quantities.get(quantity.derivation.follows or "")
@@ -66,14 +69,29 @@ def _of_condition(
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
             yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
         return
-    least, most = _ends(limit)
-    written = condition.spec.below or condition.spec.above or ""
+    least, most = limit.ends
+    written = _written(condition)
     is_below = condition.sense is Sense.BELOW
     if not _is_reached(most if is_below else least, found[quantity.path], is_below=is_below):
         yield _found(RULE, _place(condition), quantity, found[quantity.path], written, is_below=is_below)
     elif limit.by_default is not None and not _is_reached(limit.by_default, found[quantity.path], is_below=is_below):
         words = limit.default_words
         yield _found(BY_DEFAULT, _place(condition), quantity, found[quantity.path], words, is_below=is_below)
+
+
+def _of_belief(failsafe: Failsafe, condition: Condition, found: Mapping[str, Reach]) -> Iterator[Diagnostic]:
+    """Yield what holds only at values that are not believed; on the other side all that is believed may be bad."""
+    quantity, limit, floor = condition.quantity, condition.limit, failsafe.floor(condition)
+    if quantity is None or limit is None or floor is None or condition.sense is not Sense.BELOW:
+        return
+    most = limit.ends[1] if limit.by_default is None else limit.by_default
+    if most <= max(floor + 1, found[quantity.path][0]):
+        written = f"{limit.default_words}," if limit.parameter else _written(condition)
+        unknown = f"what is not above {failsafe.spec.believed_above} counts as unknown (believed_above)"
+        message = f"{quantity.path} below {written} never holds: {unknown}"
+        doubted = failsafe.spec.at("believed_above"), "what is believed is said here"
+        hint = "leave out believed_above, or give it an amount that only a broken sensor tells, below the threshold"
+        yield Diagnostic(_place(condition), RULE, message, hint, (doubted, *_declared(quantity)))
 
 
 def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator[Diagnostic]:
@@ -85,15 +103,6 @@ def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator
         if wanted is not None and not _is_reached(wanted if is_below else wanted - 1, ends, is_below=is_below):
             words = f"{decimal(wanted / steps)} {unit}".rstrip()
             yield _found(RULE, place, followed, ends, words, is_below=is_below)
-
-
-def _ends(limit: Setting) -> tuple[int, int]:
-    """Return the least and the largest threshold, in stored units, but for the 0 that switches it off."""
-    parameter = limit.parameter
-    if parameter is None:
-        return limit.count, limit.count
-    least = max(parameter.minimum, 1) if limit.is_off_at_zero else parameter.minimum
-    return least * limit.count, parameter.maximum * limit.count
 
 
 def _is_reached(threshold: int, ends: Reach, *, is_below: bool) -> bool:
@@ -119,6 +128,10 @@ def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str
     message = f"{quantity.path} is never {side}: it goes from {low} to {high} {quantity.unit.name}".rstrip()
     hint = f"take a threshold {'above ' + low if is_below else 'below ' + high}, or widen where it comes from"
     return Diagnostic(place, rule, message, hint, _declared(quantity))
+
+
+def _written(condition: Condition) -> str:
+    return condition.spec.below or condition.spec.above or ""
 
 
 def _place(condition: Condition) -> Place:

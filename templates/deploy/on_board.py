@@ -3,6 +3,7 @@
 A file is written as PART, and has its name only once it is whole. Answers are lines of JSON.
 """
 
+import gc
 import json
 import os
 import sys
@@ -14,7 +15,7 @@ MADE = b"# Generated from "
 
 
 def identify():
-    """Print what the board is, how much room its file system has, in bytes, and how many partitions for a ROMFS."""
+    """Print what the board is, how many bytes its file system and its heap have, and how many ROMFS partitions."""
     told = sys.implementation
     block, room, free = [os.statvfs(os.getcwd())[place] for place in (1, 2, 3)]
     answer = {
@@ -25,6 +26,7 @@ def identify():
         "room": block * room,
         "free": block * free,
         "roms": rom_partitions(),
+        "heap": gc.mem_alloc() + gc.mem_free(),
     }
     print(json.dumps(answer))
 

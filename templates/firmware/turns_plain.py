@@ -6,20 +6,28 @@ _MASK = 0x3FFFFFFF  # ticks are counted in 30 bits
 
 
 def next_due(times, now_us):
-    """Return the number of the first sensor that is due, whose next time is then a period later; -1 where none is.
+    """Return the number of a sensor that is due, whose next time is then a period later; -1 where none is.
 
+    Of several it is the one that is due again first: in the order of their numbers, the last of them would lose turns.
     `times` has how many there are, and of each when it is due and its period, in us.
     """
-    at = 0
+    found = -1
+    least_us = at = 0
     while at < times[0]:
         late_us = now_us - times[2 * at + 1] & _MASK
         period_us = times[2 * at + 2]
         # Further ahead than it can be: nobody asked for so long that the ticks went half round.
         if late_us < 0x20000000 or late_us < 0x40000000 - period_us:
-            times[2 * at + 1] = now_us - late_us % period_us + period_us & _MASK
-            return at
+            left_us = period_us - late_us
+            if found < 0 or left_us < least_us:
+                found = at
+                least_us = left_us
         at += 1
-    return -1
+    if found >= 0:
+        period_us = times[2 * found + 2]
+        late_us = period_us - least_us
+        times[2 * found + 1] = now_us - late_us % period_us + period_us & _MASK
+    return found
 
 
 def asking(times, turns, most):

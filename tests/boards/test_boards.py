@@ -13,7 +13,7 @@ from codegen.decode.board_model import FOLDER
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
 from codegen.load.files import DISK
-from codegen.model.board_model import BoardModel, BoardModelSpec, shown_pins
+from codegen.model.board_model import BoardModel, BoardModelSpec, no_such_pin, shown_pins
 from codegen.project.systems import read_system
 from codegen.resolve.board.model import resolve_board_model
 from codegen.targets.firmware import render_firmware
@@ -35,6 +35,32 @@ print(board.read_pack_adc(), [(port.name, port.is_up) for port in board.open_por
 
 
 TIMING = "timing: {clock: 150 MHz, cycles: 1.34, most_cycles: 1.9, conversion: 4.6 us, source: a bench}"
+
+
+MEMORY = "memory: {heap: 8 KiB, wifi: 7 KiB, files: 9 KiB, source: its prompt}"
+
+
+def test_each_board_says_how_much_memory_it_has():
+    """Less than the RAM of its chip; a part of it is gone with Wi-Fi where that is no chip of its own."""
+    memories = {name: model_of(name).memory for name in BOARDS}
+    assert all(memory is not None and memory.files for memory in memories.values())
+    least = {name: (memory.heap - memory.wifi) // 1024 for name, memory in memories.items() if memory}
+    assert least == {
+        "esp32": 107,
+        "esp32_c3": 123,
+        "esp32_s3": 180,
+        "esp32_s3_psram": 1900,
+        "pico": 220,
+        "pico_2": 465,
+        "pico_2_w": 440,
+        "pico_w": 185,
+        "pyboard": 91,
+    }
+    page = (Path(FOLDER).parents[1] / "docs" / "boards.md").read_text()
+    for name, memory in memories.items():
+        row = next(line for line in page.splitlines() if f"`{name}`" in line and line.startswith("|"))
+        assert str(memory.heap // 1024) in row
+        assert name == "pyboard" or f"{least[name]} KB" in row.split("|")[5] or name in ("pico", "pico_2")
 
 
 def test_how_fast_a_board_is_may_be_known():
@@ -232,6 +258,10 @@ def test_a_description_that_contradicts_itself(old, new, wanted, tmp_path):
         ),
         ("usb: false", f"usb: false\n{TIMING.replace('1.9', '1.3')}", "at most is less than likely", "1.34"),
         ("usb: false", f"usb: false\n{TIMING.replace('4.6', '-1')}", "takes less than no time", "conversion: 4.6 us"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('8', '0')}", "has no heap", "heap: 185 KiB"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('7', '8')}", "Wi-Fi takes 8 KiB of a heap of 8 KiB", "left out"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('7', '-7')}", "Wi-Fi takes -7 KiB of a heap", "left out"),
+        ("usb: false", f"usb: false\n{MEMORY.replace('9', '0')}", "holds no files", "files: 848 KiB"),
         ("usb: false", f"usb: false\nadc: {{bits: 40, {ADC}", "a count has 40 bits, not 8 to 12", "bits: 12"),
         ("usb: false", f"usb: false\nadc: {{bits: -1, {ADC}", "a count has -1 bits, not 8 to 12", "bits: 12"),
         (
@@ -257,6 +287,47 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     assert hint in found.hint
 
 
+def found_in(end, tmp_path):
+    """Return what is found in the board whose file ends so: lines, rules and messages."""
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace("usb: false", end))
+    report = Report()
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
+    return [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
+
+
+@pytest.mark.parametrize(
+    ("opened", "wanted"),
+    [
+        ("machine.ADC(({gpio})", "opened is no expression of Python: '(' was never closed"),
+        ("foo.ADC({gpio})", "opened has the name foo, which nothing gives; known are machine and {gpio}"),
+        ("machine.ADC({gpio}, {pin})", "opened has the name pin,"),
+        ("import machine; {gpio}", "opened is no expression of Python"),
+    ],
+)
+def test_code_that_opens_an_input_can_run(opened, wanted, tmp_path):
+    """It goes into board.py as it is: what is no Python, or names nothing, would keep the program from starting."""
+    found = found_in(f"usb: false\nadc: {{bits: 12, {ADC.replace('machine.ADC({gpio})', opened)}", tmp_path)
+    assert len(found) == 1, found
+    assert f"bad-board: {wanted}" in found[0]
+
+
+def test_an_architecture_is_one_of_mpy_cross(tmp_path):
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace("architecture: bytecode", "architecture: armv99"))
+    report = Report()
+    assert decode_record_file(str(path), BoardModelSpec, DISK, report) is None
+    assert "armv99" in next(iter(report)).message
+
+
+def test_statements_know_what_those_before_them_give(tmp_path):
+    """As on the board: a timer that is made in one statement is started by the next one."""
+    hold = '["import esp32", "t = machine.Timer({period})", "t.init(callback=lambda _: esp32.feed())"]'
+    assert found_in("usb: false\n" + WATCHED.partition("\n")[2].replace("[pass]", hold), tmp_path) == []
+
+
 WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
 
 
@@ -272,17 +343,14 @@ WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
         ("restart: 2", "restart: 2\n  caused: machine.", "bad-board: caused is no expression of Python"),
         ("[pass]", "[]", "bad-board: a prompt would be reset as long as nothing holds the watchdog"),
         ("[pass]", '["while {period}"]', "bad-board: hold is no statement of Python"),
+        ("[pass]", '["machine.Timer({perod})"]', "bad-board: hold has the name perod, which nothing gives"),
+        ("restart: 2", "restart: 2\n  caused: machin.reset_cause()", "bad-board: caused has the name machin,"),
         ("  restart: 2\n", "", "missing-key"),
     ],
 )
 def test_a_watchdog_that_contradicts_itself(old, new, wanted, tmp_path):
     """Each fault is a finding in the file of the board, at its line."""
-    (tmp_path / "specs" / "boards").mkdir(parents=True)
-    path = tmp_path / "specs" / "boards" / "own.yaml"
-    path.write_text(OWN.replace("usb: false", WATCHED.replace(old, new)))
-    report = Report()
-    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
-    found = [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
+    found = found_in(WATCHED.replace(old, new), tmp_path)
     assert len(found) == 1, found
     assert wanted in found[0], found
     assert int(found[0].split(" ")[0]) >= 7
@@ -337,3 +405,12 @@ def test_pins_in_words():
         "1 and 2",
         "1 to 3 and 7",
     ]
+
+
+def test_pins_that_the_board_needs_all_itself():
+    """No list of none."""
+    board = model_of("pico_2_w")
+    message, hint = no_such_pin("tx of UART 1", 23, frozenset({23, 24}), board, "tx")
+    wanted = "the Raspberry Pi Pico 2 W leaves no GPIO for tx of UART 1"
+    assert message == wanted
+    assert hint is not None

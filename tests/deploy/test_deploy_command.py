@@ -2,11 +2,15 @@
 
 import json
 import os
+import pty
 import re
+import select
 import shutil
 import signal
 import subprocess
 import sys
+import threading
+import tty
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -191,6 +195,21 @@ def test_other_boards(
         assert "remove telemetry_viper.mpy: it belongs no more" in said
 
 
+@pytest.mark.parametrize(("heap", "code"), [(40_000, 1), (400_000, 0)])
+def test_a_heap_that_is_too_small_is_told_before_anything_is_changed(
+    heap: int, code: int, tmp_path: Path, run: Any
+) -> None:
+    """Whatever board.yaml says: the board that is connected has as much as it says itself."""
+    with powered(tmp_path / "flash", told=PICO, heap=heap) as board:
+        exit_code, said = run("--port", board.port)
+        assert exit_code == code, said
+        found = re.search(
+            r"error board-small: the program takes some \d+ KB of heap once .*the board has 39 KB\n", said
+        )
+        assert bool(found) == bool(code)
+        assert (on_board(board, "import os; print(os.listdir())") == "[]\n") == bool(code)
+
+
 def test_a_full_file_system_is_told_before_anything_is_changed(tmp_path: Path, run: Any) -> None:
     with powered(tmp_path / "small", told=PICO, blocks=16) as small:
         code, said = run("--port", small.port)
@@ -273,6 +292,32 @@ def test_a_board_that_does_not_answer(tmp_path: Path, run: Any, monkeypatch: pyt
     monkeypatch.setattr(Connection.__init__, "__defaults__", (0.3,))
     with powered(tmp_path / "deaf", deaf=True) as deaf:
         code, said = run("--port", deaf.port)
+    assert code == 2
+    assert "error board-silent: no MicroPython answers at" in said
+
+
+def test_a_port_at_which_bytes_keep_coming(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An autopilot that goes on sending is no board that answers: it is told, and nothing waits for ever."""
+    monkeypatch.setattr(Connection.__init__, "__defaults__", (0.5,))
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    ended = threading.Event()
+
+    def send() -> None:
+        while not ended.wait(0.001):
+            os.write(master, b"\xfd\x09\x00\x00")
+            if select.select([master], [], [], 0)[0]:
+                os.read(master, 65536)
+
+    sender = threading.Thread(target=send)
+    sender.start()
+    try:
+        code, said = run("--port", os.ttyname(slave))
+    finally:
+        ended.set()
+        sender.join()
+        os.close(master)
+        os.close(slave)
     assert code == 2
     assert "error board-silent: no MicroPython answers at" in said
 

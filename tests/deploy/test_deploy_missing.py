@@ -20,6 +20,7 @@ from codegen.deploy.transfer import importable
 from codegen.diagnostics import Report
 from codegen.source import Place
 
+pytestmark = pytest.mark.usefixtures("compiled_as_written")  # what is compiled is no matter here
 PICO = {"_machine": "Raspberry Pi Pico 2 W with RP2350"}
 LISTED = """\
 __main__          asyncio/core      network           time

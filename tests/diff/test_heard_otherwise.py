@@ -58,6 +58,16 @@ CASES: dict[str, tuple[Edit, str, str]] = {
         "always 500, which receivers take for what is so now; silent on the wire; breaks",
         "break",
     ),
+    "no more on a change": (
+        replaced("messages/smart_battery_info.yaml", "on_change: battery.swaps\n", ""),
+        "needs a person: whether it is heard soon enough that battery.swaps has changed",
+        "need",
+    ),
+    "threshold": (
+        replaced("parameters.yaml", "default: 3.5", "default: 3.4"),
+        "needs a person: whether another value is meant for the low threshold of the failsafe of battery.voltage",
+        "need",
+    ),
     "divider": (
         replaced("parameters.yaml", "default: 3.95", "default: 4.95"),
         "the same reading is 99/79 times what it was in ",
@@ -109,6 +119,32 @@ def test_what_is_heard_otherwise_fails_and_stands_in_the_headline(
     assert "none of them breaks anybody" not in found.head_line
     assert headline in found.head_line
     assert fails(found, ["breaking", "person"])
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [
+        ("on_change: battery.swaps\n", "who does not ask for it hears of no change of battery.swaps; breaks"),
+        ("on_connection: true\n", "who connects and does not ask for it hears nothing; breaks"),
+    ],
+)
+def test_what_nothing_else_sends_breaks(key: str, said: str, project: Path) -> None:
+    """A message without a stream goes out on a change and to who connects: without that nobody hears of it."""
+    file = "messages/smart_battery_info.yaml"
+    sides = []
+    for name, edits in (("one", ("stream: INFO\n",)), ("other", ("stream: INFO\n", key))):
+        shutil.rmtree(project / name, ignore_errors=True)
+        shutil.copytree(project / "old", project / name)
+        for edit in edits:
+            replaced(file, edit, "")(project / name)
+        report = Report()
+        sides.append(read_systems(str(project / name / "codegen.yaml"), report))
+        assert sides[-1], list(report)
+    found = review("one", "other", compare_systems(*sides))
+    (group,) = [each for each in found.groups if each.first.rule.id == "message-schedule-changed"]
+    assert said in finding_text(as_finding(group))
+    assert "none of them breaks anybody" not in found.head_line
+    assert fails(found, ["breaking"])
 
 
 def compared(project: Path, before: tuple[System, ...], edit: Edit) -> Review:

@@ -221,6 +221,87 @@ def test_what_is_no_prose_is_not_guessed_at(
 
 
 @pytest.mark.parametrize(
+    ("attribute", "what"),
+    [
+        ("style='text-decoration: line-through;'", "style 'text-decoration: line-through'"),
+        (
+            "style='color:red; TEXT-DECORATION : Underline LINE-THROUGH'",
+            "style 'TEXT-DECORATION : Underline LINE-THROUGH'",
+        ),
+        ("style='text-decoration-line:line-through'", "style 'text-decoration-line:line-through'"),
+        ("style='vertical-align:super'", "style 'vertical-align:super'"),
+        ("style='vertical-align: 4pt'", "style 'vertical-align: 4pt'"),
+        ("style='display:none'", "style 'display:none'"),
+        ("style='visibility: hidden'", "style 'visibility: hidden'"),
+        ("style='mso-hide:all'", "style 'mso-hide:all'"),
+        ("style='font-size:0'", "style 'font-size:0'"),
+        ("style='font: 0/0 serif'", "style 'font: 0/0 serif'"),
+        ("style='color: #FFFFFF'", "style 'color: #FFFFFF'"),
+        ("style='text-transform:uppercase'", "style 'text-transform:uppercase'"),
+        ("style='white-space:pre'", "style 'white-space:pre'"),
+        ("style='unicode-bidi:bidi-override; direction:rtl'", "style 'unicode-bidi:bidi-override'"),
+        ("style='position:absolute'", "style 'position:absolute'"),
+        ("style='text-indent:-9999px'", "style 'text-indent:-9999px'"),
+        (r"style='text-decoration:line\2d through'", "style 'text-decoration:line"),
+        ("class='ql-strike'", "class 'ql-strike'"),
+        ("class='a superscript'", "class 'superscript'"),
+        ("hidden='hidden'", "hidden 'hidden'"),
+        ("dir='rtl'", "dir 'rtl'"),
+    ],
+)
+@pytest.mark.parametrize("tag", ["span", "p", "b", "br"])
+def test_attributes_that_change_what_is_said(
+    tag: str, attribute: str, what: str, write: Write, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Struck, raised and hidden words are as much of a finding where an attribute says so as where an element does."""
+    marked = f"It <x:{tag} {attribute}>not</x:{tag}> starts."
+    path = write("a.reqif", xml([("o1", {"heading": "Bad", "id": "A-1"}, [("o2", {"text": marked}, [])])]))
+    assert main(["import", path]) == 1
+    assert f"error import-text: <{tag}> with the {what}" in capsys.readouterr().err
+
+
+def test_attributes_of_the_whole_text_count_too(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    """The element around a text strikes all of it; a text that a tool has simplified may have been struck before."""
+    whole = xml([("o1", {"heading": "Bad", "id": "A-1"}, [("o2", {"text": "It starts."}, [])])])
+    struck = whole.replace("<x:div>It starts", "<x:div style='text-decoration:line-through'>It starts")
+    simple = "<ATTRIBUTE-VALUE-XHTML IS-SIMPLIFIED='true'><THE-ORIGINAL-VALUE><x:div>It <x:del>never</x:del> starts."
+    simplified = whole.replace(
+        "<ATTRIBUTE-VALUE-XHTML><THE-VALUE><x:div>It starts",
+        f"{simple}</x:div></THE-ORIGINAL-VALUE><THE-VALUE><x:div>It never starts",
+    )
+    alone = whole.replace(
+        "<ATTRIBUTE-VALUE-XHTML><THE-VALUE><x:div>It",
+        "<ATTRIBUTE-VALUE-XHTML IS-SIMPLIFIED='true'><THE-VALUE><x:div>It",
+    )
+    for text in (struck, simplified, alone):
+        assert text != whole
+        assert main(["import", write("a.reqif", text)]) == 1
+        assert "error import-text: " in capsys.readouterr().err
+    same = simplified.replace("<x:del>never</x:del>", "<x:b>never</x:b>")
+    assert main(["import", write("a.reqif", same)]) == 0
+    assert "It **never** starts." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "attribute",
+    [
+        "style='color:#1F497D; font-family:\"Arial\",sans-serif; font-size:10.0pt; mso-fareast-language:DE'",
+        "style='text-decoration: underline; vertical-align: baseline; margin-left: 0cm;; background:white'",
+        "style='font: bold 10pt Empire !important; white-space: pre-wrap; text-indent: -18.0pt'",
+        "class='MsoNormal'",
+        "dir='ltr' lang='en' id='a1' title='t'",
+        "style=''",
+    ],
+)
+def test_attributes_that_change_looks_alone(attribute: str, write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    """Fonts, colours and margins of other tools say nothing."""
+    marked = f"It <x:span {attribute}>always</x:span> starts."
+    path = write("a.reqif", xml([("o1", {"heading": "Good", "id": "A-1"}, [("o2", {"text": marked}, [])])]))
+    assert main(["import", path]) == 0
+    assert criteria(capsys.readouterr().out) == {"A-1": ["It always starts."]}
+
+
+@pytest.mark.parametrize(
     ("objects", "options", "told"),
     [
         (

@@ -39,7 +39,7 @@ print(json.dumps(results))
 """
 PATHS = (
     "stick.first", "stick.sixth", "other.lat_dege7", "other.height_cm", "other.name", "other.has_squawk",
-    "sonar.distance_cm", "pad.x_mm", "target.north_mm_s", "target.yaw",
+    "sonar.distance_cm", "sonar.w", "sonar.z", "pad.x_mm", "target.north_mm_s", "target.yaw",
 )  # fmt: skip
 
 
@@ -58,11 +58,11 @@ def other(flags, lat=0, altitude=0, name=b"", kind=0, squawk=0):
     )
 
 
-def sonar(distance, quality=None, kind=0):
+def sonar(distance, quality=None, kind=0, turned=(0, 0, 0, 0)):
     if quality is None:  # MAVLink 1 has no quality
         return frame(v1.MAVLink_distance_sensor_message(0, 1, 900, distance, kind, 0, 0, 0), v1)
     return frame(
-        common.MAVLink_distance_sensor_message(0, 1, 900, distance, kind, 0, 0, 0, 0, 0, [0] * 4, quality),
+        common.MAVLink_distance_sensor_message(0, 1, 900, distance, kind, 0, 0, 0, 0, 0, turned, quality),
     )
 
 
@@ -110,6 +110,22 @@ CASES = {
     "any other quality": ([sonar(150, 2)], {"sonar.distance_cm": "150"}),
     "a kind of sensor that is denied": ([sonar(150, 50), sonar(160, 50, kind=4)], {}),
     "MAVLink 1 lacks the quality, which reads as 0": ([sonar(150, 1), sonar(160)], {"sonar.distance_cm": "160"}),
+    "a sensor that is not turned, nor at an unknown angle": (
+        [sonar(150, 50, turned=(1, 0, 0, 0))],
+        {"sonar.distance_cm": "150", "sonar.w": "1.0", "sonar.z": "0.0"},
+    ),
+    "half a turn": (
+        [sonar(150, 50, turned=(0, 0, 0, 1))],
+        {"sonar.distance_cm": "150", "sonar.w": "0.0", "sonar.z": "1.0"},
+    ),
+    "an element that is not taken says that all are known": (
+        [sonar(150, 50, turned=(0, 1, 0, 0))],
+        {"sonar.distance_cm": "150", "sonar.w": "0.0", "sonar.z": "0.0"},
+    ),
+    "all elements together say that it is unknown": (
+        [sonar(150, 50, turned=(1, 0, 0, 0)), sonar(160, 50)],
+        {"sonar.distance_cm": "160"},
+    ),
     "a target that is not valid": ([pad(3.0, 1), pad(0.0, 0)], {}),
     "a target in one of the frames": ([pad(3.0, 1, common.MAV_FRAME_LOCAL_FRD)], {"pad.x_mm": "3000"}),
     "a target in another frame": ([pad(3.0, 1), pad(4.0, 1, common.MAV_FRAME_BODY_NED)], {}),

@@ -40,6 +40,16 @@ STORIES = [
     ("sentinel-contradiction", ["error", "unknown"]),
     ("crowded-slot", ["warning", "codegen explain loop"]),
     (
+        "heap",
+        [
+            "of it for machine code",
+            "Raspberry Pi Pico 2 W (RP2350) has 440 KB",
+            "messages that are sent",
+            "In the program smart_battery:",
+            "Not counted: code of yours",
+        ],
+    ),
+    (
         "loop",
         [
             "main loop on Raspberry Pi Pico 2 W (RP2350): control() is called every 2500 us",

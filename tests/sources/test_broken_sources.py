@@ -21,6 +21,19 @@ SOLAR = "\n  solar: {driver: ina219, i2c: 0, sda: 4, scl: 5, address: 0x41, shun
 OWN = "own: {driver: laser, gain: 2, fast: true, trigger: 3, i2c: 0, sda: 4, scl: 5}"
 PLACED = "{driver: placed, i2c: 0, sda: 4, scl: 5, address: 0x40}"
 PICO = "board: pico_2\n"
+LASER = """\
+class Laser:
+    values = ()
+
+    def __init__(self, opened, **keys):
+        pass
+
+    def begin(self):
+        pass
+
+    def poll(self, now_ms):
+        pass
+"""
 DRIVER = """\
 doc: A laser.
 class: Laser
@@ -262,8 +275,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "specs" / "parameters.yaml").write_text(SIZES)
     placed = DRIVER.partition("keys:")[0] + "keys: {address: {doc: a, default: 0x42}}\noutputs: {distance: {unit: m}}\n"
     (folder / "specs" / "drivers" / "placed.yaml").write_text(placed)
-    (folder / "specs" / "drivers" / "placed.py").write_text("class Laser:\n    pass\n")
-    (folder / "specs" / "drivers" / "laser.py").write_text("class Laser:\n    pass\n")
+    (folder / "specs" / "drivers" / "placed.py").write_text(LASER)
+    (folder / "specs" / "drivers" / "laser.py").write_text(LASER)
     return folder
 
 

@@ -13,6 +13,17 @@ PROJECT = Path(__file__).resolve().parents[1] / "projects" / "minimal"
 SONAR = "sonar: {driver: user, class: sonar.Sonar, unit: m, stored: mm, min: 0, max: 100}"
 LASER = "laser: {driver: laser}"
 DRIVER = "doc: A laser.\nclass: Laser\noutputs: {distance: {unit: m, stored: mm, min: 0, max: 100}}\n"
+CLASS = """\
+class Laser:
+    def __init__(self):
+        self.values = [0]
+
+    def begin(self):
+        pass
+
+    def poll(self, now_ms):
+        return True
+"""
 NEVER = "raise SystemExit('this was run')\n"
 
 
@@ -33,7 +44,7 @@ def check(folder: Path, source: str, capsys: Any) -> tuple[int, str]:
 @pytest.mark.parametrize(
     "text",
     [
-        "class Sonar:\n    pass\n",
+        "class Sonar:\n    def read(self): pass\n",
         "from maker import Sonar\n",
         "import maker as Sonar\n",
         "Sonar = __import__('maker').Sonar\n",
@@ -43,7 +54,7 @@ def check(folder: Path, source: str, capsys: Any) -> tuple[int, str]:
         "globals()['Sonar'] = 5\n",
         "def __getattr__(name):\n    return 5\n",
         "def make():\n    global Sonar\n    Sonar = 5\nmake()\n",
-        "\ufeffclass Sonar: pass\n",
+        "\ufeffclass Sonar:\n    def read(self): pass\n",
     ],
 )
 def test_a_module_that_has_or_can_have_the_class_is_right(folder: Path, text: str, capsys: Any) -> None:
@@ -97,7 +108,7 @@ def test_a_module_that_is_no_python_is_an_error_with_its_line(folder: Path, caps
 
 def test_the_class_of_a_driver_of_the_project(folder: Path, capsys: Any) -> None:
     module = folder / "specs" / "drivers" / "laser.py"
-    module.write_text("class Laser:\n    pass\n")
+    module.write_text(CLASS)
     assert check(folder, LASER, capsys)[0] == 0
     module.write_text(NEVER + "class Lasr:\n    pass\n")
     code, told = check(folder, LASER, capsys)
@@ -110,7 +121,7 @@ def test_the_class_of_a_driver_of_the_project(folder: Path, capsys: Any) -> None
 def test_a_module_of_the_user_is_no_input_of_what_is_generated(folder: Path) -> None:
     """Its text can change without a build: no header of a generated file has it in its hash."""
     (folder / "specs" / "board.yaml").write_text(f"sources:\n  {SONAR}\n")
-    (folder / "sonar.py").write_text("class Sonar:\n    pass\n")
+    (folder / "sonar.py").write_text("class Sonar:\n    def read(self):\n        return 4\n")
     assert main(["build"]) == 0
     (folder / "sonar.py").write_text("class Sonar:\n    def read(self):\n        return 5\n")
     assert main(["build", "--check"]) == 0
@@ -142,7 +153,7 @@ def test_a_driver_is_not_called_as_a_module_of_the_firmware(folder: Path, capsys
     """Its module would take the place of the other one."""
     drivers = folder / "specs" / "drivers"
     (drivers / "words.yaml").write_text(DRIVER)
-    (drivers / "words.py").write_text("class Laser:\n    pass\n")
+    (drivers / "words.py").write_text(CLASS)
     code, told = check(folder, "laser: {driver: words}", capsys)
     assert code == 1, told
     assert "specs/drivers/words.yaml:1:1: error bad-source-driver: words cannot be the name of a driver" in told

@@ -41,6 +41,7 @@ def _identity(system: System) -> Subject:
         Fact("board", system.board_name, rules.PROGRAM, board.at("board")),
         Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board")),
         Fact("speed of the board", _speed(system), rules.PROGRAM, board.at("board")),
+        Fact("memory of the board", _memory(system), DOC, board.at("board")),
         Fact("name", project.project, DOC, project.at("project")),
     )
     name = system.spec.program or "project"
@@ -54,6 +55,16 @@ def _speed(system: System) -> str:
         return ""
     cycles = f"{decimal(timing.cycles)} to {decimal(timing.most_cycles)} cycles"
     return f"{cycles} of {amount(timing.megahertz, 'MHz')}, a conversion in {amount(timing.conversion_us, 'us')}"
+
+
+def _memory(system: System) -> str:
+    """Return what programs find room in; empty where nobody knows."""
+    memory = system.board.memory if system.board else None
+    if memory is None:
+        return ""
+    wifi = f", {memory.wifi} less with Wi-Fi on" if memory.wifi else ""
+    files = "" if memory.files is None else f", {memory.files} bytes of files"
+    return f"{memory.heap} bytes of heap{wifi}{files}"
 
 
 def _number(number: int, parameter: Parameter | None) -> str:

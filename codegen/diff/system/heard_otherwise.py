@@ -13,10 +13,13 @@ from codegen.model.price import default_rate
 from codegen.model.spec.receive import Sender as TakenFrom
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.units.unit import decimal
-from codegen.model.vehicle import AdcChannel
+from codegen.model.vehicle import AdcChannel, Parameter
+from codegen.summaries.parameters import uses
 
 _ADDRESSED = ("uart", "baud", "udp", "tcp_server", "tcp_client", "to", "local_port")
 _WIRED = ("tx", "rx")
+_TOLD_APART = ("the rate of stream", "which generation")
+"""Uses of parameters whose defaults are changes of their own: what is sent by default."""
 
 
 def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iterator[Change]:
@@ -35,9 +38,24 @@ def _schedule(change: Change, sides: Sides) -> Change:
     before, after = default_rate(old), default_rate(new)
     if before and not after and new.stream is None and not (new.on_connection or new.on_change):
         return breaking(change, "who does not ask for it hears nothing")
+    if old.on_change is not None and new.on_change is not old.on_change:
+        change = _told_of_change(change, old, new, is_sent=bool(after))
+    if old.on_connection and not (new.on_connection or after):
+        change = breaking(change, "who connects and does not ask for it hears nothing")
     if len(new.withheld_for) > len(old.withheld_for):
         return doubtful(change, "whether receivers take its silence for a lost link while something is unknown")
     return _rates(change, before, after)
+
+
+def _told_of_change(change: Change, old: PopulatedMessage, new: PopulatedMessage, *, is_sent: bool) -> Change:
+    """A message that is no longer sent as soon as a quantity is another one."""
+    assert old.on_change is not None
+    path = old.on_change.path
+    if new.on_change is not None and new.on_change.path == path:
+        return change
+    if not is_sent and new.on_change is None:
+        return breaking(change, f"who does not ask for it hears of no change of {path}")
+    return doubtful(change, f"whether it is heard soon enough that {path} has changed")
 
 
 def _table(system: System, name: str) -> PopulatedMessage | None:
@@ -61,18 +79,28 @@ def _rates(change: Change, before: Fraction, after: Fraction) -> Change:
 
 
 def _default(change: Change, sides: Sides) -> Change:
-    """A parameter whose default makes numbers: a multiplier, or what goes out itself."""
+    """A parameter whose default makes numbers, a multiplier or what goes out itself, or decides what is done."""
     fields = sides.fields.get(change.subject, ())
-    if not fields:
-        return change
-    shown = shortened_list(fields, 3)
     old, new = (side.parameters.get(change.subject) for side in (sides.old, sides.new))
+    if not fields:
+        decided = () if new is None else _decided(new, sides.new)
+        if not decided:
+            return change
+        return doubtful(change, f"whether another value is meant for {' and '.join(decided)}, where no value is stored")
+    shown = shortened_list(fields, 3)
     scaled = scaling_parameters(sides.new).get(change.subject)
     if scaled and old is not None and new is not None and old.default:
         factor = decimal(Fraction(new.default) * new.step / (old.default * old.step))
         effect = f"the same reading is {factor} times what it was in {shown}, where no value is stored"
         return doubtful(change, "whether what is measured changed with it", effect)
     return doubtful(change, f"whether other numbers in {shown} are meant, where no value is stored")
+
+
+def _decided(parameter: Parameter, system: System) -> tuple[str, ...]:
+    """Return what a parameter decides, in words, those of a family together."""
+    first = system.parameters.get(parameter.siblings[0], parameter) if parameter.siblings else parameter
+    found = [each.removeprefix(f"of {first.component} {first.instance + 1}: ") for each in uses(first, system)]
+    return tuple(each for each in found if not each.startswith(_TOLD_APART))
 
 
 def _channel(change: Change, sides: Sides) -> Change:

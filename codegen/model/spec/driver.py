@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.spec.described import Amount, described
+from codegen.model.spec.python_class import PythonClass
 from codegen.source import Written
 
 
@@ -74,12 +75,14 @@ class DriverSpec(Written):
 class DriverModule:
     """A module with the class of a driver: its file, its names, and those that are classes it defines.
 
-    ``names`` is None where it can have any. ``fault`` is a line that is no Python, and what is wrong with it.
+    ``names`` is None where it can have any. ``shapes`` are those classes of which the source shows all. ``fault`` is a
+    line that is no Python, and what is wrong with it.
     """
 
     path: str
     names: frozenset[str] | None
     classes: tuple[str, ...]
+    shapes: Mapping[str, PythonClass]
     fault: tuple[int, str] | None
 
 

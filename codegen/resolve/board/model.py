@@ -1,14 +1,24 @@
 """Resolves the kind of board of a project: its pins as sets of numbers."""
 
-import ast
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount, read_time
-from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Timing, Uart, shown_pins
+from codegen.model.board_model import (
+    MOST_BITS,
+    BoardModel,
+    BoardModelSpec,
+    Converter,
+    I2c,
+    Memory,
+    Timing,
+    Uart,
+    shown_pins,
+)
 from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.units.unit import decimal, unit_named
 from codegen.pattern import pattern
+from codegen.resolve.board.code import faults_in
 from codegen.source import Place
 
 MOST_GPIO = 127
@@ -22,7 +32,8 @@ BAD_BOARD = Rule(
     f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
     "those of the converter, the UARTs and the I2C buses are among them; a UART and a bus have a number from 0 to "
     f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, the "
-    "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction. The "
+    "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction. There "
+    "is a heap, of which Wi-Fi takes a part, and a file system that holds something. The "
     "shortest timeout of a watchdog is not above its longest, and causes of a reset are numbers of "
     "machine.reset_cause().",
     remedy="write Python as the board's MicroPython runs it",
@@ -57,13 +68,14 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
             )
     adc = _converter(spec, known, found)
     timing = _timing(spec, found)
+    memory = _memory(spec, found)
     watchdog = None if spec.watchdog is None else _watchdog(spec.watchdog, found)
     _among(known, frozenset(taken), spec.at("taken"), found)
     _among(known, frozenset(labels), spec.at("labels"), found)
     report.extend(found)
     if found.has_errors:
         return None
-    return BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, watchdog, spec, timing)
+    return BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, watchdog, spec, timing, memory)
 
 
 def _number(key: str, section: str, place: Place, report: Report) -> int | None:
@@ -94,6 +106,8 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
     if "{gpio}" not in written.opened:
         hint = "opened: machine.ADC(machine.Pin({gpio}))"
         report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
+    for code, fault in faults_in((written.opened,), "{gpio}", is_expression=True):
+        report.add(BAD_BOARD, written.at("opened"), f"opened {fault}", code)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
     return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
 
@@ -114,6 +128,29 @@ def _timing(spec: BoardModelSpec, report: Report) -> Timing | None:
         hint = f"most_cycles: is cycles: or more, {decimal(written.cycles)}"
         report.add(BAD_BOARD, written.at("most_cycles"), "at most is less than likely", hint)
     return Timing(clock or Fraction(1), written.cycles, written.most_cycles, conversion or Fraction(0))
+
+
+def _memory(spec: BoardModelSpec, report: Report) -> Memory | None:
+    written = spec.memory
+    if written is None:
+        return None
+    heap = _bytes(written.heap, written.at("heap"), report)
+    wifi = _bytes(written.wifi, written.at("wifi"), report)
+    files = _bytes(written.files, written.at("files"), report)
+    if heap is not None and heap <= 0:
+        report.add(BAD_BOARD, written.at("heap"), f"the {spec.name} has no heap", "heap: 185 KiB")
+    elif heap is not None and wifi is not None and not 0 <= wifi < heap:
+        message = f"Wi-Fi takes {written.wifi} of a heap of {written.heap}"
+        report.add(BAD_BOARD, written.at("wifi"), message, "wifi: is what it takes of heap:, or is left out")
+    if files is not None and files <= 0:
+        report.add(BAD_BOARD, written.at("files"), f"the {spec.name} holds no files", "files: 848 KiB")
+    return Memory(heap or 1, wifi or 0, files)
+
+
+def _bytes(text: str | None, place: Place, report: Report) -> int | None:
+    """Return an amount in whole bytes; None where nothing is said, or after a finding."""
+    amount = None if text is None else read_amount(text, unit_named("bytes"), place, report)
+    return None if amount is None else int(amount)
 
 
 def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
@@ -142,13 +179,10 @@ def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
 
 
 def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
-    for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
-        for code in codes:
-            try:
-                ast.parse(code.replace("{period}", "1"), mode=mode)
-            except SyntaxError as fault:
-                message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
-                report.add(BAD_BOARD, spec.at(key), message, code)
+    for code, fault in faults_in((spec.caused,), "{period}", is_expression=True):
+        report.add(BAD_BOARD, spec.at("caused"), f"caused {fault}", code)
+    for code, fault in faults_in(spec.hold, "{period}"):
+        report.add(BAD_BOARD, spec.at("hold"), f"hold {fault}", code)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:

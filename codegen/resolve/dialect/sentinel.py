@@ -46,7 +46,8 @@ def sentinel_of(
     Forms, as MAVLink's guide to the XML schema defines them: ``V`` for the whole field, ``[V]`` for every element that
     has it, ``[V:]`` for the whole array when element 0 has it, ``[V1,,V3]`` and ``[V1,]`` by position. The guide gives
     a bare V on an array no meaning, yet it occurs (``0`` on ``char[9]``): here every element has it when the field is
-    unknown, which for 0 on text is the empty text. Brackets on a scalar are an error.
+    unknown, which for 0 on text is the empty text; one that has it beside others that do not is a value. Brackets on
+    a scalar are an error.
 
     A limit such as ``UINT16_MAX`` is just a number: on a float field it is 65535.0. Numbers of float fields are those
     that the wire's precision leaves of them. ``place`` is where ``invalid`` is written: the field, or a correction.

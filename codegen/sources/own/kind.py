@@ -1,27 +1,26 @@
 """A sensor whose driver is a file of the project: ``specs/drivers/NAME.yaml`` declares its keys and its outputs."""
 
-import json
 import os
 import re
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
-from fractions import Fraction
 
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.quantities.source_kind import ClockUse, Output, PinUse, Polling, Source, SourceFact
 from codegen.model.spec.described import Verbatim
-from codegen.model.spec.driver import BusKind, DriverKeySpec, DriverSpec, KeyKind, OutputSpec, OwnDriver
+from codegen.model.spec.driver import BusKind, DriverSpec, KeyKind, OutputSpec, OwnDriver
 from codegen.model.spec.source import OwnSourceSpec
 from codegen.pattern import pattern
 from codegen.source import Place
+from codegen.sources.class_calls import Use, check_use
 from codegen.sources.declared import declared_output
 from codegen.sources.kind import BAD_SOURCE, Around, check_class
 from codegen.sources.module_names import taken_by
+from codegen.sources.own.keys import WHOLE, KeyReader
 from codegen.sources.wires import USUAL_CLOCK, Bus, Serial, bus, clock, serial
 
 _CLASS = pattern(r"[A-Za-z_]\w*", re.ASCII)
-_WHOLE = pattern(r"[-+]?(0x[0-9a-fA-F]{1,8}|\d{1,10})")
 _OF_BUS: Mapping[BusKind | None, tuple[str, ...]] = {
     None: (),
     BusKind.I2C: ("i2c", "sda", "scl"),
@@ -74,7 +73,7 @@ class OwnSource(Source):
     def address(self) -> int | None:
         """Return where it is on its I2C bus, by the key of this name; None without one."""
         given = dict(self.arguments).get("address", "") if isinstance(self.wires, Bus) else ""
-        return int(given) if _WHOLE.fullmatch(given) else None
+        return int(given) if WHOLE.fullmatch(given) else None
 
     @property
     def place(self) -> str:
@@ -118,6 +117,8 @@ class OwnSource(Source):
 def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: OwnDriver) -> OwnSource | None:
     """Return the sensor, with its keys as the driver declares them; None after a finding."""
     declared = driver.spec
+    reader = KeyReader(declared, around)
+    wrong = reader.check()
     if not _CLASS.fullmatch(declared.class_name):
         around.report.add(
             BAD_SOURCE, declared.at("class"), f"{declared.class_name} is no name of a class", "class: Compass"
@@ -125,6 +126,8 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
         around.failed = True
     else:
         check_class(declared.class_name, driver.module, declared.at("class"), around)
+        if not wrong:
+            check_use(declared.class_name, driver.module, declared.at("class"), _use(declared), around)
     file = os.path.basename(declared.place.file)
     owner = taken_by(file)
     if owner is not None:
@@ -139,9 +142,9 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
         around.bad(f"keys.{name}", f"the driver {spec.driver} has no key {name}", hint)
     arguments, inputs = [], []
     for name, key in declared.keys.items():
-        if name not in spec.keys and get_close_matches(name, unknown, n=1):
+        if name in wrong or (name not in spec.keys and get_close_matches(name, unknown, n=1)):
             continue  # a misspelt key is one mistake
-        value = _value(name, key, spec, around)
+        value = reader.value(name, key, spec.keys.get(name))
         if value is not None:
             arguments.append((name, value))
             board = around.known_board(f"the pin {name}") if key.kind is KeyKind.PIN else None
@@ -156,35 +159,11 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
     return OwnSource(polling, outputs, driver, wires, tuple(arguments), tuple(inputs))
 
 
-def _value(name: str, key: DriverKeySpec, spec: OwnSourceSpec, around: Around) -> str | None:
-    """The value of a key as the generated Python has it; None after a finding."""
-    written: str | None = spec.keys.get(name)
-    if written is None:
-        if key.default is None:
-            around.bad("driver", f"{name} is missing, which the driver {spec.driver} needs", f"{name}: {key.doc}")
-            return None
-        written = str(key.default).lower() if isinstance(key.default, bool) else str(key.default)
-    match key.kind:
-        case KeyKind.TEXT:
-            return json.dumps(written)
-        case KeyKind.BOOLEAN if written in ("true", "false"):
-            return written.capitalize()
-        case KeyKind.WHOLE | KeyKind.PIN if _WHOLE.fullmatch(written):
-            return _limited(name, Fraction(int(written, 0)), key, around)
-        case KeyKind.NUMBER:
-            try:
-                return _limited(name, Fraction(written), key, around)
-            except (ValueError, ZeroDivisionError):
-                pass
-    around.bad(f"keys.{name}", f"{name} is {written}, no {key.kind}", hint=f"{name}: {key.doc}")
-    return None
-
-
-def _limited(name: str, value: Fraction, key: DriverKeySpec, around: Around) -> str | None:
-    if (key.min is not None and value < key.min) or (key.max is not None and value > key.max):
-        around.bad(f"keys.{name}", f"{name} is {float(value):g}, not {key.min} to {key.max}", hint=f"{name}: {key.doc}")
-        return None
-    return str(int(value)) if value.denominator == 1 else repr(float(value))
+def _use(declared: DriverSpec) -> Use:
+    """Return what the firmware calls of the class: it is made with the function that opens its bus, and the keys."""
+    first = ("opened",) if declared.bus else ()
+    values = f'in __init__: self.values = array("i", [UNKNOWN] * {len(declared.outputs)})'
+    return Use(first, tuple(declared.keys), {"begin": (), "poll": ("now_ms",)}, {"values": values})
 
 
 class _Keys:
@@ -209,7 +188,7 @@ def _wires(declared: DriverSpec, spec: OwnSourceSpec, around: Around) -> Bus | S
     given, kind = {}, declared.bus
     for name in _OF_BUS[kind]:
         written: Verbatim | str | None = spec.keys.get(name, _USUAL_BAUD if name == "baud" else None)
-        if written is None or not _WHOLE.fullmatch(written):
+        if written is None or not WHOLE.fullmatch(written):
             problem = "is missing" if written is None else f"is {written}, no whole number"
             around.bad(
                 "driver" if written is None else f"keys.{name}",

@@ -10,12 +10,16 @@ from codegen.model.spec.described import described
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.source import SourceSpec
 from codegen.pattern import pattern
+from codegen.sources.class_calls import Use, check_use
 from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource, check_class
 from codegen.sources.module_names import taken_by
 
 _KEYS = ("unit", "stored", "min", "max")
 _CLASS = pattern(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
+_HARDWARE = ("machine", "umachine")
+"""Modules of MicroPython of which no class is one that can be read without arguments."""
+_USE = Use((), (), {"read": ()}, {})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,7 +94,13 @@ def resolve_user(spec: UserSpec, polling: Polling, around: Around) -> User | Non
         owner = taken_by(module)
         if owner not in (None, "MicroPython"):  # which has drivers, too
             around.bad("class", f"{owner} has a module {module} already", f"rename yours: class: my_{spec.class_name}")
-        check_class(name, around.whole.user_modules.get(module), spec.at("class"), around)
+        if module in _HARDWARE:
+            message = f"{spec.class_name} is hardware, which is not made without arguments, or has no read()"
+            around.bad("class", message, "write a class of your own, whose __init__ makes it and whose read() asks it")
+        own = around.whole.drivers.get(module)  # its module goes to the board, beside the firmware
+        source = around.whole.user_modules.get(module) or (own.module if own else None)
+        check_class(name, source, spec.at("class"), around)
+        check_use(name, source, spec.at("class"), _USE, around)
     if spec.outputs:
         for key in _KEYS:
             if getattr(spec, key) is not None:

@@ -57,7 +57,7 @@ def _class(wire: WireMessage, class_name: str, version: int) -> str:
 def field_word(field: WireField) -> str:
     """A field as message_fields.py has it: ``voltages:10H=65535`` (templates/codec/fields.py reads it)."""
     code = "s" if field.type.kind is Kind.CHAR else field.type.code
-    unknown = "" if field.sentinel is None else f"={_sentinel_text(field.sentinel)}"
+    unknown = "" if field.sentinel is None else f"={_sentinel_text(field, field.sentinel)}"
     return f"{field.name}:{field.count if field.is_array else ''}{code}{unknown}"
 
 
@@ -77,20 +77,24 @@ def unknown_text(field: WireField) -> str:
     sentinel = field.sentinel
     if sentinel is None:
         return ""
-    shown = _sentinel_text(sentinel)
+    shown = _sentinel_text(field, sentinel)
     if field.type.kind is Kind.CHAR:
         return "empty text" if not any(sentinel.values) else f"characters {shown}"
     if sentinel.form is SentinelForm.FIRST:
         return f"{shown[:-1]} in element 0"
     if sentinel.form is SentinelForm.POSITIONS:
         return f"{shown} by element"
+    if shown.endswith("*"):
+        return f"{shown[:-1]} in all elements"
     return f"{shown} in an element" if field.is_array else shown
 
 
-def _sentinel_text(sentinel: Sentinel) -> str:
+def _sentinel_text(field: WireField, sentinel: Sentinel) -> str:
     if sentinel.form is SentinelForm.POSITIONS:
         return ",".join("" if value is None else _number(value) for value in sentinel.values)
     shown = _number(sentinel.values[0] or 0)
+    if sentinel.form is SentinelForm.VALUE and field.is_array and field.type.kind is not Kind.CHAR:
+        return f"{shown}*"
     return f"{shown}:" if sentinel.form is SentinelForm.FIRST else shown
 
 

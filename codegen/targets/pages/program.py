@@ -16,6 +16,8 @@ from codegen.loop.words import (
     source_words,
     us_words,
 )
+from codegen.memory import words as memory_words
+from codegen.memory.estimate import memory_estimate
 from codegen.model.quantities.source_kind import hertz
 from codegen.model.reception import Reception
 from codegen.model.system import System
@@ -50,7 +52,7 @@ class ProgramPage:
 def program_page(system: System, origin: Origin) -> ProgramPage:
     """The view of the page."""
     received = (_received(table, system) for table in system.receptions)
-    tables = (*received, *_done(system), *_sensors(system), *_loop(system))
+    tables = (*received, *_done(system), *_sensors(system), *_loop(system), *_memory(system))
     return ProgramPage(
         project=system.spec.project.project,
         origin=origin,
@@ -177,6 +179,20 @@ def _loop(system: System) -> Iterator[TableView]:
         doc=f"That of {budget.longest.words}, with all messages due. {source_words(budget)}",
         columns=("Part", "Takes", "Share"),
         rows=tuple((name, us_words(took), share) for name, took, share in shares(budget.longest, budget)),
+    )
+
+
+def _memory(system: System) -> Iterator[TableView]:
+    estimate = memory_estimate(system)
+    if estimate is None:
+        return
+    whole, source = memory_words.whole_words(estimate, system.board_name), memory_words.source_words(estimate)
+    yield TableView(
+        id="heap",
+        title="Heap",
+        doc=" ".join([whole, *memory_words.NOT_COUNTED, source]),
+        columns=("Part", "Heap"),
+        rows=tuple(memory_words.rows(estimate)),
     )
 
 

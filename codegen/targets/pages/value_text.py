@@ -26,6 +26,8 @@ def is_unknown(field: WireField, index: int, value: Wire) -> bool:
     values = elements_of(value)
     if isinstance(values[0], str):
         return not values[0]
+    if sentinel.form is SentinelForm.VALUE:
+        return all(map(_same, values, sentinel.values))
     if sentinel.form is SentinelForm.FIRST:
         index = 0
     return _same(values[index], sentinel.values[index])

@@ -113,9 +113,10 @@ class ProgramSuiteView:
 
 @dataclass(frozen=True, slots=True)
 class ModeFacts:
-    """A mode, and the attributes of the vehicle that are true in it."""
+    """A mode, what it is called, and the attributes of the vehicle that are true in it."""
 
     number: int
+    name: str
     base: tuple[str, ...]
 
 
@@ -209,7 +210,8 @@ def _command_view(program: Program) -> CommandSuiteView:
     return CommandSuiteView(
         commands=command_facts(program),
         modes=tuple(
-            ModeFacts(mode.number, tuple(quantity.attribute for quantity in mode.base)) for mode in program.modes
+            ModeFacts(mode.number, mode.name, tuple(quantity.attribute for quantity in mode.base))
+            for mode in program.modes
         ),
         mode_flags=tuple(dict.fromkeys(base)),
     )

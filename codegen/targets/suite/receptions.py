@@ -68,7 +68,7 @@ def _field(taken: ReceivedField) -> dict[str, object]:
         "sentinel": taken.sentinel,
         "unchanged": list(taken.unchanged),
         "unknown": list(taken.absent),
-        "speaking": taken.speaking,
+        "speaking": list(taken.speaking),
         "provisos": [
             {
                 "field": each.field.name,

@@ -9,6 +9,7 @@ from codegen.frozen import dataclass
 from codegen.model.answers.scaling import rounded
 from codegen.model.code.storage import Storage
 from codegen.model.quantities.source_kind import Source
+from codegen.model.sensor_turns import Turns, turns_of
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.source import SourceSpec
 from codegen.model.system import System
@@ -52,10 +53,15 @@ class SourceFacts:
     ``given`` has, for each number that read() of the user's code gives, the fewest and the most steps, and how many of
     them make one of its units, as numerator and denominator.
 
+    ``opened`` is the expression that makes its driver, as Python writes it in a text, and ``period_us`` how often it is
+    asked.
+
     ``mask`` is the place of the bits of what is new, which are ``new`` where all is, or None.
     """
 
     name: str
+    opened: str
+    period_us: int
     listens: bool
     values: int
     mask: int | None
@@ -68,6 +74,14 @@ class SourceFacts:
     criteria: dict[str, str]
 
 
+@dataclass(frozen=True, slots=True)
+class SourceSuiteView:
+    """The module of facts: the sensors, and the turns that they have."""
+
+    turns: Turns
+    sources: tuple[SourceFacts, ...]
+
+
 def render_source_suite(system: System) -> dict[str, str]:
     """The files below ``tests/`` that are about sensors; none without one."""
     if not system.polled:
@@ -77,7 +91,11 @@ def render_source_suite(system: System) -> dict[str, str]:
     files |= brought
     if any(path.endswith("_driver.py") for path in brought):
         files |= {path.replace(_DRIVERS, "tests"): text for path, text in copied_files(_DRIVERS).items()}
-    view = tuple(_facts(source, system) for source in system.polled)
+    program = system.program
+    view = SourceSuiteView(
+        turns_of(system, program.control_us if program else 1000),
+        tuple(_facts(source, system) for source in system.polled),
+    )
     paths = [specification_file(system, f"{name}.yaml") for name in ("board", "state")]
     text = rendered(f"{_FOLDER}/source_facts.py.j2", view)
     files["tests/source_facts.py"] = headed(text, origin_of(system, paths))
@@ -105,6 +123,8 @@ def _facts(source: Source, system: System) -> SourceFacts:
     cited = {aspect: polling.cited(aspect) for aspect in SourceSpec.ASPECTS}
     return SourceFacts(
         name=source.name,
+        opened=f"'{source.opened}'" if '"' in source.opened else f'"{source.opened}"',
+        period_us=polling.period_us,
         listens=source.silence_ms is not None,
         values=values + source.tells_new,
         mask=values if source.tells_new else None,

@@ -18,6 +18,15 @@ CONTROL_US = 50000
 LINKS_US = 50000
 CHECKS_US = 100000
 ARMING_US = 100000  # between two looks at what speaks against arming
+# Each job of the main loop in its order: how often it is due, in microseconds, and its name; and how many in a pass.
+JOBS = (
+    (100000, "measure"),
+    (100000, "battery"),
+    (50000, "links"),
+    (10000000, "report"),
+    (1000000, "reminder"),
+)
+JOBS_OF_A_PASS = 6
 SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000

@@ -263,6 +263,7 @@ def progress_is_told():
             acks, _ = scene.asked()
             run(scene.craft, 3 * SECOND_US + SECOND_US // 2)
             acks += scene.station.received(messages.CommandAck)
+            assert {(ack.raw("target_system"), ack.raw("target_component")) for ack in acks} == {(255, 190)}, acks
             told = [(ack.result, ack.raw("progress")) for ack in acks]
             assert told == [(IN_PROGRESS, 0)] + [(IN_PROGRESS, 30)] * 3, (facts["name"], told)
             scene.progress.says = end
@@ -319,13 +320,17 @@ def modes_are_entered():
     station = craft.ground_station()
     vehicle = craft.state.vehicle
     for by_command in (True, False):
-        for number, flags in MODES:
+        for number, name, flags in MODES:
+            before = vehicle.mode_number
             _ask_for_mode(craft, station, by_command, custom, number)
             assert vehicle.mode_number == number, (by_command, number, vehicle.mode_number)
-            for name in MODE_FLAGS:
-                assert bool(getattr(vehicle, name)) == (name in flags), (number, name)
+            for flag in MODE_FLAGS:
+                assert bool(getattr(vehicle, flag)) == (flag in flags), (number, flag)
+            if number != before:
+                _, text = craft.texts.get(craft.texts.last)
+                assert text == "Mode " + name, (text, name)
         before = vehicle.mode_number
-        unknown = max([number for number, _ in MODES]) + 1
+        unknown = max([number for number, _, _ in MODES]) + 1
         for flags, number in ((custom, unknown), (custom ^ 0xFF, MODES[0][0])):
             _ask_for_mode(craft, station, by_command, flags, number, DENIED)
             assert vehicle.mode_number == before, (by_command, number)

@@ -11,7 +11,19 @@ from program_bench import (
     ready_craft,
     run,
 )
-from program_facts import ARMING_US, CHECKS_US, CONTROL_US, FAILSAFES, FORCE_ARM, FORGETS, LINKS_US, MEASURED, REPORT_MS
+from program_facts import (
+    ARMING_US,
+    CHECKS_US,
+    CONTROL_US,
+    FAILSAFES,
+    FORCE_ARM,
+    FORGETS,
+    JOBS,
+    JOBS_OF_A_PASS,
+    LINKS_US,
+    MEASURED,
+    REPORT_MS,
+)
 
 from scheduler import Scheduler
 
@@ -32,6 +44,26 @@ def control_keeps_its_grid():
         slots = -(-2 * SECOND_US // CONTROL_US)
         assert times == [start_us + slot * CONTROL_US for slot in range(slots)], (start_us, len(times), slots)
         assert craft.scheduler.overruns == 0
+
+
+def jobs_are_due_as_stated():
+    """What the main loop does beside control() is due as often as the specification says, in its order."""
+    craft = new_craft()
+    jobs = craft.scheduler._jobs
+    assert [(job.period_us, job.name) for job in jobs] == list(JOBS)
+    assert craft.scheduler._most == JOBS_OF_A_PASS
+    counts = [0] * len(jobs)
+    for place, job in enumerate(list(jobs)):
+
+        def counted(place=place, call=job.call):
+            counts[place] += 1
+            return call()
+
+        job.call = counted
+    run(craft, SECOND_US)
+    for count, (period_us, name) in zip(counts, JOBS):  # noqa: B905  MicroPython cannot
+        if name != "links":  # which go on where something is left
+            assert abs(count - SECOND_US / period_us) <= 1, (name, count)
 
 
 def jitter_is_no_drift():
@@ -299,6 +331,7 @@ def what_is_old_is_forgotten_unasked():
 
 CHECKS = (
     (control_keeps_its_grid, "control.grid"),
+    (jobs_are_due_as_stated, "control.grid"),
     (jitter_is_no_drift, "control.grid"),
     (order_within_a_pass, "control.order", "component.order"),
     (missed_slots, "control.missed"),

@@ -32,9 +32,10 @@ class Bench:
 
     def _update(self, board):
         self._read(board)
-        self._set()
+        self.set_values()
 
-    def _set(self):
+    def set_values(self):
+        """Give what is watched the values of the check."""
         for attribute, value in self.values.items():
             setattr(self.component, attribute, value)
 
@@ -45,7 +46,7 @@ class Bench:
         for number in range(count):
             before = self.failsafe.level
             if not self.facts["period_us"]:
-                self._set()
+                self.set_values()
             self.craft.run_pass()
             if self.failsafe.level != before:
                 found.append((number, self.failsafe.level))
@@ -64,12 +65,13 @@ class Bench:
 
     def due(self, condition):
         """Return the same with its time as it is, None for one that is switched off."""
-        after_ms = condition[AFTER_MS]
-        if condition[AFTER]:
-            after_ms *= getattr(self.craft.parameters, condition[AFTER])
-            if not after_ms:
-                return None
-        return -(-after_ms * 1000 // self.period_us)
+        after_ms = self.after_ms(condition)
+        return None if condition[AFTER] and not after_ms else -(-after_ms * 1000 // self.period_us)
+
+    def after_ms(self, condition):
+        """Return for how long a condition has to hold; of one whose parameter is 0, which is switched off, 0."""
+        steps = getattr(self.craft.parameters, condition[AFTER]) if condition[AFTER] else 1
+        return condition[AFTER_MS] * steps
 
     def limit(self, condition):
         """Return what a condition compares with, in stored steps; a parameter is set so that it holds alone."""

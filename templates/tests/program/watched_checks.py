@@ -1,6 +1,6 @@
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
-from program_bench import GroundStation, main, needs, needs_arming, new_craft
+from program_bench import GroundStation, main, mock_time, needs, needs_arming, new_craft
 from program_facts import ACTIONS, PARAMETERS, PRIORITY, TELLS_STATUS, WATCHED
 from watched_bench import (
     AFTER,
@@ -48,7 +48,24 @@ def a_condition_holds_beyond_its_threshold_for_its_time():
         assert _first(condition[LEVEL], bench.run(passes=1)) == 0, (condition, bench.failsafe.level)
         if facts["level"]:
             assert getattr(bench.component, facts["level"]) == bench.failsafe.level
+        bench, _, beyond = bench_of(facts, condition)
+        bench.delay(condition)
+        _holds_to_the_millisecond(bench, condition, beyond)
     needs(seen, ALONE)
+
+
+def _holds_to_the_millisecond(bench, condition, value):
+    """Hold the time of a condition to what it is: the level comes with the look at its end, not with one before."""
+    after_ms = bench.after_ms(condition)
+    bench.values[condition[ATTRIBUTE]] = value
+    bench.set_values()
+    now_ms = mock_time.ticks_ms()
+    if after_ms:
+        for passed_ms in (0, after_ms - 1):
+            bench.failsafe.update(now_ms + passed_ms)
+            assert bench.failsafe.level < condition[LEVEL], (condition, passed_ms)
+    bench.failsafe.update(now_ms + after_ms)
+    assert bench.failsafe.level >= condition[LEVEL], (condition, after_ms)
 
 
 def one_good_reading_begins_the_time_anew():

@@ -99,11 +99,11 @@ def _text(field, value):
 
 def _number(field, value, kind):
     """Return the value kept of a number on the wire, None for unknown, Ellipsis: it is not taken, or AS_IT_WAS."""
-    speaking = value if field["element"] is None else value[field["speaking"]]
+    speaking = [value] if field["element"] is None else [value[each] for each in field["speaking"]]
     value = value if field["element"] is None else value[field["element"]]
     if kind in FLOATS:
-        speaking, value = (
-            struct.unpack(FLOATS[kind], struct.pack(FLOATS[kind], each))[0] for each in (speaking, value)
+        value, *speaking = (
+            struct.unpack(FLOATS[kind], struct.pack(FLOATS[kind], each))[0] for each in (value, *speaking)
         )
         if not math.isfinite(value):
             return AS_IT_WAS if "nan" in field["unchanged"] else None
@@ -111,7 +111,7 @@ def _number(field, value, kind):
         return AS_IT_WAS
     if value in field["unknown"]:
         return None
-    if speaking == field["sentinel"]:
+    if all(each == field["sentinel"] for each in speaking):
         return None
     if not field["low"] <= value <= field["high"]:
         return Ellipsis

@@ -12,10 +12,12 @@ mock_time.install()
 from array import array  # noqa: E402  the clock has to be in place before the firmware looks at it
 
 from polling import UNKNOWN, Fault  # noqa: E402
-from source_facts import SOURCES  # noqa: E402
+from source_facts import EVERY_US, MOST, SOURCES  # noqa: E402
 from sources import Sources  # noqa: E402
 from state import SystemState  # noqa: E402
 from telling import tell  # noqa: E402
+
+import sources  # noqa: E402
 
 try:
     from micropython import mem_total  # bytes that were ever allocated
@@ -101,6 +103,73 @@ class Bench:
         mock_time.advance_us(ms * 1000)
         if self.calls[0]():
             self.poller.turn()
+
+
+class Written:
+    """A name of Python as a text; a call of it is the text of that call, with what functions without arguments return."""
+
+    def __init__(self, text):
+        self.text = text
+
+    def __getattr__(self, name):
+        return Written(self.text + "." + name)
+
+    def __call__(self, *given, **named):
+        parts = [_text(each) for each in given] + [name + "=" + _text(named[name]) for name in sorted(named)]
+        return Written(self.text + "(" + ", ".join(parts) + ")")
+
+
+def _text(value):
+    if callable(value) and not isinstance(value, Written):
+        value = value()
+    return value.text if isinstance(value, Written) else repr(value)
+
+
+def _made():
+    """Return the sensors with stand-ins for their drivers, which know the text of what made them as `made`."""
+
+    def maker(name):
+        def make(*given, **named):
+            driver = Driver(max([facts["values"] for facts in SOURCES]) + 1)
+            driver.made = Written(name)(*given, **named).text
+            return driver
+
+        return make
+
+    names = {facts["opened"].split("(")[0] for facts in SOURCES} | {"machine"}
+    before = [(name, getattr(sources, name, None)) for name in names]
+    for name in names:
+        setattr(sources, name, Written(name) if name == "machine" else maker(name))
+    try:
+        return Sources(SystemState(log=silent), silent)
+    finally:
+        for name, own in before:
+            setattr(sources, name, own)
+
+
+def opened_and_asked(facts):
+    """Its driver is made with what the specification says, and asked at its rate, beside all others."""
+    start_us = 5 * SECOND_US
+    mock_time.set_ticks_us(start_us)
+    made = _made()
+    driver = getattr(made, facts["name"]).driver
+    name = facts["opened"].split("(")[0]
+    assert driver.made == eval(facts["opened"], {"machine": Written("machine"), name: Written(name)}).text, driver.made
+    times = []
+    driver.poll = lambda _now_ms: times.append(mock_time.elapsed_us()) or True
+    period_us = facts["period_us"]
+    step_us = max(EVERY_US, period_us // 500)
+    looks = -(-step_us // EVERY_US) if MOST == 1 else 1
+    for _ in range(20 * period_us // step_us + 1):
+        for _ in range(min(looks, len(SOURCES))):
+            made.turn()
+        mock_time.advance_us(step_us)
+    waits_us = step_us * len(SOURCES)  # for others that are due, too
+    for turn, at_us in enumerate(times):
+        late_us = at_us - start_us - turn * period_us
+        assert 0 <= late_us <= period_us + waits_us, (turn, late_us)
+        assert abs(at_us - times[0] - turn * period_us) <= waits_us, (turn, at_us, times[0])
+    assert 20 <= len(times) <= 21, len(times)
 
 
 def silent(*_words):
@@ -344,6 +413,7 @@ def allocates_nothing(facts):
 
 
 CHECKS = (
+    ("rate", opened_and_asked),
     ("range", ends),
     ("range", what_code_gives),
     ("failure", failures),

@@ -8,10 +8,12 @@ host's own has, and network.
 `watchdog`: seconds after which the watchdog of an RP2350 that an earlier program started resets the board; it is
 stopped as there, or fed. `fed`: seconds of one that nothing stops.
 `roms`: how many partitions for a ROMFS it has.
+`heap`: how many bytes of heap it says that it has.
 `counts`: what ADC.read_u16() gives, one after the other, again and again; without it there is no ADC.
 `starts`: that a restart runs main.py. With power it waits, as if Ctrl-C had come; what runs cannot be interrupted.
 """
 
+import gc
 import json
 import os
 import select
@@ -132,6 +134,19 @@ class Machine:
     @staticmethod
     def reset():
         raise Reset
+
+
+class Heap:
+    """A module gc that says of a heap of so many bytes that a quarter is taken."""
+
+    def __getattr__(self, name):
+        return getattr(gc, name)
+
+    def mem_alloc(self):
+        return SETTINGS["heap"] // 4
+
+    def mem_free(self):
+        return SETTINGS["heap"] - SETTINGS["heap"] // 4
 
 
 class Vfs:
@@ -314,6 +329,8 @@ for number, mount in enumerate(mounts):
     vfs.mount(mount, f"/host{number}")
     sys.path.append(f"/host{number}")
 sys.modules["machine"] = Machine()
+if "heap" in SETTINGS:
+    sys.modules["gc"] = Heap()
 if "roms" in SETTINGS:
     sys.modules["vfs"] = Vfs()
 if SETTINGS.get("told"):

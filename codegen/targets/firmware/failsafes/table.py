@@ -50,8 +50,8 @@ def condition_rows(failsafe: Failsafe, layout: Layout, instance: int) -> list[Ro
             row["AFTER"], row["MS"] = _setting(condition.after, instance)
             row["ACTION"] = _does(level, instance)
         if level is not None and condition.limit is not None:
-            is_doubted = failsafe.believed_above is not None and quantity is failsafe.quantity
-            row["FLOOR"] = str(failsafe.believed_above) if is_doubted else "_UNKNOWN"
+            floor = failsafe.floor(condition)
+            row["FLOOR"] = "_UNKNOWN" if floor is None else str(floor)
         rows.append(row)
     return rows
 

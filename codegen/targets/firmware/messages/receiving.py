@@ -255,20 +255,19 @@ class _Statements:
             if ways:
                 yield _any(ways) if self._is_long else " or ".join(ways), remark, inner
         sentinel = taken.sentinel
-        if sentinel is None or not math.isfinite(sentinel) or (sentinel in taken.absent and self._is_own):
+        if sentinel is None or not math.isfinite(sentinel) or (sentinel in taken.absent and taken.speaks_for_itself):
             return
-        offset = taken.field.offset + taken.speaking * taken.field.type.size
-        if self._is_own:
+        if taken.speaks_for_itself:
             yield self._equal(sentinel, halves), "unknown", forget
-        elif self._is_long:
-            yield equal(self._halves(offset), Fraction(sentinel), self._wire_storage), "unknown", forget
         else:
-            yield f"{number_of(taken.field, offset, self._code)} == {sentinel}", "unknown", forget
+            said = (self._said(taken.field.offset + each * taken.field.type.size, sentinel) for each in taken.speaking)
+            yield " and ".join(said), "unknown", forget
 
-    @property
-    def _is_own(self) -> bool:
-        """Return whether its own number says that it is unknown."""
-        return self._taken.speaking == self._taken.element
+    def _said(self, offset: int, number: float) -> str:
+        """The condition that an element of the array, at ``offset``, is a number."""
+        if self._is_long:
+            return equal(self._halves(offset), Fraction(number), self._wire_storage)
+        return f"{number_of(self._taken.field, offset, self._code)} == {number}"
 
     def _equal(self, number: float, halves: list[str]) -> str:
         """The condition that its own number is one that sets no value."""

@@ -79,8 +79,9 @@ class _Cases:
                 self._message({taken.label: value}, taken=taken),
             )
         for name, value in _unknown_values(taken).items():
-            values = {f"{taken.field.name}[{taken.speaking}]" if taken.field.is_array else taken.label: value}
-            values = {taken.label: value} if taken.is_text else values
+            speaking = taken.speaking if name == "sentinel" else (taken.element,)
+            values = {f"{taken.field.name}[{each}]": value for each in speaking} if taken.field.is_array else {}
+            values = {taken.label: value} if taken.is_text or not values else values
             yield self._case(
                 f"{taken.label}-{name}", by_sentinel, self._message(taken=taken), self._message(values, taken=taken)
             )

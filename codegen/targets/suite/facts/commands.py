@@ -177,6 +177,8 @@ def _beyond(param: CommandParam) -> Iterator[str]:
             beside = _beside(end, up=up)
             if Fraction(beside) not in param.left:
                 yield repr(beside)
+            if param.is_whole and not param.is_rounded and param.enum is None:
+                yield from _whole_beside(param, end, up=up)
     if param.default is None and not param.is_none_for_nan:
         yield _NAN
     yield _INFINITE
@@ -188,6 +190,15 @@ def _beyond(param: CommandParam) -> Iterator[str]:
         fraction = _fraction(param)
         if fraction is not None:
             yield repr(float(fraction))
+
+
+def _whole_beside(param: CommandParam, end: Fraction, *, up: bool) -> Iterator[str]:
+    """The next value beyond an end of which the argument is whole, where a float of 32 bits is it."""
+    ratio = param.scale.ratio or Fraction(1)
+    argument = math.floor(end * ratio) + 1 if up else math.ceil(end * ratio) - 1
+    beside = Fraction(argument) / ratio
+    if _single(beside) == beside and beside not in param.left:
+        yield repr(float(beside))
 
 
 def _fraction(param: CommandParam) -> Fraction | None:
