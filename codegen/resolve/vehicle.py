@@ -46,6 +46,8 @@ _Fault = tuple[str, str, str]
 """The key of a parameter that is wrong, what is wrong with it, and a hint."""
 _NAMES = "use at most 16 of A-Z, 0-9 and _"
 _REAL = "leave type out: REAL32 carries it; or narrow min and max, with whole steps"
+_LONGEST_LIMIT_US = 1_000_000
+"""The main loop stands still meanwhile, and a watchdog resets the board."""
 _LEAST_FACTOR = Fraction(1, 10**9)
 """From one unit to another in which a vehicle counts: nA and A."""
 _VALUE = "write a multiple of step from min to max"
@@ -72,9 +74,7 @@ def resolve_channels(
         if spec.reference is not None:
             reference = read_amount(spec.reference, unit_named("V"), spec.at("reference"), report)
         bits = converter.bits if spec.bits is None else spec.bits
-        limit = None
-        if spec.read_limit is not None:
-            limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
+        limit = _read_limit(spec, report)
         pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
         gpio = _gpio(name, spec, pin, model, converter.pins & model.free, report)
         when = _when(name, spec, written, parameters, report)
@@ -113,6 +113,17 @@ def resolve_channels(
             aspects=cite_aspects(spec, index, report),
         )
     return channels
+
+
+def _read_limit(spec: AdcSpec, report: Report) -> int | None:
+    """Return the longest time of one mean in microseconds; None without one, or after a finding."""
+    if spec.read_limit is None:
+        return None
+    limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
+    if limit is not None and limit > _LONGEST_LIMIT_US:
+        message = f"no mean takes {spec.read_limit}, so that nothing would be told of one that takes too long"
+        report.add(BAD_ADC, spec.at("read_limit"), message, "2 ms, up to 1 s")
+    return limit
 
 
 def _when(
