@@ -13,9 +13,14 @@ def check_at_once(parameter: Parameter, reader: str, rule: Rule, place: Place, r
         report.add(rule, place, message, f"take reboot: true out at {parameter.name}", related)
 
 
-def check_at_start(parameter: Parameter, rule: Rule, place: Place, report: Report) -> None:
-    """Report a parameter that is read when the board starts, and does not say so: whoever sets it is told."""
-    if not parameter.spec.reboot:
-        message = f"{parameter.name} is looked at when the board starts"
-        related = [(parameter.spec.place, f"{parameter.name} is declared here")]
-        report.add(rule, place, message, f"{parameter.name}: reboot: true", related)
+def unsaid_start(parameter: Parameter) -> str:
+    """Return what is wrong with a parameter that is read when the board starts and lacks ``reboot: true``.
+
+    Whoever sets it is told that it counts, and nothing happens.
+    """
+    return f"{parameter.name} is looked at when the board starts"
+
+
+def said_start(parameter: Parameter) -> str:
+    """Return what says so."""
+    return f"{parameter.name}: reboot: true"

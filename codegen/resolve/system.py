@@ -17,7 +17,7 @@ from codegen.resolve.board.sources import resolve_sources
 from codegen.resolve.citation import index_requirements
 from codegen.resolve.commands.commands import NO_PROGRAM_FOR_COMMANDS
 from codegen.resolve.families import ParameterFamilies
-from codegen.resolve.in_force import check_at_start
+from codegen.resolve.in_force import said_start, unsaid_start
 from codegen.resolve.instances import resolve_instances
 from codegen.resolve.population.generations import resolve_generations
 from codegen.resolve.population.population import Parts, resolve_message
@@ -201,8 +201,8 @@ def _check_id(parameter: Parameter, place: Place, kind: str, report: Report) -> 
         related = [(parameter.spec.at("unit"), f"{parameter.name} is declared here")]
         message = f"{parameter.name} is in {parameter.unit.name}, and a {kind} id is a number without a unit"
         report.add(BAD_PROJECT, place, message, f"take unit: {parameter.unit.name} out at {parameter.name}", related)
-    else:
-        check_at_start(parameter, BAD_PROJECT, place, report)
+    elif not parameter.spec.reboot:
+        report.add(BAD_PROJECT, place, unsaid_start(parameter), said_start(parameter))
 
 
 def _component_parameter(

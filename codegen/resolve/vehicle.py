@@ -15,7 +15,7 @@ from codegen.pattern import pattern
 from codegen.resolve.carried_parameter import check_carried
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
-from codegen.resolve.in_force import check_at_start
+from codegen.resolve.in_force import said_start, unsaid_start
 from codegen.source import Place
 
 BAD_ADC = Rule(
@@ -46,6 +46,8 @@ _Fault = tuple[str, str, str]
 """The key of a parameter that is wrong, what is wrong with it, and a hint."""
 _NAMES = "use at most 16 of A-Z, 0-9 and _"
 _REAL = "leave type out: REAL32 carries it; or narrow min and max, with whole steps"
+_LONGEST_LIMIT_US = 1_000_000
+"""The main loop stands still meanwhile, and a watchdog resets the board."""
 _LEAST_FACTOR = Fraction(1, 10**9)
 """From one unit to another in which a vehicle counts: nA and A."""
 _VALUE = "write a multiple of step from min to max"
@@ -72,9 +74,7 @@ def resolve_channels(
         if spec.reference is not None:
             reference = read_amount(spec.reference, unit_named("V"), spec.at("reference"), report)
         bits = converter.bits if spec.bits is None else spec.bits
-        limit = None
-        if spec.read_limit is not None:
-            limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
+        limit = _read_limit(spec, report)
         pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
         gpio = _gpio(name, spec, pin, model, converter.pins & model.free, report)
         when = _when(name, spec, written, parameters, report)
@@ -115,6 +115,17 @@ def resolve_channels(
     return channels
 
 
+def _read_limit(spec: AdcSpec, report: Report) -> int | None:
+    """Return the longest time of one mean in microseconds; None without one, or after a finding."""
+    if spec.read_limit is None:
+        return None
+    limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
+    if limit is not None and limit > _LONGEST_LIMIT_US:
+        message = f"no mean takes {spec.read_limit}, so that nothing would be told of one that takes too long"
+        report.add(BAD_ADC, spec.at("read_limit"), message, "2 ms, up to 1 s")
+    return limit
+
+
 def _when(
     name: str, spec: AdcSpec, written: ParametersSpec, parameters: Mapping[str, Parameter], report: Report
 ) -> tuple[Parameter, int] | None:
@@ -138,8 +149,8 @@ def _when(
         related = [(parameter.spec.place, f"{switch} is declared here")]
         message = f"{switch} is never {decimal(value)}, so {name} is never read"
         report.add(BAD_ADC, spec.at("when"), message, f"write a value that {switch} can have", related)
-    else:
-        check_at_start(parameter, BAD_ADC, spec.at("when"), report)
+    elif not parameter.spec.reboot:
+        report.add(BAD_ADC, spec.at("when"), unsaid_start(parameter), said_start(parameter))
     return parameter, int(steps)
 
 
@@ -164,11 +175,7 @@ def _gpio(
     if pin is None:
         return None
     accepted = pin.choices or range(pin.minimum, pin.maximum + 1)
-    if pin.step != 1 or pin.unit is not NUMBER or not inputs.issuperset(accepted):
-        if pin.unit is not NUMBER:
-            message = f"{pin.name} is in {pin.unit.name}, and a pin is a number without a unit"
-            report.add(BAD_ADC, spec.at("pin"), message, f"take unit: {pin.unit.name} out at {pin.name}")
-            return pin.default
+    if pin.step != 1 or not inputs.issuperset(accepted):
         message = f"{pin.name} takes other numbers than those of inputs of the {model.name}, {shown_pins(inputs)}"
         related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
         report.add(
@@ -179,7 +186,11 @@ def _gpio(
             hint=f"narrow min and max of {pin.name}, or give it values, one for each pin",
         )
         return None
-    check_at_start(pin, BAD_ADC, spec.at("pin"), report)
+    if pin.unit is not NUMBER:
+        message = f"{pin.name} is in {pin.unit.name}, and a pin is a number without a unit"
+        report.add(BAD_ADC, spec.at("pin"), message, f"take unit: {pin.unit.name} out at {pin.name}")
+    elif not pin.spec.reboot:
+        report.add(BAD_ADC, spec.at("pin"), unsaid_start(pin), said_start(pin))
     return pin.default
 
 

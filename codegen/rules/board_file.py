@@ -16,6 +16,7 @@ RULE = Rule(
     "module, such as main.py or boot.py, takes its place, and the board starts no more; two that share a name destroy "
     "each other, also where they differ in capital letters only, which FAT does not tell apart. Nobody makes folders, "
     "and a name has letters, digits, _, . and - alone, at most 64, and no . at its end.",
+    remedy="name it like parameters.0, signing.key or wifi.json",
 )
 MOST_LETTERS = 64
 """File systems take 255; something is added to the name of a key, and what lists files has a narrow column."""

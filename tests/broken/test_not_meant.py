@@ -111,6 +111,13 @@ CASES = {
         (BOARD, "pin: LEFT_PIN", "pin: §LEFT_PIN"),
         at="tests/projects/two_batteries",
     ),
+    "no_such_reading": case(
+        "bad-adc",
+        "no mean takes 1000 s, so that nothing would be told of one that takes too long",
+        "2 ms, up to 1 s",
+        (BOARD, "limit: 2 ms", "limit: §1000 s"),
+        at="tests/projects/power_monitor",
+    ),
     # values of parameters
     "two_meanings": case(
         "bad-parameter",

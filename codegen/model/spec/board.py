@@ -28,7 +28,9 @@ class AdcSpec(Written):
         "Voltage of full scale, such as 3.3 V. Default: that of the board.", default=None
     )
     samples: int = described("Readings whose mean is one reading of the channel.", default=1)
-    read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
+    read_limit: Amount | None = described(
+        "Longest time that one mean may take, such as 2 ms; 1 s at most.", default=None
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: reference, samples, read_limit, failure, absence, pin, rate, monitor, first, "

@@ -31,10 +31,17 @@ class SettingReader:
         self._report = report
 
     def parameter(self, name: str, place: Place, component: Component | None) -> Parameter | None:
-        """A parameter, one for all or one of a family of the component; None after a finding."""
-        found = find_parameter(name, place, self._written, self._parameters, self._report)
+        """A parameter that counts at once, one for all or one of a family of the component; None after a finding."""
+        found = self._parameter(name, place, component)
         if found is not None:
-            check_at_once(found, "a failsafe", BAD_FAILSAFE, place, self._report)
+            self._follow(found, place)
+        return found
+
+    def _follow(self, parameter: Parameter, place: Place) -> None:
+        check_at_once(parameter, "a failsafe", BAD_FAILSAFE, place, self._report)
+
+    def _parameter(self, name: str, place: Place, component: Component | None) -> Parameter | None:
+        found = find_parameter(name, place, self._written, self._parameters, self._report)
         if found is not None and (component is None or found.component != component.name):
             return found if is_single(found, place, self._report) else None
         return found
@@ -44,7 +51,7 @@ class SettingReader:
         if not _is_parameter(text):
             count = self.amount(text, place, quantity)
             return None if count is None else Setting(None, count, quantity.stored)
-        parameter = self.parameter(text, place, component)
+        parameter = self._parameter(text, place, component)
         if parameter is None:
             return None
         steps = ratio(parameter.unit, quantity.stored)
@@ -58,6 +65,7 @@ class SettingReader:
             message = f"{parameter.name} goes to more {quantity.stored.name} than can be compared"
             self._report.add(BAD_FAILSAFE, place, message, "narrow its range")
             return None
+        self._follow(parameter, place)
         return Setting(parameter, int(steps), quantity.stored)
 
     def difference(self, text: str, place: Place, quantity: Quantity) -> int | None:
@@ -106,7 +114,7 @@ class SettingReader:
                 )
                 return None
             return Setting(None, int(time), unit)
-        parameter = self.parameter(text, place, component)
+        parameter = self._parameter(text, place, component)
         if parameter is None:
             return None
         steps = ratio(parameter.unit, unit)
@@ -116,6 +124,7 @@ class SettingReader:
             hint = f"declare {parameter.name} with unit: s, step: 1, min: 0 and max: 14400 at most"
             self._report.add(BAD_FAILSAFE, place, message, hint)
             return None
+        self._follow(parameter, place)
         return Setting(parameter, int(steps), unit)
 
 

@@ -15,7 +15,7 @@ from codegen.model.spec.state import ComponentSpec, StateSpec
 from codegen.model.units.unit import NUMBER
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity, Returns
 from codegen.resolve.citation import cite_aspects, cite_optional
-from codegen.resolve.in_force import check_at_start
+from codegen.resolve.in_force import said_start, unsaid_start
 from codegen.resolve.quantities.carriers import find_carriers
 from codegen.resolve.quantities.quantity import is_name, resolve_quantity
 from codegen.resolve.vehicle import find_parameter
@@ -118,8 +118,8 @@ def _first_number(
             f"{parameter.name} is not a whole number from 0 to 255",
             hint=f"give {parameter.name} min: 0, max: 255, step: 1 and no unit, or name another parameter",
         )
-    elif parameter is not None:
-        check_at_start(parameter, BAD_COMPONENT, place, report)
+    elif parameter is not None and not parameter.spec.reboot:
+        report.add(BAD_COMPONENT, place, unsaid_start(parameter), said_start(parameter))
     return parameter
 
 
