@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.failsafe import Condition, Failsafe, Sense
+from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
 from codegen.model.quantities.attainable import attainable
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
@@ -29,7 +30,8 @@ BY_DEFAULT = Rule(
 KNOWN_FOR_EVER = Rule(
     "known-for-ever",
     "A failsafe waits until a received quantity is unknown, and nothing makes it so again after the first message: no "
-    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten.",
+    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten. Nor is one "
+    "ever unknown that the program itself keeps from the start on, such as vehicle.load.",
     Severity.WARNING,
 )
 
@@ -57,7 +59,12 @@ def _of_condition(
     if quantity is None:
         return
     if limit is None:
-        if condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
+        if condition.sense is Sense.UNKNOWN and _is_kept(quantity, system):
+            message = f"{quantity.path} is never unknown: the program keeps it from the start on"
+            yield Diagnostic(
+                _place(condition), KNOWN_FOR_EVER, message, f"leave {failsafe.name} out", _declared(quantity)
+            )
+        elif condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
             message = f"{quantity.path} is never unknown again once a message has set it"
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
             yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
@@ -108,6 +115,20 @@ def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
         return False
     fields = [taken for table in system.receptions for taken in table.fields if taken.quantity.path == quantity.path]
     return not any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
+
+
+def _is_kept(quantity: Quantity, system: System) -> bool:
+    """Return whether the program writes it: one of the component vehicle, or the level or the health of a failsafe."""
+    if quantity.trust.stale_after_ms is not None or quantity.initial is None:
+        return False
+    if quantity.component == "vehicle" and quantity.name in VEHICLE_QUANTITIES:
+        return is_set_by_program(system.components.get("vehicle"), quantity.name)
+    kept = [
+        each
+        for failsafe in (system.program.failsafes if system.program else ())
+        for each in (failsafe.level, failsafe.health)
+    ]
+    return any(each is quantity for each in kept)
 
 
 def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str, *, is_below: bool) -> Diagnostic:

@@ -257,6 +257,26 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     assert hint in found.hint
 
 
+@pytest.mark.parametrize(
+    ("opened", "wanted"),
+    [
+        ("machine.ADC(({gpio})", "opened is no expression of Python: '(' was never closed"),
+        ("foo.ADC({gpio})", "opened names foo, and knows the module machine alone"),
+        ("machine.ADC({gpio}, {bits})", "opened names bits, and knows the module machine alone"),
+        ("machine.ADC(int({gpio}), atten=machine.ADC.ATTN_11DB)", ""),
+    ],
+)
+def test_what_opens_an_input_is_python(opened, wanted, tmp_path):
+    """It stands in the firmware as it is: what is no Python, or names what is not there, stops it at the start."""
+    path = tmp_path / "own.yaml"
+    adc = f"adc: {{bits: 12, reference: 3.3 V, pins: '1', opened: '{opened}'}}"
+    path.write_text(OWN.replace("usb: false", f"usb: false\n{adc}"))
+    report = Report()
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, DISK, report), report)
+    assert [each.message for each in report] == ([wanted] if wanted else [])
+    assert all(each.hint for each in report)
+
+
 WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
 
 
@@ -272,6 +292,12 @@ WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
         ("restart: 2", "restart: 2\n  caused: machine.", "bad-board: caused is no expression of Python"),
         ("[pass]", "[]", "bad-board: a prompt would be reset as long as nothing holds the watchdog"),
         ("[pass]", '["while {period}"]', "bad-board: hold is no statement of Python"),
+        ("[pass]", '["machine.Timer({perod})"]', "bad-board: hold names perod, and knows the module machine alone"),
+        (
+            "restart: 2",
+            "restart: 2\n  caused: pyb.cause()",
+            "bad-board: caused names pyb, and knows the module machine",
+        ),
         ("  restart: 2\n", "", "missing-key"),
     ],
 )

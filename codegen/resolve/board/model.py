@@ -1,7 +1,9 @@
 """Resolves the kind of board of a project: its pins as sets of numbers."""
 
 import ast
+import builtins
 from fractions import Fraction
+from typing import Literal
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount, read_time
@@ -94,6 +96,7 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
     if "{gpio}" not in written.opened:
         hint = "opened: machine.ADC(machine.Pin({gpio}))"
         report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
+    _check_code("opened", "eval", written.opened, written.at("opened"), report)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
     return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
 
@@ -134,21 +137,31 @@ def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
         else:
             place = spec.at(f"causes.{key}")
             report.add(BAD_BOARD, place, f"{key} is no number of machine.reset_cause()", "causes: {1: power on}")
-    _check_code(spec, report)
+    _check_code("caused", "eval", spec.caused, spec.at("caused"), report)
+    _check_code("hold", "exec", "\n".join(spec.hold), spec.at("hold"), report)
     if not spec.hold:
         hint = "hold: [what stops it, or has a timer feed it]"
         report.add(BAD_BOARD, spec.at("hold"), "a prompt would be reset as long as nothing holds the watchdog", hint)
     return BoardWatchdog(shortest or 1, longest, causes, spec)
 
 
-def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
-    for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
-        for code in codes:
-            try:
-                ast.parse(code.replace("{period}", "1"), mode=mode)
-            except SyntaxError as fault:
-                message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
-                report.add(BAD_BOARD, spec.at(key), message, code)
+def _check_code(key: str, mode: Literal["eval", "exec"], code: str, place: Place, report: Report) -> None:
+    """Report what is no Python with numbers in place of {gpio} and {period}, or names what is not there."""
+    numbered = code.replace("{gpio}", "1") if key == "opened" else code.replace("{period}", "1")
+    kind = "expression" if mode == "eval" else "statement"
+    try:
+        tree = ast.parse(numbered, mode=mode)
+    except SyntaxError as fault:
+        report.add(BAD_BOARD, place, f"{key} is no {kind} of Python: {fault.msg}", code)
+        return
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    own = {"machine", *dir(builtins), *(node.id for node in names if isinstance(node.ctx, ast.Store))}
+    own |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
+    own |= {each.asname or each.name for node in ast.walk(tree) if isinstance(node, ast.Import) for each in node.names}
+    for name in dict.fromkeys(node.id for node in names if node.id not in own):
+        filled = "{gpio}" if key == "opened" else "{period}"
+        message = f"{key} names {name}, and knows the module machine alone"
+        report.add(BAD_BOARD, place, message, f"write {filled} for a number, and machine.{name} for what is in machine")
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:
