@@ -79,11 +79,13 @@ class FlagsAnswer(KindOfAnswer):
                 names.append(name.strip())
             else:
                 conditional.append((name.strip(), value, quantity))
-        for name, value, quantity in conditional:
-            if value and not value & ~mask:
-                message = f"{name} is always set, so that 'if {quantity.path}' decides nothing"
-                hint = f"write it once: {name} if {quantity.path}"
-                scope.report.add(VOID_CONDITION, place, message, hint)
+        void = [(name, quantity) for name, value, quantity in conditional if value and not value & ~mask]
+        for name, quantity in void:
+            message = f"{name} is always set, so that 'if {quantity.path}' decides nothing"
+            hint = f"write it once: {name} if {quantity.path}"
+            scope.report.add(VOID_CONDITION, place, message, hint)
+        if void:
+            return None  # it is not known which of both is meant
         return cls(covers, mask, tuple(names), tuple(conditional))
 
     @property

@@ -14,6 +14,7 @@ from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import BAD_AMOUNT, UNCARRIED_CONVERSION, UNIT_MISMATCH
 from codegen.model.answers.step import Step
+from codegen.model.dialect.literals import exact_number
 from codegen.model.quantities.conversion import Constant, Conversion, Factor, factors_by_instance
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.quantities.simulated import SimulatedInput
@@ -364,12 +365,12 @@ def _factor(key: str, written: str, around: Surroundings) -> Factor | None:
     measure = read_measure(written)
     if measure is not None:
         return Constant(measure.value, measure.unit)
-    try:
-        return Constant(Fraction(written), NUMBER)
-    except (ValueError, ZeroDivisionError):
+    number = exact_number(written)
+    if number is None:
         message = f"{written!r} is neither a parameter nor an amount"
         around.bad(key, message, BAD_AMOUNT, f"write {key}: and the name of a parameter, or {key}: 17 A/V")
         return None
+    return Constant(number, NUMBER)
 
 
 def _range(factor: Factor) -> str:

@@ -173,6 +173,8 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
             hint=f"write left_of and after at {name}, and adc or source at {at}",
         )
         return None
+    if sensed and not around.given_to(at):
+        return None  # what is wrong with the sensor, or with its name, has been reported
     period_ms = _period_ms(at, around)
     readings = (over or 0) / period_ms if period_ms else Fraction(0)
     if readings.denominator != 1 or not 1 <= readings <= 1000:

@@ -6,9 +6,13 @@ from itertools import pairwise
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.answers.answer import Answer
+from codegen.model.answers.scaling import rounded
 from codegen.model.dialect.wire_unit import wire_unit
+from codegen.model.quantities.attainable import unrounded
+from codegen.model.quantities.reach import Reach
 from codegen.model.quantities.source_kind import Output
 from codegen.model.spec.driver import OutputSpec
+from codegen.model.spec.population import Rounding
 from codegen.model.system import System
 from codegen.model.units.finer_unit import finer_unit
 from codegen.model.units.unit import Unit, ratio
@@ -25,6 +29,12 @@ RULE = Rule(
     Severity.WARNING,
     remedy="write stored: with a finer unit, or with the unit itself if that is meant",
 )
+SINGLE_STEP = Rule(
+    "single-step-quantity",
+    "All values that a quantity can have are rounded to the same number: its steps (stored) are coarser than the range "
+    "that its sensor, its converter or a received message gives. It would stand at that number for ever.",
+    remedy="write stored: with a unit finer than the range",
+)
 Given = tuple[str, Output, Fraction, OutputSpec]
 """The name of a number that code gives in whole units, the number, its factor, and where it is declared."""
 
@@ -34,12 +44,47 @@ def check(system: System) -> Iterator[Diagnostic]:
     for message in system.messages:
         for answer in message.answers:
             yield from _in_field(answer, message.name, system)
+    ends = unrounded(system)
     for component in system.components.values():
+        for quantity in component.quantities.values():
+            yield from _of_one_step(quantity, ends.get(quantity.path))
+            yield from _of_coarser_output(quantity, system)
         yield from _estimated(component)
         for basis in component.counted_on:
             for given in _in_whole_units(basis.quantity, system):
                 for counted in basis.sums:
                     yield _rounded(given, f"{counted.path} is summed up of it", counted.spec.place, "here")
+
+
+def _of_one_step(quantity: Quantity, ends: Reach | None) -> Iterator[Diagnostic]:
+    """Yield the quantity of which every value is kept as the same number."""
+    if ends is None or quantity.storage.is_float or ends[0] == ends[1]:
+        return
+    low, high = (rounded(Fraction(end), Rounding.NEAREST) for end in ends)
+    if low == high:
+        unit, stored = quantity.unit.name, quantity.stored.name
+        least, most = (f"{float(end / quantity.steps):.7g}" for end in ends)
+        kept = f"it goes from {least} to {most} {unit}, and is kept in whole {stored}"
+        text = f"{quantity.path} is always {low} {stored}: {kept}"
+        finer = finer_unit(quantity.unit)
+        hint = f"stored: {finer.name if finer else unit}" if unit else "leave out stored"
+        yield Diagnostic(quantity.spec.at("stored"), SINGLE_STEP, text, hint)
+
+
+def _of_coarser_output(quantity: Quantity, system: System) -> Iterator[Diagnostic]:
+    """Yield the outputs that say coarser steps than their quantity: what lies between is never kept."""
+    if quantity.kind is not QuantityKind.NUMBER or quantity.spec.stored is None:
+        return
+    for name, output, factor in dict.fromkeys(quantity.derivation.gives):
+        declared = system.sources[name].declared(output) if system.sources[name].given_in else None
+        if declared is not None and declared.stored is not None and factor > 1:
+            given = f"{name}.{output.name}".rstrip(".")
+            text = (
+                f"{given} is rounded to whole {output.unit.name}, and {quantity.path} is kept in {quantity.stored.name}"
+            )
+            kept = ((quantity.spec.at("stored"), f"{quantity.path} is kept so here"),)
+            hint = f"stored: {quantity.stored.name} at the output, or stored: {output.unit.name} at the quantity"
+            yield Diagnostic(declared.at("stored"), RULE, text, hint, kept)
 
 
 def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnostic]:

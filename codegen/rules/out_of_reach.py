@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.failsafe import Condition, Failsafe, Sense
-from codegen.model.program import is_set_by_program
+from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
 from codegen.model.quantities.attainable import attainable
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
@@ -30,12 +30,11 @@ BY_DEFAULT = Rule(
 KNOWN_FOR_EVER = Rule(
     "known-for-ever",
     "A failsafe waits until a received quantity is unknown, and nothing makes it so again after the first message: no "
-    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten. Nor is "
-    "vehicle.load ever unknown, which the program measures.",
+    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten. Nor is one "
+    "ever unknown that the program itself keeps from the start on, such as vehicle.load.",
     Severity.WARNING,
 )
 
-_LOAD = "vehicle.load"
 
 
 def check(system: System) -> Iterator[Diagnostic]:
@@ -61,10 +60,12 @@ def _of_condition(
     if quantity is None:
         return
     if limit is None:
-        if condition.sense is Sense.UNKNOWN and quantity.path == _LOAD and _is_measured(system):
-            message = f"{quantity.path} is never unknown: the program itself measures it, in each second"
-            yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, "wait for above: 90 %, or leave it out")
-        if condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
+        if condition.sense is Sense.UNKNOWN and _is_kept(quantity, system):
+            message = f"{quantity.path} is never unknown: the program keeps it from the start on"
+            yield Diagnostic(
+                _place(condition), KNOWN_FOR_EVER, message, f"leave {failsafe.name} out", _declared(quantity)
+            )
+        elif condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
             message = f"{quantity.path} is never unknown again once a message has set it"
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
             yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
@@ -117,9 +118,21 @@ def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
     return not any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
 
 
-def _is_measured(system: System) -> bool:
-    """Return whether the program measures its load."""
-    return is_set_by_program(system.components.get("vehicle"), "load")
+def _is_kept(quantity: Quantity, system: System) -> bool:
+    """Return whether the program writes it: one of the component vehicle, or the level or the health of a failsafe."""
+    if quantity.trust.stale_after_ms is not None:
+        return False
+    if quantity.component == "vehicle" and quantity.name in VEHICLE_QUANTITIES:
+        is_set = is_set_by_program(system.components.get("vehicle"), quantity.name)
+        return is_set and (quantity.initial is not None or quantity.name == "load")
+    if quantity.initial is None:
+        return False
+    kept = [
+        each
+        for failsafe in (system.program.failsafes if system.program else ())
+        for each in (failsafe.level, failsafe.health)
+    ]
+    return any(each is quantity for each in kept)
 
 
 def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str, *, is_below: bool) -> Diagnostic:

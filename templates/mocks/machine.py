@@ -94,18 +94,28 @@ def ramp(start, stop, steps):
 
 
 class Pin:
-    """A pin that keeps the level it was given."""
+    """A pin that keeps the level it was given, and what irq() was given: nothing comes in at it by itself."""
 
     IN = 0
     OUT = 1
     PULL_UP = 1
     PULL_DOWN = 2
+    IRQ_RISING = 1
+    IRQ_FALLING = 2
 
     def __init__(self, id, mode=IN, pull=None, value=0):  # noqa: A002 - the board's own argument names
         self.id = id
         self.mode = mode
         self.pull = pull
         self._level = 1 if value else 0
+        self.handler = None
+        self.trigger = 0
+
+    def irq(self, handler=None, trigger=3):
+        """Keep what is to be called with the pin at an edge, and at which edges."""
+        self.handler = handler
+        self.trigger = trigger
+        return self
 
     def value(self, level=None):
         """Return the level, or set it."""

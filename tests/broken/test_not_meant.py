@@ -250,8 +250,8 @@ CASES = {
     ),
     "load_unknown": warns(
         "known-for-ever",
-        "vehicle.load is never unknown: the program itself measures it",
-        "wait for above: 90 %",
+        "vehicle.load is never unknown: the program keeps it from the start on",
+        "leave ",
         (VEHICLE, "failsafes:\n", UNKNOWN_LOAD),
     ),
     # silence of ground stations

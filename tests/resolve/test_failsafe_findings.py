@@ -65,6 +65,7 @@ CASES = [
     ("above: 40 A", "above: §TEMP_MAX", "TEMP_MAX is no threshold for motor.current: in whole cA"),
     ("above: 40 A", "above: §40.001 A", "40.001 A is not in whole cA, in which motor.current is kept"),
     ("above: 40 A", "above: 40.01 A", ""),
+    ("above: 40 A", "above: §\u0664\u0660 A", "'\u0664\u0660 A' is not an amount"),
     ("above: 40 A", "above: §10737418.23 A", "motor.current is never above 10737418.23 A"),
     ("above: 40 A", "above: §10737418.24 A", "10737418.24 A is nothing to compare motor.current with"),
     ("above: 40 A", "above: §-10737418.24 A", "is nothing to compare motor.current with"),

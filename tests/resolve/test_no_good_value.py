@@ -30,7 +30,13 @@ def folder(tmp_path: Path) -> Path:
 def told(folder: Path, *changes: Change) -> list[tuple[str, str]]:
     """Return the ids and messages about reach after changes, which each have a hint."""
     _, found = edited(folder, *changes)
-    own = {no_good_value.RULE, no_good_value.BY_DEFAULT, out_of_reach.RULE, out_of_reach.BY_DEFAULT}
+    own = {
+        out_of_reach.KNOWN_FOR_EVER,
+        no_good_value.RULE,
+        no_good_value.BY_DEFAULT,
+        out_of_reach.RULE,
+        out_of_reach.BY_DEFAULT,
+    }
     assert all(each.hint for each in found if each.rule in own)
     return [(each.rule.id, each.message) for each in found if each.rule in own]
 
@@ -177,3 +183,12 @@ def test_where_all_that_is_believed_is_bad(folder: Path, believed: str) -> None:
     reach = f"as what is believed of it goes from {believed[:2]}.01 to 100 m"
     message = f"depth is always up: sounder.depth is always above 40 m, {reach}"
     assert told(folder, change) == [("no-good-value", message)]
+
+
+@pytest.mark.parametrize("quantity", ["vehicle.load", "motor.level"])
+def test_what_the_program_keeps_is_never_unknown(folder: Path, quantity: str) -> None:
+    """It has a value from the start on, and nothing takes it away; mode, too, where code does not set it."""
+    change = ("vehicle.yaml", "  depth:\n    watches: sounder.depth", f"  depth:\n    watches: {quantity}")
+    message = f"{quantity} is never unknown: the program keeps it from the start on"
+    found = told(folder, change, ("vehicle.yaml", ARM, ""), levels("lost: {unknown: true}"))
+    assert found == [("known-for-ever", message)]

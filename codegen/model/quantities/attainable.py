@@ -17,6 +17,13 @@ def attainable(system: System) -> Mapping[str, Reach]:
     They are within the limits of the quantity, and of what a sensor gives within what is plausible there, of what an
     ADC measures within its full scale, and of what is received within what the table takes.
     """
+    given = unrounded(system)
+    quantities = (quantity for component in system.components.values() for quantity in component.quantities.values())
+    return {quantity.path: _within(quantity, given.get(quantity.path)) for quantity in quantities}
+
+
+def unrounded(system: System) -> dict[str, Reach]:
+    """Return the ends of what is measured and received, by path, before it is rounded and limited by its quantity."""
     found: dict[str, Reach] = {}
     for reading in system.readings():
         quantity = reading.quantity
@@ -32,7 +39,6 @@ def attainable(system: System) -> Mapping[str, Reach]:
             given = [(output.low * factor, output.high * factor) for _, output, factor in quantity.derivation.gives]
             if given:
                 found[quantity.path] = min(low for low, _ in given), max(high for _, high in given)
-            found[quantity.path] = _within(quantity, found.get(quantity.path))
     return found
 
 

@@ -94,8 +94,8 @@ def symbols() -> Mapping[str, tuple[str, str]]:
 
 
 # A symbol, its power, and what the number was multiplied with (E7).
-_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:\^(?P<power>-?[1-9]))?(?:E(?P<tens>\d))?")
-_NUMBER = re.compile(r"\d{1,9}(?:\.\d{1,9})?")
+_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:\^(?P<power>-?[1-9]))?(?:E(?P<tens>[0-9]))?")
+_NUMBER = re.compile(r"[0-9]{1,9}(?:\.[0-9]{1,9})?")
 _MOST_PARTS = 8
 
 
@@ -167,7 +167,7 @@ def _spelled(dimension: Dimension) -> str:
 
 # As long as any quantity of a vehicle needs, and short enough to compute with. A digit does not begin a unit by itself.
 _AMOUNT = re.compile(
-    r"\s*([-+]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})(?:[eE][-+]?\d{1,2})?)(?:\s+|(?![\d.]))(\S{1,60})\s*"
+    r"\s*([-+]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][-+]?[0-9]{1,2})?)(?:\s+|(?![0-9.]))(\S{1,60})\s*"
 )
 
 

@@ -74,4 +74,9 @@ def _polling(
     if period_us >= 1 << 29:
         report.add(BAD_SOURCE, spec.at("rate"), f"{name} is asked less than once in nine minutes", hint="rate: 1 Hz")
         return None
+    if limit is not None and limit > period_us:
+        longest = f"{period_us} us" if period_us % 1000 else f"{period_us // 1000} ms"
+        message = f"{name} may take {spec.limit} each time, and is asked every {longest}"
+        report.add(BAD_SOURCE, spec.at("limit"), message, f"limit: {longest} at most, such as 2 ms")
+        return None
     return Polling(citation, aspects, name, period_us, limit, retry, spec)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from codegen.diagnostics import Rule, Severity
 from codegen.frozen import dataclass
 from codegen.measure import read_rate, read_time
 from codegen.model.quantities.device import Device
@@ -31,6 +32,13 @@ OUTPUTS = (
 )
 """Its outputs, in the order of the driver's values."""
 
+CROWDED_RECEIVER = Rule(
+    "crowded-receiver",
+    "The line of a receiver of satellites is too slow for the sentences that receivers send of each fix, 280 bytes of "
+    "GGA, RMC, GSA and VTG: some come late, cut or not at all. Take a faster line, or fewer fixes; a receiver that is "
+    "set up to send fewer sentences is right.",
+    Severity.WARNING,
+)
 
 SAID = {
     "fail": "the receiver says nothing",
@@ -44,6 +52,11 @@ _BUFFER = 512
 _MOST_BUFFER = 65536
 _PIECE = 128  # bytes that a turn takes, as the driver has it, where no more come
 _OFF = 20  # a fix is late by at most this part of the time between two: clocks differ, and lines take their time
+_SENTENCE, _SENTENCES = (
+    70,
+    280,
+)  # bytes: the shortest that has a place, RMC, and all four that a receiver sends of a fix
+_BAUDS = (4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600)
 _MODULES = ("nmea", "nmea_plain", "nmea_viper", "sentences_plain", "sentences_viper")
 
 
@@ -152,6 +165,23 @@ def brought(baud: int, polling: Polling) -> int:
     return -(-baud * polling.period_us // 10000000)
 
 
+def _check_line(spec: NmeaSpec, rate: Fraction, around: Around) -> None:
+    """Report fixes of which the line cannot bring one sentence each, and those of which it cannot bring all."""
+    sentence, every = _SENTENCE * 10 * rate, _SENTENCES * 10 * rate
+    if spec.baud >= every:
+        return
+    wanted = next((baud for baud in _BAUDS if baud >= every), _BAUDS[-1])
+    fewer = float(Fraction(spec.baud, 10 * _SENTENCES))
+    hint = f"baud: {wanted}, as the receiver has to be set up, or fixes: {fewer:.2g} Hz"
+    if spec.baud < sentence:
+        needs = f"{_SENTENCE} bytes of one sentence each need {float(sentence):.7g} bits per second"
+        around.bad("fixes", f"{spec.fixes} do not come over a line of {spec.baud} bits per second: {needs}", hint)
+        return
+    needs = f"GGA, RMC, GSA and VTG, {_SENTENCES} bytes, need {float(every):.7g}"
+    message = f"{spec.fixes} over a line of {spec.baud} bits per second leave out sentences: {needs}"
+    around.report.add(CROWDED_RECEIVER, spec.at("fixes"), message, hint)
+
+
 def resolve_nmea(spec: NmeaSpec, polling: Polling, around: Around) -> NmeaReceiver | None:
     """The UART; None after a finding."""
     comes = brought(spec.baud, polling)
@@ -170,6 +200,7 @@ def resolve_nmea(spec: NmeaSpec, polling: Polling, around: Around) -> NmeaReceiv
     if line is None or rate is None:
         return None
     fix_us = round(1000000 / rate)
+    _check_line(spec, rate, around)
     if silent * 1000 <= fix_us:
         message = f"it counts as failed after {silent} ms, before a fix comes every {fix_us // 1000} ms"
         around.bad("silence", message, hint=f"silence: {3 * fix_us // 1000} ms")

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 13e62e7c8c00d684
+# Inputs: 1fc147b8a61a2a95
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -96,18 +96,28 @@ def ramp(start, stop, steps):
 
 
 class Pin:
-    """A pin that keeps the level it was given."""
+    """A pin that keeps the level it was given, and what irq() was given: nothing comes in at it by itself."""
 
     IN = 0
     OUT = 1
     PULL_UP = 1
     PULL_DOWN = 2
+    IRQ_RISING = 1
+    IRQ_FALLING = 2
 
     def __init__(self, id, mode=IN, pull=None, value=0):  # noqa: A002 - the board's own argument names
         self.id = id
         self.mode = mode
         self.pull = pull
         self._level = 1 if value else 0
+        self.handler = None
+        self.trigger = 0
+
+    def irq(self, handler=None, trigger=3):
+        """Keep what is to be called with the pin at an edge, and at which edges."""
+        self.handler = handler
+        self.trigger = trigger
+        return self
 
     def value(self, level=None):
         """Return the level, or set it."""

@@ -9,20 +9,9 @@ _pins = {}
 class Pin(machine.Pin):
     """A pin that calls what irq() was given at each edge."""
 
-    IRQ_RISING = 1
-    IRQ_FALLING = 2
-
     def __init__(self, id, *arguments, **named):  # noqa: A002 - the board's own argument name
         machine_pin.__init__(self, id, *arguments, **named)
-        self.handler = None
-        self.trigger = 0
         _pins[id] = self
-
-    def irq(self, handler=None, trigger=3):
-        """Call the handler with the pin at each edge."""
-        self.handler = handler
-        self.trigger = trigger
-        return self
 
     def change(self, level):
         """Let the level at the pin become another one."""
