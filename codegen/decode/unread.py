@@ -30,7 +30,7 @@ READ_BY_ENDING = (*TABLES, DOCUMENTS)
 _YAML = (".yaml", ".yml")
 _MARKDOWN = (".md", ".markdown", ".mkd", ".mdown")
 _DEEPEST = 8
-"""The most folders below one another that are looked into: a link may lead back to one above."""
+"""The most folders below one another that are looked into."""
 
 
 def report_unread(
@@ -75,8 +75,14 @@ def _below(folder: str, endings: tuple[str, ...], deepest: int, files: Files, re
             continue
         if name.lower().endswith(endings):
             yield path
-        elif deepest and files.is_folder(path):
+        elif deepest and files.is_folder(path) and not _leads_back(path, folder):
             yield from _below(path, endings, deepest - 1, files, report)
+
+
+def _leads_back(path: str, folder: str) -> bool:
+    """Return whether a path in a folder is a link to it, or to one above: what is there has been, or will be, told."""
+    real, above = os.path.realpath(path), os.path.realpath(folder)
+    return os.path.commonpath((real, above)) == real
 
 
 def _hint(folder: str, path: str, specification: str, absent: Sequence[str], *, in_program: bool) -> str | None:

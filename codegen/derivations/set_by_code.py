@@ -63,7 +63,7 @@ def set_by_code(quantity: Quantity, instance: int) -> SimulatedInput:
             "component": quantity.component,
             "instance": instance,
             "attribute": quantity.name if is_float else quantity.attribute,
-            "steps": float(quantity.steps),
+            "steps": int(quantity.steps) if quantity.steps.denominator == 1 else float(quantity.steps),
             "is_whole": quantity.kind is QuantityKind.NUMBER and not is_float,
         },
         {"fail": "nothing sets it", "stuck": "it is set to what it was"},

@@ -201,7 +201,11 @@ def _content_on_disk(path: str, report: Report, place: Place, most: int) -> byte
         with open(path, "rb") as file:
             data = file.read(most + 1)
     except (FileNotFoundError, NotADirectoryError):
-        report.add(FILE_NOT_FOUND, place, f"{shown_path(path)} does not exist")
+        if os.path.islink(path):
+            message = f"{shown_path(path)} is a link to {os.readlink(path)}, which does not exist"
+            report.add(FILE_NOT_FOUND, place, message, "let it lead to a file, or remove the link")
+        else:
+            report.add(FILE_NOT_FOUND, place, f"{shown_path(path)} does not exist")
         return None
     except PermissionError:
         report.add(FILE_NOT_READABLE, place, f"{shown_path(path)} may not be read", "check the permissions of the file")

@@ -74,6 +74,15 @@ class PopulatedMessage:
     on_change: Quantity | None = None
     pages: int = 1
 
+    def tells_of(self, component: str) -> bool:
+        """Return whether it is known which instance of a component its numbers are of: the one that it is sent for, the
+        first, or the only one; what is chosen while the program runs does not stand in the message.
+        """
+        choice = self.represents.get(component)
+        if choice is not None:
+            return choice.policy is Policy.FIRST or choice.component.instances == 1
+        return self.component is None or self.component.name == component
+
     @property
     def name(self) -> str:
         """Return what its table is called: the name in the dialect, unless the table has one of its own."""

@@ -92,7 +92,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         )
     receiver = None
     if spec.receiver is not None:
-        receiver = resolve_receiver(spec.receiver, components, spec.state, messages, index, report)
+        receiver = resolve_receiver(spec.receiver, components, spec.state, messages, index, dialect, report)
     return System(
         spec=spec,
         dialect=dialect,

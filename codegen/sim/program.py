@@ -34,7 +34,8 @@ class SimulatedProgram:
     program imports as ``module``.
     ``messages`` are the names of those of its dialect by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
-    ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
+    ``mocked`` are the modules that stand in for what its sensors are connected to, ``left_out`` those of the user's
+    sensors where no code of the user runs. ``load`` predicts how busy its board
     is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
     links over TCP, by their names: its servers listen on this computer alone, its clients connect to who gets its UDP.
     ``deaf`` are the names of those that take nothing of what the scenario sends, since nobody signs it, ``bridge``
@@ -59,6 +60,7 @@ class SimulatedProgram:
     actions: tuple[str, ...] = ()
     guards: tuple[Guard, ...] = ()
     mocked: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
     load: TrafficLoad | str = ""
     restart_cause: int | None = None
     ends: Mapping[str, LinkEnd] = field(default_factory=dict)
@@ -101,6 +103,7 @@ class SimulatedProgram:
             "watched": [[each.label, each.component, each.instance, each.name, each.ages] for each in self.watched],
             "actions": self.actions,
             "mocked": self.mocked,
+            "left_out": self.left_out,
             "store": store,
             "reset_cause": None if is_first_start else self.restart_cause,
         }
@@ -151,6 +154,7 @@ def _program(
         actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
         guards=guards(system),
         mocked=tuple(_mocked(system)),
+        left_out=() if code else tuple(dict.fromkeys(each.imported for each in system.polled if each.imported)),
         load=traffic_load(system),
         ends=dict(_ends(system)),
         restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,

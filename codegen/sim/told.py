@@ -57,12 +57,7 @@ class Telling:
 def paths_of(table: PopulatedMessage) -> tuple[str, ...]:
     """The quantities that a table tells, of instances that its messages name."""
     quantities = (quantity for answer in table.answers for quantity in answer.told_quantities)
-    return tuple(
-        quantity.path
-        for quantity in quantities
-        if quantity.component not in table.represents
-        and (table.component is None or table.component.name == quantity.component)
-    )
+    return tuple(quantity.path for quantity in quantities if table.tells_of(quantity.component))
 
 
 def told_paths(system: System) -> tuple[str, ...]:
@@ -77,8 +72,9 @@ def _read(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, floa
         if answer.told_quantities:
             for told in answer.told(_numbers(answer, payload)):
                 path, exact = told.quantity.path, told.value
-                if path in paths and instance is not None:
-                    yield Told(path, instance, None if exact is None else float(exact), exact, told.precision)
+                whose = 0 if told.quantity.component in table.represents else instance
+                if path in paths and whose is not None:
+                    yield Told(path, whose, None if exact is None else float(exact), exact, told.precision)
 
 
 def _instance(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, float]) -> int | None:

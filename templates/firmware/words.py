@@ -89,7 +89,8 @@ class Component:
             place = (place - limit.first) // limit.width
             name, limit = f"{name}[{place}]", limit[place]
         owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
-        self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
+        shown = limit if isinstance(limit, int) else f"{limit:.7g}"
+        self._log(f"warning: {owner}.{name} beyond {shown}: limited")
 
 
 def _told(word):

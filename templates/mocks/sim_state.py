@@ -36,6 +36,8 @@ class Setter:
             return
         value = self._course.seen(at_ms)
         if self._is_whole and value is not None:
-            value = math.floor(value * self._steps + 0.5)
+            value *= self._steps
+            if not isinstance(value, int):  # of 64 bits, a whole number is exact
+                value = math.floor(value + 0.5)
         component = getattr(state, self._component)
         setattr(component[self._instance], self._attribute, value)

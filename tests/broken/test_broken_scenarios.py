@@ -60,6 +60,7 @@ CASES = [
     ("scenario-course", "    courses: {battery.voltage: {value: 12 V}, §\"battery[0].voltage\": {value: 12 V}}\n", "another course"),
     ("scenario-course", "    courses: {§voltage: {value: 12 V}}\n", "voltage is no quantity write component.quantity"),
     ("scenario-points", "    courses: {battery.voltage: {value: 12 V, noise: §-1 mV}}\n", "noise is from 0 on"),
+    ("scenario-points", "    courses: {battery.voltage: {value: 12 V, noise: §1e12 mV}}\n", "noise of 1e12 mV is more than"),
     ("scenario-points", "    courses: {battery.voltage: {value: 12 V, rate: §1001 Hz}}\n", "is not a rate up to"),
     ("scenario-points", "    courses: {battery.voltage: {value: 12 V, rate: §0 Hz}}\n", "is not a rate up to"),
     ("scenario-points", "    courses: {battery.voltage: {points: [[5 s, 12 V], [§4 s, 12 V]]}}\n", "before the point in front"),

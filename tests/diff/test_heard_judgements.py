@@ -21,9 +21,11 @@ FIELDS = {
     "battery": (),
 }
 LINK = {"uart": 0, "baud": 9600, "udp": None, "tcp_server": None, "tcp_client": None, "to": None, "local_port": 0}
+_NOBODY: dict[str, Any] = {"program": None, "system_parameter": None, "component_parameter": None}
 _TOLD = {"told": ("M.d",), "many": FIELDS["MANY"]}
 LATER = "whether it is heard often enough: 1 times a second and no longer 2"
 SILENT = "who does not ask for it hears nothing"
+UNASKED = "who asks for the data stream 10 gets no answer"
 WIRED = "whether the board was changed with it"
 
 
@@ -49,7 +51,7 @@ class Generations:
 def program(**parts: Any) -> Any:
     """A program with little in it."""
     nothing: dict[str, Any] = {"messages": (), "streams": {}, "channels": {}, "links": (), "components": {}}
-    return SimpleNamespace(**{**nothing, "parameters": {}, "generations": (), **parts})
+    return SimpleNamespace(**{**nothing, "parameters": {}, "generations": (), **_NOBODY, **parts})
 
 
 def sent(rate: int, stream: str | None = "S", *, unknown: int = 0, by: str = "") -> Any:
@@ -59,12 +61,17 @@ def sent(rate: int, stream: str | None = "S", *, unknown: int = 0, by: str = "")
     return program(messages=(SimpleNamespace(**table, **own),))
 
 
-def stream(rate: int) -> Any:
-    return program(streams={"S": SimpleNamespace(default_rate=Fraction(rate))})
+def stream(rate: int, fastest: int = 50, number: int | None = 10, name: str = "S") -> Any:
+    told = {"default_rate": Fraction(rate), "fastest": Fraction(fastest), "data_stream": number}
+    return program(streams={name: SimpleNamespace(name=name, **told)})
 
 
 def parameter(name: str, default: int, step: int = 1) -> Any:
-    return program(parameters={name: SimpleNamespace(default=default, step=Fraction(step))})
+    found = SimpleNamespace(name=name, default=default, step=Fraction(step), siblings=())
+    told = program(parameters={name: found})
+    if name == "RATE":  # which the stream is told by
+        told.streams["S"] = SimpleNamespace(parameter=found)
+    return told
 
 
 def channel(name: str = "volts", gpio: int = 26, pin: str | None = None, reference: int = 3, scale: int = 4095) -> Any:
@@ -74,7 +81,7 @@ def channel(name: str = "volts", gpio: int = 26, pin: str | None = None, referen
 
 
 def link(kind: str = "uart", *, name: str = "radio", **changes: Any) -> Any:
-    spec = SimpleNamespace(**{**LINK, "tx": 0, "rx": 1, **changes})
+    spec = SimpleNamespace(**{**LINK, "tx": 0, "rx": 1, "credentials": None, **changes})
     return program(links=(SimpleNamespace(name=name, kind=kind, spec=spec),))
 
 
@@ -115,7 +122,20 @@ def judged(rule: ChangeRule, subject: str, old: Any, new: Any, texts: tuple[str 
         (rules.STREAM_RATE, "stream S", stream(2), stream(1), False, LATER),
         (rules.STREAM_RATE, "stream S", stream(2), stream(0), True, SILENT),
         (rules.STREAM_RATE, "stream S", stream(2), stream(2), False, ""),
-        (rules.STREAM_RATE, "stream S", stream(2), program(), False, ""),
+        (rules.STREAM_RATE, "stream S", stream(2, number=None), program(), False, ""),
+        (rules.STREAM_REMOVED, "stream S", stream(2), program(), True, UNASKED),
+        (rules.STREAM_REMOVED, "stream S", stream(2, number=None), program(), False, ""),
+        (
+            *(rules.STREAM_REMOVED, "stream S", stream(2), stream(2, name="T"), False),
+            "whether who asks for the data stream 10 means T",
+        ),
+        (rules.STREAM_RATE, "stream S", stream(2), stream(2, number=11), True, UNASKED),
+        (rules.STREAM_RATE, "stream S", stream(2, number=None), stream(2), False, ""),
+        (
+            *(rules.STREAM_RATE, "stream S", stream(2), stream(2, 20), False),
+            "whether 20 times a second is enough for who asks for more",
+        ),
+        (rules.STREAM_RATE, "stream S", stream(2, 20), stream(2), False, ""),
         (rules.STREAM_RATE, "stream S", program(), stream(2), False, ""),
         (
             *(rules.PARAMETER_DEFAULT, "MULT", parameter("MULT", 4, 3), parameter("MULT", 5, 2), False),
@@ -142,7 +162,11 @@ def judged(rule: ChangeRule, subject: str, old: Any, new: Any, texts: tuple[str 
             "whether 4 is what receivers are to be told in M.a, M.b, M.c and 1 more",
         ),
         (rules.FACT, "board.battery.other.one", program(), program(), False, ""),
-        (rules.PARAMETER_DEFAULT, "NOWHERE", parameter("NOWHERE", 4), parameter("NOWHERE", 5), False, ""),
+        (
+            *(rules.PARAMETER_DEFAULT, "NOWHERE", parameter("NOWHERE", 4), parameter("NOWHERE", 5), False),
+            "whether what it decides is meant, where no value is stored",
+        ),
+        (rules.PARAMETER_DEFAULT, "RATE", parameter("RATE", 4), parameter("RATE", 5), False, ""),
         (rules.CHANNEL, "adc.volts", channel(), program(), True, "nothing is measured for M.a"),
         (rules.CHANNEL, "adc.none", channel("none"), program(), False, ""),
         (rules.CHANNEL, "adc.volts", program(), channel(), False, ""),

@@ -85,7 +85,7 @@ def test_a_revision_is_compared_with_the_work_tree_and_with_another_one(run: Run
     assert rules(run("work~2", "work~1")[1]) == ["program-changed"]
     assert rules(run("HEAD^{/2}")[1]) == rules(run("work~1")[1])
     out = run("work~1", "work~2")[1]
-    assert out.startswith("work~2:specs/board.yaml:1:8: warning program-changed")
+    assert out.startswith("work~2:specs/board.yaml:1:8: error program-changed")
 
 
 def test_three_dots_mean_where_both_parted(run: Run) -> None:

@@ -175,6 +175,7 @@ for lon in (200, 201, None, -200, 180, 1e30, float("inf"), float("-inf")):
     gps.lon = lon
 attitude.roll = 7
 gps.fix = 300
+state.clock.unix = 2**70
 print(json.dumps([told, gps.limited, attitude.limited, gps.lon_dege7]))
 """
     told, gps, attitude, lon = exact(interpreter, boat, script)
@@ -183,5 +184,6 @@ print(json.dumps([told, gps.limited, attitude.limited, gps.lon_dege7]))
         "warning: gps.lon beyond 180: limited",
         "warning: attitude.roll beyond 3.141593: limited",
         "warning: gps.fix beyond 8: limited",
+        "warning: clock.unix beyond 18446744073709551615: limited",
     ]
     assert (gps, attitude, lon) == ({"lon": 4, "fix": 1}, {"roll": 1}, None)

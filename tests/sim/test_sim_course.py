@@ -4,15 +4,20 @@ import json
 import os
 import random
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
-from packs import FULL, pack
+from packs import FULL, ROOT, pack
 
+from codegen.derivations.set_by_code import set_by_code
+from codegen.diagnostics import Report
 from codegen.model.quantities.simulated import SimulatedInput
 from codegen.model.scenario import Course, Fault, Point, course_data, event_data
+from codegen.project.systems import read_system
+from codegen.resolve.scenarios.values import ScenarioValues
 from codegen.sim.process import Runtime, find_interpreter
 
 MOCKS = Path(__file__).resolve().parents[2] / "templates" / "mocks"
@@ -140,3 +145,63 @@ def test_an_adc_counts_from_what_zero_volts_stand_for(tmp_path: Path, runtime: s
     fault = Fault(500, "fail", course.label, 600, "fails")
     found = readings(tmp_path, runtime, course, [0, 500, 600, 1_000, 2_000, 2_999, 4_000], fault, script=INPUT)
     assert found == [2048, None, 3276, 4095, 1024, 4095, None]
+
+
+WHOLE = """
+import json, sys
+import sim_state
+from sim_course import Course
+with open(sys.argv[1]) as file:
+    data = json.loads(file.read())
+
+class State:
+    pass
+
+state = State()
+state.lens = [State()]
+sim_state.Setter(Course(data, [])).set(0, state)
+print(json.dumps(str(state.lens[0].shots)))
+"""
+
+
+@pytest.mark.parametrize("runtime", Runtime)
+@pytest.mark.parametrize("text", ["18446744073709551613", "9007199254740993", "-9223372036854775806", "7", "2.5"])
+def test_a_whole_number_of_64_bits_is_set_as_it_is(tmp_path: Path, runtime: Runtime, text: str) -> None:
+    """A float in between would be another one; what is no whole number is rounded."""
+    system = read_system(str(ROOT / "tests" / "projects" / "wide_values" / "specs" / "codegen.yaml"), Report())
+    assert system is not None
+    quantity = system.components["meter"].quantities["big"]
+    values = ScenarioValues(Report(), {})
+    found = values.truth(text, quantity, quantity.spec.place)
+    assert found is not None
+    through = set_by_code(quantity, 0)
+    through = replace(through, settings={**through.settings, "component": "lens", "attribute": "shots"})
+    data = tmp_path / "data.json"
+    data.write_text(json.dumps(course_data(Course("lens.shots", (Point(0, *found),), through), 1)))
+    (tmp_path / "set.py").write_text(WHOLE)
+    path = {"MICROPYPATH": str(MOCKS), "PYTHONPATH": str(MOCKS)}
+    command = [find_interpreter(runtime), str(tmp_path / "set.py"), str(data)]
+    done = subprocess.run(command, env={**os.environ, **path}, capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == ("3" if text == "2.5" else text)
+
+
+LEFT_OUT = """
+import json
+import sim
+sim.leave_out("thermometer")
+sim.leave_out("json")
+try:
+    __import__("thermometer", None, None, ["Thermometer"]).Thermometer()
+except ImportError as error:
+    print(json.dumps(str(error)))
+"""
+
+
+@pytest.mark.parametrize("runtime", Runtime)
+def test_code_that_is_left_out_says_so(tmp_path: Path, runtime: Runtime) -> None:
+    """Its module lies in the folder of the project: that there is none would be untrue. What is there is imported."""
+    (tmp_path / "left.py").write_text(LEFT_OUT)
+    path = {"MICROPYPATH": f".frozen:{MOCKS}", "PYTHONPATH": str(MOCKS)}
+    command = [find_interpreter(runtime), str(tmp_path / "left.py")]
+    done = subprocess.run(command, env={**os.environ, **path}, capture_output=True, text=True, check=True)
+    assert done.stdout == '"it has no course, and code is left out"\n'

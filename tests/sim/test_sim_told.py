@@ -1,6 +1,7 @@
 """Quantities read from frames that pymavlink makes: units, instances, sentinels, tables with one id."""
 
 import math
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,8 +12,8 @@ from pymavlink.dialects.v10 import common as old
 from pymavlink.dialects.v20 import ardupilotmega, common
 
 from codegen.diagnostics import Report
-from codegen.model.system import System
-from codegen.project.systems import read_system, read_systems
+from codegen.model.system import Policy, System
+from codegen.project.systems import read_own_scenarios, read_system, read_systems
 from codegen.sim.told import Telling, told_paths
 
 PROJECTS = Path(__file__).resolve().parents[1] / "projects"
@@ -120,3 +121,35 @@ def test_others_tell_nothing() -> None:
     """A message that no table has."""
     frame = common.MAVLink_ping_message(1, 2, 3, 4).pack(common.MAVLink(None))
     assert told(SYSTEM, frame) == {}
+
+
+@pytest.mark.parametrize("policy", Policy)
+def test_a_message_that_represents_the_first_tells_of_it(policy: Policy) -> None:
+    """What is chosen while the program runs tells of nobody, for which instance it is about does not stand in it."""
+    table = next(each for each in SYSTEM.messages if each.name == "SYS_STATUS")
+    (choice,) = table.represents.values()
+    chosen = replace(table, represents={"battery": replace(choice, policy=policy)})
+    system = replace(SYSTEM, messages=(chosen,))
+    message = common.MAVLink_sys_status_message(0, 0, 0, 0, 12_345, 250, -1, 0, 0, 0, 0, 0, 0)
+    found = told(system, message.pack(common.MAVLink(None)))
+    assert found.get("battery.voltage/0") == (12.345 if policy is Policy.FIRST else None)
+    assert ("battery.voltage" in told_paths(system)) is (policy is Policy.FIRST)
+    assert {path.partition("/")[2] for path in found if path.startswith("battery.")} <= {"0"}
+
+
+@pytest.mark.parametrize(("policy", "is_known"), [("first: true", True), ("lowest: voltage", False)])
+def test_what_no_message_tells_of_one_instance_is_not_expected(policy: str, is_known: bool, tmp_path: Path) -> None:
+    """Such an expectation could never be met; with represents of the first it can."""
+    specs = Path(shutil.copytree(ROOT / "specs", tmp_path / "specs"))
+    for table in (specs / "messages").glob("*.yaml"):
+        if table.name != "sys_status.yaml":
+            table.unlink()
+    table = specs / "messages" / "sys_status.yaml"
+    table.write_text(table.read_text().replace("{parameter: BATT_SYS_STATUS}", f"{{{policy}}}"))
+    scenario = "scenarios:\n  one:\n    doc: d.\n    duration: 5 s\n    courses: {battery.voltage: {value: 12 V}}\n"
+    (specs / "scenarios.yaml").write_text(f"{scenario}    expect: [{{at: 4 s, told: battery.voltage, is: 12 V}}]\n")
+    report = Report()
+    system = read_system(str(specs / "codegen.yaml"), Report())
+    assert system is not None
+    read_own_scenarios(str(specs / "codegen.yaml"), (system,), report)
+    assert ("of an instance that is known" in str(list(report))) is not is_known

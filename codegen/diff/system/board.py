@@ -6,12 +6,14 @@ from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.system.trace_rules import CITATION, DOC
 from codegen.model.program import BoardLink
-from codegen.model.quantities.source_kind import Source
+from codegen.model.quantities.source_kind import Source, SourceFact
 from codegen.model.system import Generations, System
 from codegen.model.units.unit import decimal
 from codegen.model.vehicle import AdcChannel, Parameter, Stream
 
 _CONNECTED = "whether what is connected was changed with it"
+_COUNTED = "whether the ADC still gives the same counts"
+_FAILED = "whether it has failed when it is silent for so long"
 
 
 def board_subjects(system: System) -> Iterator[Subject]:
@@ -38,8 +40,8 @@ def _identity(system: System) -> Subject:
         ),
         Fact("MAVLink", str(project.protocol), rules.IDENTITY, project.at("protocol")),
         Fact("machine code", "yes" if project.machine_code else "no", rules.PROGRAM, project.at("machine_code")),
-        Fact("board", system.board_name, rules.PROGRAM, board.at("board")),
-        Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board")),
+        Fact("board", system.board_name, rules.PROGRAM, board.at("board"), doubt=_CONNECTED),
+        Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board"), doubt=_COUNTED),
         Fact("speed of the board", _speed(system), rules.PROGRAM, board.at("board")),
         Fact("memory of the board", _memory(system), DOC, board.at("board")),
         Fact("name", project.project, DOC, project.at("project")),
@@ -108,7 +110,7 @@ def _sensor(source: Source) -> Subject:
     facts = (
         Fact("driver", spec.driver, rules.SENSOR, spec.at("driver"), doubt=_CONNECTED),
         *(
-            Fact(fact.attribute, fact.text, rules.SENSOR, spec.at(fact.key), doubt=_CONNECTED if fact.asks else "")
+            Fact(fact.attribute, fact.text, rules.SENSOR, spec.at(fact.key), doubt=_asked(fact))
             for fact in source.facts()
         ),
         Fact("gives", gives, rules.SENSOR, spec.at("outputs")),
@@ -129,6 +131,12 @@ def _sensor(source: Source) -> Subject:
         row=source.name,
         doubt=f"whether nothing is to be measured by {source.name} any more",
     )
+
+
+def _asked(fact: SourceFact) -> str:
+    if fact.is_trust:
+        return _FAILED
+    return _CONNECTED if fact.asks else ""
 
 
 def _link(link: BoardLink) -> Subject:

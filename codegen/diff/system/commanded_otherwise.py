@@ -12,6 +12,9 @@ from codegen.model.command import Command, CommandParam
 from codegen.model.spec.command import Allowed, Sender
 from codegen.model.system import System
 
+_OTHER = {Allowed.DISARMED: "armed", Allowed.ARMED: "not armed"}
+"""The state in which a command was refused."""
+
 
 def command(change: Change, sides: Sides) -> Change:
     """A command that is done by other code, or is accepted from fewer or in fewer states: who gives it as before gets
@@ -29,7 +32,19 @@ def command(change: Change, sides: Sides) -> Change:
         return breaking(change, f"only a sender that is {new.spec.sender.value} is obeyed; others are refused")
     if new.spec.allowed not in (old.spec.allowed, Allowed.ALWAYS):
         return breaking(change, f"it is refused unless the vehicle is {new.spec.allowed.value}")
+    for doubt in _more(old, new):
+        change = doubtful(change, doubt)
     return change
+
+
+def _more(old: Command, new: Command) -> Iterator[str]:
+    """Return what to ask where the vehicle obeys what it refused before, or answers otherwise."""
+    if new.spec.sender is not old.spec.sender:
+        yield "whether others than before may give it"
+    if new.spec.allowed is not old.spec.allowed:
+        yield f"whether the vehicle may do it while it is {_OTHER[old.spec.allowed]}"
+    if new.spec.long is not old.spec.long:
+        yield f"whether who gives it {'waits for its end' if new.spec.long else 'counts on its taking long'}"
 
 
 def _both(change: Change, sides: Sides) -> tuple[Command | None, Command | None]:

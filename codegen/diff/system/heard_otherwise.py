@@ -5,11 +5,12 @@ from fractions import Fraction
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.change import Change, ChangeRule
-from codegen.diff.system import acted_otherwise, commanded_otherwise, kept_otherwise
+from codegen.diff.system import acted_otherwise, commanded_otherwise, kept_otherwise, told_otherwise
 from codegen.diff.system import behaviour_rules as rules
-from codegen.diff.system.carrying import fields_by_source, scaling_parameters, told_of_fact
+from codegen.diff.system.carrying import carried_on, fields_by_source, scaling_parameters, told_of_fact
 from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower
 from codegen.model.price import default_rate
+from codegen.model.reception import ReceivedField
 from codegen.model.spec.receive import Sender as TakenFrom
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.units.unit import decimal
@@ -27,7 +28,8 @@ def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iter
     sides = Sides(old, new, {**fields_by_source(old), **fields_by_source(new)})
     for change in changes:
         judge = _JUDGES.get(change.rule)
-        yield judge(change, sides) if judge is not None else change
+        judged = judge(change, sides) if judge is not None else change
+        yield acted_otherwise.decided(judged, sides) if judged.rule is rules.PARAMETER_DEFAULT else judged
 
 
 def _schedule(change: Change, sides: Sides) -> Change:
@@ -64,7 +66,8 @@ def _table(system: System, name: str) -> PopulatedMessage | None:
 
 def _stream_rate(change: Change, sides: Sides) -> Change:
     name = change.subject.removeprefix("stream ")
-    if name not in sides.old.streams or name not in sides.new.streams:
+    change = told_otherwise.asked(change, sides)
+    if name not in sides.old.streams or name not in sides.new.streams or change.is_breaking:
         return change
     return _rates(change, sides.old.streams[name].default_rate, sides.new.streams[name].default_rate)
 
@@ -109,15 +112,23 @@ def _channel(change: Change, sides: Sides) -> Change:
     fields = shortened_list(sides.fields.get(change.subject, ()), 3)
     if old is not None and new is None:
         return breaking(change, f"nothing is measured for {fields}") if fields else change
-    if old is None or new is None or not fields:
+    if old is None or new is None:
         return change
     doubt = "whether the board was changed with it"
+    if not fields:  # failsafes and code may act on it all the same
+        is_read = any(change.subject in carried_on(side) for side in (sides.old, sides.new))
+        return doubtful(change, doubt) if is_read and _wired(old) != _wired(new) else change
     factor = _volts(new) / _volts(old)
     if factor != 1:
         return doubtful(change, doubt, f"the same count is {decimal(factor)} times what it was in {fields}")
-    if (old.gpio, old.pin and old.pin.name) != (new.gpio, new.pin and new.pin.name):
+    if _wired(old) != _wired(new):
         return doubtful(change, doubt, f"{fields} are measured at another pin")
     return change
+
+
+def _wired(channel: AdcChannel) -> tuple[object, ...]:
+    """Return where a count comes from, and what it is."""
+    return channel.gpio, channel.pin and channel.pin.name, _volts(channel)
 
 
 def _volts(channel: AdcChannel) -> Fraction:
@@ -136,6 +147,8 @@ def _link(change: Change, sides: Sides) -> Change:
         return breaking(change, "who listens as before hears nothing")
     if any(getattr(old.spec, name) != getattr(new.spec, name) for name in _WIRED):
         return doubtful(change, "whether the wiring was changed with it")
+    if old.spec.credentials != new.spec.credentials:
+        return doubtful(change, f"whether {new.spec.credentials} is on boards, for the same network")
     return change
 
 
@@ -178,18 +191,15 @@ def _taken_from(change: Change, sides: Sides) -> Change:
     if new.spec.sender not in (old.spec.sender, TakenFrom.ANY):
         return breaking(change, f"only a sender that is {new.spec.sender.value} is heard, and nothing tells")
     if old.spec.call and not new.spec.call:
-        return doubtful(change, "whether nothing is to be done when it arrives")
+        change = doubtful(change, "whether nothing is to be done when it arrives")
+    if before - after or new.spec.sender is not old.spec.sender:
+        change = doubtful(change, "whether what others send, or send otherwise, is to be obeyed")
     return change
 
 
 def _taken_range(change: Change, sides: Sides) -> Change:
     """A field of a received message of which fewer numbers count as plausible."""
-    name = change.subject.removesuffix(", received")
-    taken = [
-        {f"{table.name}.{field.label}": field for table in side.receptions for field in table.fields}
-        for side in (sides.old, sides.new)
-    ]
-    old, new = (each.get(name) for each in taken)
+    old, new = (_taken(side, change.subject) for side in (sides.old, sides.new))
     if old is None or new is None or (old.factor, old.spec.rounding) != (new.factor, new.spec.rounding):
         return change  # whose limits are other numbers anyway
     if is_narrower((old.low, old.high), (new.low, new.high)):
@@ -197,9 +207,30 @@ def _taken_range(change: Change, sides: Sides) -> Change:
     return change
 
 
+def _taken(system: System, subject: str) -> ReceivedField | None:
+    name = subject.removesuffix(", received")
+    fields = ((f"{table.name}.{field.label}", field) for table in system.receptions for field in table.fields)
+    return next((field for label, field in fields if label == name), None)
+
+
+def _taken_as(change: Change, sides: Sides) -> Change:
+    """A field of a received message of which the same number is another amount."""
+    old, new = (_taken(side, change.subject) for side in (sides.old, sides.new))
+    if old is None or new is None or _amount(old) == _amount(new):
+        return change
+    return doubtful(change, "whether who sends it means the other amount")
+
+
+def _amount(field: ReceivedField) -> Fraction:
+    """Return what a step on the wire is taken for, whatever unit it is kept in."""
+    return field.factor * field.quantity.stored.scale
+
+
 _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.MESSAGE_STREAM: _schedule,
+    rules.MESSAGE_INSTANCES: told_otherwise.instances,
     rules.STREAM_RATE: _stream_rate,
+    rules.STREAM_REMOVED: told_otherwise.asked,
     rules.PARAMETER_DEFAULT: _default,
     rules.CHANNEL: _channel,
     rules.LINK: _link,
@@ -207,11 +238,13 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.FACT: _fact,
     rules.GENERATIONS: _generations,
     rules.TAKEN_FROM: _taken_from,
+    rules.TAKEN_AS: _taken_as,
     rules.TAKEN_RANGE: _taken_range,
     rules.COMMAND: commanded_otherwise.command,
     rules.COMMAND_RANGE: commanded_otherwise.accepted,
     rules.COMMAND_REMOVED: commanded_otherwise.refused,
     rules.QUANTITY_SOURCE: kept_otherwise.source,
+    rules.QUANTITY_AGE: kept_otherwise.trust,
     rules.QUANTITY_UNIT: kept_otherwise.width,
     rules.QUANTITY_RANGE: kept_otherwise.limits,
     rules.SENSOR: kept_otherwise.sensor,

@@ -4,8 +4,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import zip_longest
 
+from codegen.diagnostics import shortened_list
 from codegen.diff.change import Change
 from codegen.diff.judging.texts import same_entry
+from codegen.diff.system.carrying import carried_on
 from codegen.diff.system.judged import Sides, doubtful, is_narrower, silent
 from codegen.model.quantities.conversion import Conversion
 from codegen.model.system import System
@@ -56,7 +58,7 @@ def _doubts(pair: tuple[Quantity, Quantity], sides: Sides) -> Iterator[str]:
         yield f"whether {_shown_start(new)} is what is told and acted on while nothing is known"
     if old.kind is not new.kind or (old.enum and old.enum.name) != (new.enum and new.enum.name):
         yield "whether who reads it takes it for what it is now"
-    if _origin(old, sides.old) != _origin(new, sides.new):
+    if _origin(old, sides.old) != _origin(new, sides.new) or _is_derived_otherwise(old, new, sides):
         yield _SAME
 
 
@@ -84,6 +86,66 @@ def _origin(quantity: Quantity, system: System) -> tuple[object, ...]:
     steps = followed.steps if followed else Fraction(1)
     limits_ = tuple(limit / steps for limit in (*derivation.own_limits, *derivation.own_floors))
     return type(derivation), written, measured, given, limits_, spec.per, spec.restarts_with, derivation.prefers
+
+
+def _is_derived_otherwise(old: Quantity, new: Quantity, sides: Sides) -> bool:
+    """Return whether a curve, or anything else that a derivation says of itself, is another one.
+
+    Its numbers are in the units in which the quantities of the component are kept: they can be compared where these are
+    as they were.
+    """
+    kept = [
+        {name: each.stored for name, each in side.components[old.component].quantities.items()}
+        for side in (sides.old, sides.new)
+    ]
+    is_kept_alike = all(kept[1].get(name, unit) == unit for name, unit in kept[0].items())
+    if not is_kept_alike:
+        curves = [_curves(each, side) for each, side in ((old, sides.old), (new, sides.new))]
+        return curves[0] != curves[1]
+    said = [
+        [(fact.attribute, fact.text) for fact in each.derivation.facts(each) if not fact.is_trust]
+        for each in (old, new)
+    ]
+    is_compared = new.derivation.conversion is not None or bool(new.derivation.gives)  # with units, by _origin
+    return not is_compared and said[0] != said[1]
+
+
+def _curves(quantity: Quantity, system: System) -> list[list[tuple[Fraction, Fraction]]]:
+    """Return the points of the curve of each instance, in amounts."""
+    quantities = system.components[quantity.component].quantities
+    kept = next((quantities[name].stored.scale for name in quantity.derivation.sources if name in quantities), 1)
+    return [
+        [(Fraction(point) * kept, Fraction(value) * quantity.stored.scale) for point, value in curve]
+        for curve in quantity.derivation.curves_by_instance
+    ]
+
+
+def trust(change: Change, sides: Sides) -> Change:
+    """A quantity that is believed for longer or less long: who listens gets an old value, or none; failsafes wait."""
+    pair = _quantities(change, sides)
+    if pair is None:
+        return change
+    old, new = pair
+    if old.trust != new.trust:
+        waiting = sorted({each for side in (sides.old, sides.new) for each in _watching(side, new.path)})
+        acts = f", which {shortened_list(waiting, 3)} may wait for" if waiting else ""
+        change = doubtful(change, f"whether it is to be unknown just then{acts}")
+    if _warned_above(old) != _warned_above(new):
+        change = doubtful(change, "whether the warning is to be given just then")
+    return change
+
+
+def _warned_above(quantity: Quantity) -> list[Fraction] | None:
+    threshold = quantity.derivation.threshold
+    return None if threshold is None else [each / quantity.steps for each in threshold.above]
+
+
+def _watching(system: System, path: str) -> Iterator[str]:
+    """The failsafes that watch a quantity, or what is computed from it."""
+    reached = {path, *carried_on(system).get(path, ())}
+    for each in system.program.failsafes if system.program else ():
+        if any(one.quantity and one.quantity.path in reached for one in (*each.conditions, *each.to_arm)):
+            yield f"failsafe {each.name}"
 
 
 def _measured(conversion: Conversion, quantity: Quantity) -> tuple[object, ...]:
@@ -157,6 +219,8 @@ def parameter(change: Change, sides: Sides) -> Change:
     old, new = _parameter(sides.old, change), _parameter(sides.new, change)
     if old is None or new is None:
         return change
+    for doubt in _stored_otherwise(old, new):
+        change = doubtful(change, doubt)
     before, after = ({value * side.step: text for value, text in side.choices.items()} for side in (old, new))
     if after and not before:
         return doubtful(change, "whether other values are stored, which become the default now")
@@ -174,6 +238,15 @@ def parameter(change: Change, sides: Sides) -> Change:
         elif same_entry(text, now).gravity or not _shares(text, now):
             change = doubtful(change, f"whether {shown}, {now}, is what was {text}")
     return change
+
+
+def _stored_otherwise(old: Parameter, new: Parameter) -> Iterator[str]:
+    if any(new.spec.was.get(name) != factor for name, factor in old.spec.was.items()):
+        yield "whether what is stored under an old name is still on boards"
+    if old.spec.reboot != new.spec.reboot:
+        yield f"whether who sets it counts on its being used {'after a restart' if new.spec.reboot else 'at once'}"
+    if old.unit == new.unit and (old.step / new.step).denominator != 1:
+        yield "whether values between the steps are stored or set by anybody"
 
 
 def _shares(one: str, other: str) -> bool:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from itertools import groupby
 
 from codegen.diff.change import Change, Notice, Victim, changed
@@ -26,6 +27,7 @@ _RULES = {
 }
 """The rule under which a change of each aspect of an answer is told."""
 
+_ABOUT = "whether receivers are to be told of another {}, {}"
 _STATION = (Victim.OLD_STATION,)
 _ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
 """Changes that follow from another source, and are told with it."""
@@ -80,7 +82,13 @@ def _message(message: PopulatedMessage, name: str) -> Subject:
             spec.at("for_each"),
         ),
         *(
-            Fact(f"{name} it is about:", _policy(choice), rules.MESSAGE_INSTANCES, spec.at(f"represents.{name}"))
+            Fact(
+                f"{name} it is about:",
+                _policy(choice),
+                rules.MESSAGE_INSTANCES,
+                spec.at(f"represents.{name}"),
+                doubt=_ABOUT.format(name, _policy(choice)) if choice.component.instances > 1 else "",
+            )
             for name, choice in message.represents.items()
         ),
         Fact("table", message.name, rules.TABLE_RENAMED, spec.at("as")),
@@ -190,6 +198,8 @@ def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answe
         return _flagged(change, old[0], new[0])
     if change.rule is rules.LIMITS:
         return _limited(change, old[0], new[0])
+    if change.rule is rules.CONVERSION:
+        return _converted(change, old[0], new[0])
     if change.rule not in (rules.SOURCE, rules.CONSTANT):
         return change
     if before is None and after is not None:
@@ -224,6 +234,23 @@ def _limited(change: Change, old: Answer, new: Answer) -> Change:
     ):
         return change
     return replace(change, doubt="whether values beyond its limits, which are narrower now, are meant to be cut off")
+
+
+def _converted(change: Change, old: Answer, new: Answer) -> Change:
+    """The same amount goes out as another number, which it does not where it is only kept in another unit."""
+    if _per_amount(old) == _per_amount(new):
+        return change
+    return replace(change, doubt="whether receivers are to get other numbers for the same amount")
+
+
+def _per_amount(answer: Answer) -> list[object]:
+    """Return what an amount is multiplied with and how it is rounded, whatever unit it is kept in."""
+    scales = [quantity.stored.scale for quantity in answer.quantities]
+    scales += [parameter.step * parameter.unit.scale for parameter in answer.parameters]
+    kept = scales[0] if scales else Fraction(1)
+    if not answer.scalings:
+        return [trait for trait in answer.traits(0) if trait.aspect is Aspect.CONVERSION]
+    return [(scaling.factor / kept, scaling.rounding) for scaling in answer.scalings]
 
 
 def _flagged(change: Change, old: Answer, new: Answer) -> Change:

@@ -10,10 +10,14 @@ from codegen.diff.system.trace_rules import CITATION
 from codegen.loop.budget import loop_budget
 from codegen.model.program import Program
 from codegen.model.receiver import Receiver
+from codegen.model.spec.receiver import ReceiverSpec, RolesSpec
 from codegen.model.system import System
 from codegen.source import Place
 
 _FORCE = "whether who arms by force sends this number"
+_READ = "whether what it reads no more, or only now, is meant"
+_STALE = "whether nothing is to be known after so long"
+_LASTS = "whether it still tells rightly how long something lasts"
 _SILENCE = "whether stations that are silent for so long are gone"
 
 
@@ -114,14 +118,24 @@ def _encoding(system: System, program: Program) -> Subject:
 
 def _receiver(receiver: Receiver) -> Subject:
     spec = receiver.spec
+    over, stale = amount(receiver.rate_over_ms, "ms"), amount(receiver.stale_after_ms, "ms")
     names = tuple(message.wire.name for message in receiver.messages)
     facts = (
         Fact("component", receiver.component.name, rules.RECEIVER, spec.at("component")),
-        Fact("reads", ", ".join(names), rules.RECEIVER, spec.place),
-        Fact("stale after", amount(receiver.stale_after_ms, "ms"), rules.RECEIVER, spec.at("stale_after")),
-        Fact("current averaged over", amount(receiver.rate_over_ms, "ms"), rules.RECEIVER, spec.at("rate_over")),
+        Fact("reads", ", ".join(names), rules.RECEIVER, spec.place, doubt=_READ),
+        Fact("stale after", stale, rules.RECEIVER, spec.at("stale_after"), doubt=_STALE),
+        Fact("current averaged over", over, rules.RECEIVER, spec.at("rate_over"), doubt=_LASTS),
+        *(Fact(f"{role} is", fields, rules.RECEIVER, spec.at("roles"), doubt=_LASTS) for role, fields in _roles(spec)),
         Fact("answers to", citations(receiver.citation, receiver.aspects), CITATION, spec.at("requirement")),
     )
     says = f"of {receiver.component.name}"
     citation = cited(receiver.citation, receiver.aspects)
     return Subject("receiver", says, rules.RECEIVER, rules.RECEIVER, spec.place, facts, citation, names)
+
+
+def _roles(spec: ReceiverSpec) -> Iterator[tuple[str, str]]:
+    """Return what each role is played by: any change of it may make another time that something lasts."""
+    roles = spec.roles or RolesSpec(place=spec.place)
+    yield from ((role, ", ".join(fields)) for role, fields in roles.fields())
+    yield "charging", ", ".join(roles.charging)
+    yield "counted anew", "yes" if roles.counted_anew else "no"

@@ -82,13 +82,15 @@ class SourceFact(NamedTuple):
     """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it.
 
     ``asks``: where it is another one, the same reading may be another number, unless what is connected is another, too.
-    What says how long or how often something is read does not; nor does what the outputs say.
+    What says how long or how often something is read does not; nor does what the outputs say. ``is_trust``: it says
+    after what silence nothing is believed any more.
     """
 
     attribute: str
     text: str
     key: str
     asks: bool = True
+    is_trust: bool = False
 
 
 class Source(ABC):

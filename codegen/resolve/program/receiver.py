@@ -1,9 +1,11 @@
 """The receiver: the component that it is for, its messages and its times."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.measure import read_time
+from codegen.model.dialect.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.model.receiver import Receiver
 from codegen.model.spec.receiver import ReceiverSpec
 from codegen.model.spec.spec import Requirement
@@ -24,10 +26,15 @@ BAD_RECEIVER = Rule(
 UNPLAYED_ROLE = Rule(
     "unplayed-role",
     "receiver.yaml gives a role to fields of which the messages that are received have none: what is computed from it "
-    "stays unknown. Name a field of these messages.",
+    "stays unknown. Name a field of these messages. So it is with the entries that say charging; and a name that no "
+    "message, or enum, of the dialect has is told beside right ones, too, where it is nearly one of theirs.",
     Severity.WARNING,
-    remedy="name a field of the messages that are received, or leave the role out",
+    remedy="name a field of the messages that are received, or leave the role, or the name, out",
 )
+
+
+_MISSPELT = 0.85
+"""How near a name is to one of the messages, from 0 to 1, of which it is a misspelling."""
 
 
 def resolve_receiver(
@@ -36,6 +43,7 @@ def resolve_receiver(
     state: StateSpec,
     messages: Sequence[PopulatedMessage],
     index: Mapping[str, Requirement],
+    dialect: Dialect,
     report: Report,
 ) -> Receiver | None:
     """The receiver that receiver.yaml describes; None after a finding."""
@@ -57,21 +65,46 @@ def resolve_receiver(
         hint = f"write 'for_each: {component.name}' in a table, and answer a field with {component.name}.instance"
         report.add(BAD_RECEIVER, spec.at("component"), what, hint)
         return None
-    _report_roles(received, spec, report)
+    _report_roles(received, spec, dialect, report)
     if stale is None or window is None:
         return None
     return Receiver(component, tuple(received), stale, window, citation, aspects, spec)
 
 
-def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report) -> None:
-    """A role whose fields no received message has."""
+def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, dialect: Dialect, report: Report) -> None:
+    """A role whose fields no received message has, and each name that is nearly one of theirs."""
     if spec.roles is None:
         return
-    known = {field.name for message in received for field in message.wire.fields}
-    for role, fields in spec.roles.fields():
-        if fields and known.isdisjoint(fields):
-            what = f"no message that is received has {' or '.join(fields)}"
-            report.add(UNPLAYED_ROLE, spec.roles.at(role), what, did_you_mean(fields[0], known))
+    wires = [message.wire for message in received]
+    named = {field.definition.enum for wire in wires for field in wire.fields}
+    enums = [enum for name, enum in dialect.enums.items() if name in named]
+    for role, names, known, anywhere, what in (
+        *(
+            (role, names, _fields(wires), _fields(dialect.messages.values()), "message")
+            for role, names in spec.roles.fields()
+        ),
+        ("charging", spec.roles.charging, _entries(enums), _entries(dialect.enums.values()), "enum"),
+    ):
+        place = spec.roles.at(role)
+        if names and known.isdisjoint(names):
+            of = "message that is received" if what == "message" else "enum of what is received"
+            message = f"no {of} has {' or '.join(each or repr(each) for each in names)}"
+            report.add(UNPLAYED_ROLE, place, message, did_you_mean(names[0], known))
+            continue
+        for index, name in enumerate(names):
+            near = get_close_matches(name, sorted(known), n=1, cutoff=_MISSPELT)
+            if name not in anywhere and (near or not name):  # other names may be those of a draft, or of before
+                at = spec.roles.places.get(f"{role}[{index}]", place)
+                hint = f"did you mean {near[0]}?" if near else "leave it out"
+                report.add(UNPLAYED_ROLE, at, f"no {what} of the dialect has {name or repr(name)}", hint)
+
+
+def _fields(messages: Iterable[WireMessage]) -> set[str]:
+    return {field.name for message in messages for field in message.fields}
+
+
+def _entries(enums: Iterable[EnumDefinition]) -> set[str]:
+    return {entry.name for enum in enums for entry in enum.entries}
 
 
 def _report_shared(

@@ -1,12 +1,14 @@
 """The courses of a scenario: which quantity each is about, its points in the unit of that, and the way it takes."""
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.model.program import VEHICLE_QUANTITIES
 from codegen.model.scenario import Course, Point
 from codegen.model.spec.scenario import BesideSpec, CourseSpec, EventSpec, ScenarioSpec
 from codegen.model.system import System
+from codegen.model.units.unit import decimal
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.pattern import pattern
 from codegen.resolve.scenarios.board import SCENARIO_PARAMETER
@@ -156,6 +158,15 @@ class Courses:
                 place,
                 f"noise is from 0 on, not {text}",
                 hint="write how far readings are off at most, such as 0.02",
+            )
+        reach = (Fraction(quantity.maximum) - Fraction(quantity.minimum)) / quantity.steps
+        if noise is not None and noise > reach:
+            most = f"{decimal(reach)} {quantity.unit.name}".rstrip()
+            self._values.say(
+                SCENARIO_POINTS,
+                place,
+                f"noise of {text} is more than from the least to the most that {quantity.path} can be",
+                hint=f"readings are off by noise at most: write {most} or less",
             )
         return noise or 0.0
 

@@ -113,7 +113,8 @@ class Expectations:
             )
             return False
         if told and not self._is_told(quantity):
-            self._values.say(SCENARIO_EXPECT, place, f"no message carries {quantity.path} as a number", "write state:")
+            what = f"no message carries {quantity.path} as a number, of an instance that is known"
+            self._values.say(SCENARIO_EXPECT, place, what, "write state:")
             return False
         return True
 
@@ -122,6 +123,7 @@ class Expectations:
         return any(
             told.path == quantity.path
             for message in self._system.messages
+            if message.tells_of(quantity.component)
             for answer in message.answers
             for told in answer.told_quantities
         )

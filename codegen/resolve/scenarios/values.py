@@ -24,6 +24,8 @@ SCENARIO_TIME = Rule(
     "above 0. What happens after the end never happens.",
 )
 UNKNOWN = "unknown"
+_WHOLE_FLOATS = 2**53
+"""Up to which a float is any whole number."""
 
 
 class ScenarioValues:
@@ -76,8 +78,11 @@ class ScenarioValues:
                 return None
             case QuantityKind.ENUM:
                 return self._entry(text, quantity, place)
-        number = self.number(text, quantity, place)
-        return None if number is None else (number,)
+        exact = self.exact(text, quantity, place)
+        if exact is None:
+            return None
+        is_beyond_floats = exact.denominator == 1 and abs(exact) > _WHOLE_FLOATS
+        return (int(exact) if is_beyond_floats else float(exact),)
 
     def number(self, text: str, quantity: Quantity, place: Place) -> float | None:
         """A number in the unit of a quantity; None after an error."""

@@ -154,7 +154,7 @@ class NmeaReceiver(Source):
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("UART", self.line.opened, "uart")
         yield SourceFact("a fix", f"every {self.fix_us} us", "fixes", asks=False)
-        yield SourceFact("silent after", f"{self.silent_ms} ms", "silence", asks=False)
+        yield SourceFact("silent after", f"{self.silent_ms} ms", "silence", is_trust=True)
 
     def words(self) -> str:
         return f"NMEA 0183 on UART {self.line.number}, {self.line.baud} bits per second"

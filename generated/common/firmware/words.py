@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 13dbeec3ae834e25
+# Inputs: 51f22e7ed9402c58
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -91,7 +91,8 @@ class Component:
             place = (place - limit.first) // limit.width
             name, limit = f"{name}[{place}]", limit[place]
         owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
-        self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
+        shown = limit if isinstance(limit, int) else f"{limit:.7g}"
+        self._log(f"warning: {owner}.{name} beyond {shown}: limited")
 
 
 def _told(word):

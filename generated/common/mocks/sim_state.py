@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_state.py: do not edit.
-# Inputs: f9b6a1537a3ea67f
+# Inputs: 89d2deb401438394
 """True values that code of the vehicle sets: the simulation sets them in the state, as that code would."""
 
 import math
@@ -38,6 +38,8 @@ class Setter:
             return
         value = self._course.seen(at_ms)
         if self._is_whole and value is not None:
-            value = math.floor(value * self._steps + 0.5)
+            value *= self._steps
+            if not isinstance(value, int):  # of 64 bits, a whole number is exact
+                value = math.floor(value + 0.5)
         component = getattr(state, self._component)
         setattr(component[self._instance], self._attribute, value)
