@@ -9,6 +9,7 @@ from pathlib import Path
 
 import in_process
 import pytest
+from rover_alone import without_programs
 from whole_program import module_folders
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,8 +38,9 @@ for build in (telemetry.build_heartbeat, telemetry.build_sys_status, telemetry.b
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """The rover's specification in a folder of its own."""
+    """The rover's specification in a folder of its own, without the programs beside it."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    without_programs(tmp_path / "specs")
     return tmp_path
 
 
