@@ -56,9 +56,13 @@ def pytest_xdist_auto_num_workers() -> int:
     return int(asked) if asked else processors + 2
 
 
-def pytest_collection_finish() -> None:
-    """Freeze the objects that were imported and collected: they stay, so no later look for cycles goes through them."""
-    gc.collect()
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Freeze the objects that were imported and collected: they stay, so no later look for cycles goes through them.
+
+    All workers of xdist have the same: one of them looks for cycles before.
+    """
+    if getattr(session.config, "workerinput", {"workerid": "gw0"})["workerid"] == "gw0":
+        gc.collect()
     gc.freeze()
 
 

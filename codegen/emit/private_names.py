@@ -13,6 +13,10 @@ from functools import cached_property, lru_cache
 
 WORD = re.compile(r"[^\W\d]\w*")
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_NAMING = frozenset(
+    (ast.Name, ast.Attribute, ast.keyword, ast.arg, ast.alias, ast.Global, ast.Nonlocal, *_FUNCTIONS, ast.ClassDef)
+) | {ast.ExceptHandler}
+"""The kinds of nodes that have names."""
 
 
 class Module:
@@ -36,12 +40,12 @@ class Module:
     @cached_property
     def names(self) -> frozenset[str]:
         """Every name that is written in it."""
-        return frozenset(name for node in self.nodes for name in _names(node))
+        return frozenset(name for node in self.nodes if type(node) in _NAMING for name in _names(node))
 
     @cached_property
     def bound(self) -> frozenset[str]:
         """The names that it gives to something itself."""
-        return frozenset(name for node in self.nodes for name in bound_by(node))
+        return frozenset(name for node in self.nodes if type(node) in _NAMING for name in bound_by(node))
 
     @cached_property
     def set_elsewhere(self) -> frozenset[str]:
@@ -58,26 +62,23 @@ _PARTLESS = frozenset(("ctx", "op", "ops", "id", "attr", "arg", "kind", "type_co
 """Fields with no nodes, or with some that only say which of a few kinds theirs is: these are half of all."""
 
 
-_PARTS: dict[str, tuple[str, ...]] = {"Constant": ()}
-"""The fields of nodes with others below them, by the names of their kinds, as far as they have been met."""
-
-
-def _parts(node: ast.AST) -> tuple[str, ...]:
-    kind = type(node).__name__
-    if kind not in _PARTS:
-        _PARTS[kind] = tuple(field for field in node._fields if field not in _PARTLESS)
-    return _PARTS[kind]
+_PARTS: dict[type[ast.AST], tuple[str, ...]] = {ast.Constant: ()}
+"""The fields of nodes with others below them, by their kinds, as far as they have been met."""
 
 
 def children(node: ast.AST) -> list[ast.AST]:
     """Return the nodes right below one, as they are written, but for kinds of contexts and operators."""
+    kind = type(node)
+    parts = _PARTS.get(kind)
+    if parts is None:
+        parts = _PARTS[kind] = tuple(field for field in node._fields if field not in _PARTLESS)
     found: list[ast.AST] = []
-    for part in _parts(node):
+    for part in parts:
         value = getattr(node, part, None)
-        if isinstance(value, ast.AST):
-            found.append(value)
-        elif isinstance(value, list):
+        if isinstance(value, list):
             found += [each for each in value if isinstance(each, ast.AST)]
+        elif isinstance(value, ast.AST):
+            found.append(value)
     return found
 
 
@@ -127,26 +128,24 @@ def private_names(modules: Mapping[str, Module], others: Iterable[str]) -> dict[
     }
 
 
-def _names(node: ast.AST) -> Iterator[str]:
+def _names(node: ast.AST) -> Iterable[str]:
     if isinstance(node, ast.Name):
-        yield node.id
-    elif isinstance(node, ast.Attribute):
-        yield node.attr
-    elif isinstance(node, (ast.keyword, ast.arg)) and node.arg:
-        yield node.arg
-    elif isinstance(node, ast.alias):
-        yield from (*node.name.split("."), *([node.asname] if node.asname else []))
-    elif isinstance(node, (ast.Global, ast.Nonlocal)):
-        yield from node.names
-    elif isinstance(node, (*_FUNCTIONS, ast.ClassDef, ast.ExceptHandler)) and node.name:
-        yield node.name
+        return (node.id,)
+    if isinstance(node, ast.Attribute):
+        return (node.attr,)
+    if isinstance(node, (ast.keyword, ast.arg)) and node.arg:
+        return (node.arg,)
+    if isinstance(node, ast.alias):
+        return (*node.name.split("."), *([node.asname] if node.asname else []))
+    if isinstance(node, (ast.Global, ast.Nonlocal)):
+        return node.names
+    return (node.name,) if isinstance(node, (*_FUNCTIONS, ast.ClassDef, ast.ExceptHandler)) and node.name else ()
 
 
-def bound_by(node: ast.AST) -> Iterator[str]:
-    """Yield what a node gives a name to."""
+def bound_by(node: ast.AST) -> Iterable[str]:
+    """Return what a node gives a name to."""
     is_read = isinstance(node, (ast.Name, ast.Attribute)) and isinstance(node.ctx, ast.Load)
-    if not is_read and not isinstance(node, (ast.alias, ast.keyword)):
-        yield from _names(node)
+    return () if is_read or isinstance(node, (ast.alias, ast.keyword)) else _names(node)
 
 
 def _set_elsewhere(nodes: Iterable[ast.AST], classes: Iterable[ast.ClassDef]) -> Iterator[str]:
@@ -190,13 +189,8 @@ def _fixed(module: Module, modules: Mapping[str, Module]) -> Iterator[str]:
 
 def docstrings(nodes: Iterable[ast.AST]) -> set[int]:
     """Return the ids of the nodes that are documentation."""
-    return {id(doc) for node in nodes for doc in _docstring(node)}
-
-
-def _docstring(node: ast.AST) -> Iterator[ast.AST]:
-    first = node.body[0] if isinstance(node, (ast.Module, ast.ClassDef, *_FUNCTIONS)) and node.body else None
-    if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
-        yield first.value
+    first = (node.body[0] for node in nodes if isinstance(node, (ast.Module, ast.ClassDef, *_FUNCTIONS)) and node.body)
+    return {id(each.value) for each in first if isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant)}
 
 
 def _scopes(modules: Mapping[str, Module]) -> dict[str, str]:

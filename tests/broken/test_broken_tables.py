@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from rover_alone import without_programs
+from short_documents import shorten_documents
 
 from codegen.cli import main
 
@@ -886,6 +887,7 @@ def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
 def test_scenarios_are_checked_though_the_rest_is_broken(tmp_path, monkeypatch, capsys):
     """A specification that cannot be resolved does not hide what is wrong with the scenarios, and they may be absent."""
     changed_copy(Case("", "scenarios.yaml", "duration: 60 s", "duration: 0 s"), tmp_path)
+    shorten_documents(tmp_path / "specs")
     streams = tmp_path / "specs" / "streams.yaml"
     streams.write_text("streams: 3\n")
     monkeypatch.chdir(tmp_path)

@@ -9,7 +9,6 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from rover_alone import without_programs
 
 from codegen.tool import digest as tool
 
@@ -53,11 +52,21 @@ EDITS = {
 """One edit of each kind of file: what is replaced, once, and by what."""
 
 
-def test_after_an_edit_of_any_file_the_output_is_that_of_a_build_that_knows_nothing(
-    built: Path, tmp_path: Path
-) -> None:
-    cache = tmp_path / "cache"
-    run(built, cache, "build", "--force")
+@pytest.fixture(scope="module")
+def kept(first_build: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What a build of the project below keeps."""
+    cache = tmp_path_factory.mktemp("kept") / "cache"
+    run(first_build[0], cache, "build", "--check")
+    return cache
+
+
+@pytest.fixture
+def cache(kept: Path, tmp_path: Path) -> Path:
+    """A copy of it."""
+    return Path(shutil.copytree(kept, tmp_path / "cache"))
+
+
+def test_after_an_edit_of_any_file_the_output_is_that_of_a_build_that_knows_nothing(built: Path, cache: Path) -> None:
     before = texts(built / "generated")
     for path, (old, new) in EDITS.items():  # all at once: none may be missed
         file = built / path
@@ -73,10 +82,8 @@ def test_after_an_edit_of_any_file_the_output_is_that_of_a_build_that_knows_noth
     assert texts(built / "generated") == before
 
 
-def test_files_that_come_and_go_are_noticed(built: Path, tmp_path: Path) -> None:
+def test_files_that_come_and_go_are_noticed(built: Path, cache: Path, tmp_path: Path) -> None:
     """The table of a program's base is meant where the program's own is gone."""
-    cache = tmp_path / "cache"
-    run(built, cache, "build")
     own = built / "specs" / "smart_battery" / "messages"
     before = texts(built / "generated")
     shutil.move(own / "battery_info.yaml", tmp_path)
@@ -132,9 +139,7 @@ def test_another_codegen_has_another_output(tmp_path: Path, package: Path) -> No
     assert texts(begun / "generated") == before
 
 
-def test_damage_is_repaired(built: Path, tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    run(built, cache, "build", "--check")
+def test_damage_is_repaired(built: Path, cache: Path) -> None:
     for path in cache.iterdir():
         content = path.read_bytes()
         path.write_bytes(content[:32] + bytes(len(content) - 32))
@@ -147,8 +152,7 @@ def test_several_runs_at_once_share_it(tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     folders = [tmp_path / name for name in ("one", "another", "third")]
     for folder in folders:
-        shutil.copytree(ROOT / "specs", folder / "specs")
-        without_programs(folder / "specs")
+        shutil.copytree(ROOT / "tests" / "projects" / "minimal" / "specs", folder / "specs")
     with ThreadPoolExecutor(len(folders)) as runs:
         list(runs.map(lambda folder: run(folder, cache, "build"), folders))
     assert all(len(path.name) == 64 for path in cache.iterdir())  # nothing unfinished

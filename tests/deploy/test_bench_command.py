@@ -2,13 +2,14 @@
 
 import json
 import shutil
-import subprocess
-import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from as_written import compiled_as_written
 from board_on_pty import powered
+from in_process import build, codegen
 
 from codegen.cli import main
 from codegen.model.bench_record import MEASURES
@@ -19,15 +20,19 @@ COUNTS = [*[2000] * 5, *[2010] * 5]
 """Readings are the mean of five: there are two values, ten counts apart or, where fives of both are mixed, less."""
 
 
+@pytest.fixture(scope="module", autouse=True)
+def as_written() -> Iterator[None]:
+    """What is measured is no matter here."""
+    with compiled_as_written():
+        yield
+
+
 def deployed(project: Path, image: Path) -> Path:
     """A flash that has the program of a project, which is built first."""
-    for command in (["build"], ["deploy", "--log", "0", "--port"]):
-        with powered(image, told=PICO) as board:
-            arguments = [*command, *([board.port] if command[-1] == "--port" else []), "--project", str(project)]
-            done = subprocess.run(
-                [sys.executable, "-m", "codegen", *arguments], capture_output=True, text=True, check=False
-            )
-            assert done.returncode == 0, done.stdout + done.stderr
+    build(project)
+    with powered(image, told=PICO) as board:
+        done = codegen(project, "deploy", "--log", "0", "--port", board.port)
+        assert done.returncode == 0, done.stdout + done.stderr
     return image
 
 

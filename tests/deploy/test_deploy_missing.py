@@ -3,11 +3,13 @@
 import os
 import re
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
+from as_written import compiled_as_written
 from board_on_pty import powered
 from in_process import codegen
 
@@ -20,7 +22,6 @@ from codegen.deploy.transfer import importable
 from codegen.diagnostics import Report
 from codegen.source import Place
 
-pytestmark = pytest.mark.usefixtures("compiled_as_written")  # what is compiled is no matter here
 PICO = {"_machine": "Raspberry Pi Pico 2 W with RP2350"}
 LISTED = """\
 __main__          asyncio/core      network           time
@@ -192,6 +193,13 @@ def test_what_the_firmware_needs_of_micropython() -> None:
     words = "the MicroPython of this board has no module network, which wifi.py imports"
     assert told({"app.py": ""}, made=made) == [f"/tty:1:1 other-board: {words}"]
     assert told({"app.py": ""}, made=made, board=UNKNOWN_BOARD) == []
+
+
+@pytest.fixture(scope="module", autouse=True)
+def as_written() -> Iterator[None]:
+    """No test here is about what is compiled."""
+    with compiled_as_written():
+        yield
 
 
 @pytest.fixture(scope="module")

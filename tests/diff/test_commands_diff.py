@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from test_every_attribute_of_a_system import mutants, siblings_of
+from test_every_attribute_of_a_system import mutants, said_once, siblings_of
 
 from codegen.diagnostics import Report
 from codegen.diff.change import Change, Weight
@@ -26,11 +26,12 @@ def boat() -> System:
     return read_systems(str(SPECS / "codegen.yaml"), Report())[0]
 
 
-def test_each_attribute_of_a_command_and_of_a_mode_is_told(boat: System) -> None:
+def test_each_attribute_of_a_command_and_of_a_mode_is_told(boat: System, monkeypatch: pytest.MonkeyPatch) -> None:
     """One that is missed would be a change that nobody reviews."""
     program = boat.program
     assert program is not None
     tried = set()
+    said_once(boat, monkeypatch)
     siblings = siblings_of(boat)
     for kind in ("commands", "modes"):
         for place, record in enumerate(getattr(program, kind)):

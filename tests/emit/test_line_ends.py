@@ -4,6 +4,7 @@ import codecs
 from pathlib import Path
 
 import pytest
+from as_written import compiled_as_written
 from in_process import codegen
 
 TEXT = {".py", ".yaml", ".xml", ".md", ".json", ".html"}
@@ -62,10 +63,12 @@ def test_a_byte_order_mark_makes_nothing_stale(boat: Path) -> None:
 
 def test_compiled_files_are_compared_to_the_byte(boat: Path) -> None:
     """In machine code a CR is no line end."""
-    assert codegen(boat, "build", "--mpy", "armv6m").returncode == 0
-    compiled = next(path for path in (boat / "build/armv6m").glob("*.mpy") if b"\n" in path.read_bytes())
-    compiled.write_bytes(compiled.read_bytes().replace(b"\n", b"\r\n"))
-    assert codegen(boat, "build", "--mpy", "armv6m", "--check").returncode == 1
+    with compiled_as_written():
+        assert codegen(boat, "build", "--mpy", "armv6m").returncode == 0
+        assert codegen(boat, "build", "--mpy", "armv6m", "--check").returncode == 0
+        compiled = next(path for path in (boat / "build/armv6m").glob("*.mpy") if b"\n" in path.read_bytes())
+        compiled.write_bytes(compiled.read_bytes().replace(b"\n", b"\r\n"))
+        assert codegen(boat, "build", "--mpy", "armv6m", "--check").returncode == 1
 
 
 def test_no_two_files_differ_only_in_their_case(boat: Path) -> None:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from packs import SYSTEM
+from packs import rover
 
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
@@ -34,7 +34,7 @@ PACK = "    courses: {battery.voltage: {value: 12 V}}\n"
 
 def resolved(path: Path, report: Report) -> dict[str, Scenario]:
     written = decode_scenarios(str(path), DISK, report)
-    return {} if written is None else resolve_scenarios(written, SYSTEM, report)
+    return {} if written is None else resolve_scenarios(written, rover(), report)
 
 
 def found(tmp_path: Path, text: str) -> tuple[dict[str, Scenario], list[tuple[str, int, int]]]:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from packs import ROOT, SYSTEM
+from packs import ROOT, rover
 from pymavlink.dialects.v20 import common
 
 from codegen.cli import main
@@ -57,7 +57,7 @@ def resolved(tmp_path: Path, *events: str) -> tuple[list[Any], list[tuple[str, i
     path.write_text(HEAD + "".join(f"      - {{{event}}}\n" for event in events))
     report = Report()
     written = decode_scenarios(str(path), DISK, report)
-    scenarios = {} if written is None else resolve_scenarios(written, SYSTEM, report)
+    scenarios = {} if written is None else resolve_scenarios(written, rover(), report)
     found = [(finding.rule.id, finding.place.line, finding.place.column) for finding in report]
     return list(scenarios["a"].events) if "a" in scenarios else [], found
 

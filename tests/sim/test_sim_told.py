@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from packs import ROOT, SYSTEM
+from packs import ROOT, rover
 from pymavlink.dialects.v10 import common as old
 from pymavlink.dialects.v20 import ardupilotmega, common
 
@@ -50,7 +50,7 @@ def test_values_come_in_the_units_of_the_quantities(dialect: Any) -> None:
     """12.345 V, 2.5 A, 36.5 degC; the rest has the dialect's sentinels. In MAVLink 1 and 2, trailing zeros cut."""
     voltages = [12_345, *UNKNOWN[1:]]
     frame = battery_status(dialect, 1, voltages, current_battery=250, temperature=3650, current_consumed=7)
-    assert told(SYSTEM, frame) == {
+    assert told(rover(), frame) == {
         "battery.voltage/1": 12.345,
         "battery.current/1": 2.5,
         "battery.temperature/1": 36.5,
@@ -69,7 +69,7 @@ def test_a_voltage_is_the_sum_of_the_cells() -> None:
         ([0, *UNKNOWN[1:]], 0.0),
         (UNKNOWN, None),
     ):
-        assert told(SYSTEM, battery_status(common, 0, voltages))["battery.voltage/0"] == value
+        assert told(rover(), battery_status(common, 0, voltages))["battery.voltage/0"] == value
 
 
 def test_the_number_of_the_first_instance_counts() -> None:
@@ -78,9 +78,9 @@ def test_the_number_of_the_first_instance_counts() -> None:
     smart = next(system for system in systems if system.spec.program == "smart_battery")
     frame = battery_status(common, 3, [11_000, *UNKNOWN[1:]])
     assert told(smart, frame, BATT_ID=3)["battery.voltage/0"] == 11.0
-    assert told(SYSTEM, battery_status(common, 2, [11_000, *UNKNOWN[1:]])) == {}
+    assert told(rover(), battery_status(common, 2, [11_000, *UNKNOWN[1:]])) == {}
     # The rover's two batteries, as if their ids began with that parameter: 5 by its value, or with its default.
-    (table,) = SYSTEM.tables("BATTERY_STATUS")
+    (table,) = rover().tables("BATTERY_STATUS")
     assert table.component is not None
     counted = replace(table, component=replace(table.component, first_number=smart.parameters["BATT_ID"]))
     telling = Telling([counted])
@@ -93,8 +93,8 @@ def test_what_could_be_any_instance_is_not_taken() -> None:
     """SYS_STATUS has the voltage of the battery that represents all."""
     fields = (0, 0, 0, 500, 12_000, -1, -1, 0, 0, 0, 0, 0, 0)
     frame = common.MAVLink_sys_status_message(*fields).pack(common.MAVLink(None))
-    assert told(SYSTEM, frame) == {"vehicle.load/0": 50.0}
-    assert "battery.voltage" in told_paths(SYSTEM)
+    assert told(rover(), frame) == {"vehicle.load/0": 50.0}
+    assert "battery.voltage" in told_paths(rover())
 
 
 def test_floats_and_multipliers_and_tables_that_share_a_message() -> None:
@@ -120,16 +120,16 @@ def test_floats_and_multipliers_and_tables_that_share_a_message() -> None:
 def test_others_tell_nothing() -> None:
     """A message that no table has."""
     frame = common.MAVLink_ping_message(1, 2, 3, 4).pack(common.MAVLink(None))
-    assert told(SYSTEM, frame) == {}
+    assert told(rover(), frame) == {}
 
 
 @pytest.mark.parametrize("policy", Policy)
 def test_a_message_that_represents_the_first_tells_of_it(policy: Policy) -> None:
     """What is chosen while the program runs tells of nobody, for which instance it is about does not stand in it."""
-    table = next(each for each in SYSTEM.messages if each.name == "SYS_STATUS")
+    table = next(each for each in rover().messages if each.name == "SYS_STATUS")
     (choice,) = table.represents.values()
     chosen = replace(table, represents={"battery": replace(choice, policy=policy)})
-    system = replace(SYSTEM, messages=(chosen,))
+    system = replace(rover(), messages=(chosen,))
     message = common.MAVLink_sys_status_message(0, 0, 0, 0, 12_345, 250, -1, 0, 0, 0, 0, 0, 0)
     found = told(system, message.pack(common.MAVLink(None)))
     assert found.get("battery.voltage/0") == (12.345 if policy is Policy.FIRST else None)

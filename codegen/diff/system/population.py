@@ -39,8 +39,9 @@ def population_changes(old: System, new: System) -> Iterator[Change]:
     was = (_message(message, name) for name, message in before.items())
     yield from subject_changes(was, (_message(message, message.name) for message in new.messages))
     for message in new.messages:
-        if message.name in before:
-            yield from _elements(before[message.name], message)
+        known = before.get(message.name)
+        if known is not None and known is not message:
+            yield from _elements(known, message)
 
 
 def _name_now(message: PopulatedMessage, old: System, new: System) -> str:
