@@ -179,9 +179,7 @@ class _Reader:
         wanted = self._attributes.specification
         if wanted is None:
             return known
-        found = [
-            each for each in known if wanted in (each.attributes.get("LONG-NAME"), each.attributes.get("IDENTIFIER"))
-        ]
+        found = [each for each in known if wanted in map(each.attributes.get, ("LONG-NAME", "IDENTIFIER"))]
         if len(found) != 1:
             names = [each.attributes.get("LONG-NAME") or each.attributes.get("IDENTIFIER", "") for each in known]
             what = f"{len(found)} specifications are called" if found else "no specification is called"

@@ -1,4 +1,4 @@
-"""Numbers of instances that begin with 0, where the dialect's words give the first one another number or 0 a meaning."""
+"""Numbers of instances that begin with 0, where by the dialect's words the first is 1, or 0 means something else."""
 
 import re
 from collections.abc import Iterator
@@ -20,16 +20,19 @@ RULE = Rule(
 _FIRST = phrase(
     r"\b1 (?:for|is|means|indicates) (?:the )?first\b|\b1 ?[=:] ?(?:the )?first\b|"
     r"\bfirst (?:\w+ ){0,2}(?:is|has|gets|=) (?:number |index |id )?1\b|"
-    r"\b(?:number(?:ed|ing)|count(?:ed|s|ing)|index(?:ed|ing)?|start(?:s|ed|ing)?|begin(?:s|ning)?) (?:from|at|with) 1\b|"
+    r"\b(?:number(?:ed|ing)|count(?:ed|s|ing)|index(?:ed|ing)?|start(?:s|ed|ing)?|begin(?:s|ning)?) "
+    r"(?:from|at|with) 1\b|"
     r"\b(?:1|one)[- ](?:based|indexed)\b",
     re.IGNORECASE,
 )
 _OWN_MEANING = phrase(
-    r"\b1 ?(?:-|to|\.\.) ?\d+ for\b|\bbetween 1\b|\(1 ?(?:-|to|\.\.) ?\d+\)|(?<![\w.-])0 ?(?:[:=]|for|if|means|is|indicates)(?!\w)",
+    r"\b1 ?(?:-|to|\.\.) ?\d+ for\b|\bbetween 1\b|\(1 ?(?:-|to|\.\.) ?\d+\)|"
+    r"(?<![\w.-])0 ?(?:[:=]|for|if|means|is|indicates)(?!\w)",
     re.IGNORECASE,
 )
 _FROM_ZERO = phrase(
-    r"\b(?:from|at|with) (?:0|zero)\b|\b(?:0|zero)[- ](?:based|indexed)\b|(?<![\w.-])0 ?(?:[:=]|for|is|means)? ?(?:the )?first\b",
+    r"\b(?:from|at|with) (?:0|zero)\b|\b(?:0|zero)[- ](?:based|indexed)\b|"
+    r"(?<![\w.-])0 ?(?:[:=]|for|is|means)? ?(?:the )?first\b",
     re.IGNORECASE,
 )
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.spec.described import Amount, described
-from codegen.source import Written
+from codegen.source import Place, Written
 
 
 class KeyKind(StrEnum):
@@ -81,6 +81,15 @@ class DriverModule:
     names: frozenset[str] | None
     classes: tuple[str, ...]
     fault: tuple[int, str] | None
+
+
+@dataclass(frozen=True, slots=True)
+class StateStore:
+    """An attribute of a component of the state that a module of the user's sets, with its place."""
+
+    component: str
+    attribute: str
+    place: Place
 
 
 @dataclass(frozen=True, slots=True)
