@@ -55,7 +55,10 @@ def program(**parts: Any) -> Any:
 def sent(rate: int, stream: str | None = "S", *, unknown: int = 0, by: str = "") -> Any:
     """A program with one message; ``by`` is the key that sends it, or nothing."""
     table = {"name": "M", "rate": Fraction(rate), "stream": stream, "withheld_for": (None,) * unknown}
-    own = {key: key == by for key in ("on_connection", "on_change")}
+    own = {
+        "on_connection": by == "on_connection",
+        "on_change": SimpleNamespace(path="a.b") if by == "on_change" else None,
+    }
     return program(messages=(SimpleNamespace(**table, **own),))
 
 
@@ -64,7 +67,10 @@ def stream(rate: int) -> Any:
 
 
 def parameter(name: str, default: int, step: int = 1) -> Any:
-    return program(parameters={name: SimpleNamespace(default=default, step=Fraction(step))})
+    found = SimpleNamespace(name=name, default=default, step=Fraction(step), siblings=())
+    nothing = dict.fromkeys(("generations", "messages"), ())
+    ids = dict.fromkeys(("system_parameter", "component_parameter", "program"))
+    return program(**{**nothing, **ids, "parameters": {name: found}})
 
 
 def channel(name: str = "volts", gpio: int = 26, pin: str | None = None, reference: int = 3, scale: int = 4095) -> Any:
