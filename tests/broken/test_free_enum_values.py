@@ -23,9 +23,7 @@ fields:
 """
 
 
-@pytest.mark.parametrize(
-    ("number", "is_right"), [(40000, True), (32768, True), (32767, False), (199, False)]
-)
+@pytest.mark.parametrize(("number", "is_right"), [(40000, True), (32768, True), (32767, False), (199, False)])
 def test_codes_of_ones_own(number: int, is_right: bool, tmp_path: Path) -> None:
     """TUNNEL.payload_type: codes greater than 32767 are considered local experiments."""
     shutil.copytree(SPECS, tmp_path / "specs")

@@ -68,6 +68,21 @@ CASES: dict[str, tuple[Edit, str, str]] = {
         "needs a person: whether another value is meant for the low threshold of the failsafe of battery.voltage",
         "need",
     ),
+    "a point of a curve": (
+        replaced("board.yaml", "4.06 V: 90, 3.98 V", "4.06 V: 85, 3.98 V"),
+        "needs a person: whether it still gives the same numbers",
+        "need",
+    ),
+    "believed for longer": (
+        replaced("state.yaml", "stale_after: 1 s", "stale_after: 60 s"),
+        "needs a person: whether failsafes and receivers are to believe it for just so long",
+        "need",
+    ),
+    "about another one": (
+        replaced("messages/sys_status.yaml", "{parameter: BATT_SYS_STATUS}", "{first: true}"),
+        "needs a person: whether another battery is meant",
+        "need",
+    ),
     "divider": (
         replaced("parameters.yaml", "default: 3.95", "default: 4.95"),
         "the same reading is 99/79 times what it was in ",

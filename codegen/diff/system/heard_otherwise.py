@@ -139,6 +139,19 @@ def _link(change: Change, sides: Sides) -> Change:
     return change
 
 
+def _represented(change: Change, sides: Sides) -> Change:
+    """A message that is about another one of several instances."""
+    old, new = (_table(side, change.subject) for side in (sides.old, sides.new))
+    if old is None or new is None:
+        return change
+    chosen = [
+        {name: (each.policy, each.parameter and each.parameter.name) for name, each in side.represents.items()}
+        for side in (old, new)
+    ]
+    other = [name for name in chosen[1] if name in chosen[0] and chosen[0][name] != chosen[1][name]]
+    return doubtful(change, f"whether another {' and '.join(other)} is meant") if other else change
+
+
 def _instances(change: Change, sides: Sides) -> Change:
     old, new = (side.components.get(change.subject) for side in (sides.old, sides.new))
     if old is None or new is None or len(new.parts) >= len(old.parts):
@@ -204,6 +217,7 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.CHANNEL: _channel,
     rules.LINK: _link,
     rules.INSTANCES: _instances,
+    rules.MESSAGE_INSTANCES: _represented,
     rules.FACT: _fact,
     rules.GENERATIONS: _generations,
     rules.TAKEN_FROM: _taken_from,
@@ -212,6 +226,7 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, Sides], Change]] = {
     rules.COMMAND_RANGE: commanded_otherwise.accepted,
     rules.COMMAND_REMOVED: commanded_otherwise.refused,
     rules.QUANTITY_SOURCE: kept_otherwise.source,
+    rules.QUANTITY_AGE: kept_otherwise.trust,
     rules.QUANTITY_UNIT: kept_otherwise.width,
     rules.QUANTITY_RANGE: kept_otherwise.limits,
     rules.SENSOR: kept_otherwise.sensor,

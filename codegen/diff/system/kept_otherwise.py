@@ -83,7 +83,15 @@ def _origin(quantity: Quantity, system: System) -> tuple[object, ...]:
     followed = system.components[quantity.component].quantities.get(derivation.follows or "")
     steps = followed.steps if followed else Fraction(1)
     limits_ = tuple(limit / steps for limit in (*derivation.own_limits, *derivation.own_floors))
-    return type(derivation), written, measured, given, limits_, spec.per, spec.restarts_with, derivation.prefers
+    own = (type(derivation), written, measured, given, limits_, spec.per, spec.restarts_with, derivation.prefers)
+    return (*own, tuple(_curves(quantity, system)))
+
+
+def _curves(quantity: Quantity, system: System) -> Iterator[tuple[Fraction, Fraction]]:
+    """Yield the points of the curves by which it follows another one, in the units of both."""
+    for curve in quantity.derivation.curves_by_instance:
+        source = system.components[quantity.component].quantities[quantity.derivation.sources[0]]
+        yield from ((at / Fraction(source.steps), stands_for / Fraction(quantity.steps)) for at, stands_for in curve)
 
 
 def _measured(conversion: Conversion, quantity: Quantity) -> tuple[object, ...]:
@@ -105,6 +113,14 @@ def limits(change: Change, sides: Sides) -> Change:
         change = doubtful(change, _LESS)
     counts = [sum(each.elements or ()) for each in pair]
     return doubtful(change, "whether nothing is to be told of the others") if counts[1] < counts[0] else change
+
+
+def trust(change: Change, sides: Sides) -> Change:
+    """A value that is believed for longer, or for less long, than before."""
+    pair = _quantities(change, sides)
+    if pair is None or pair[0].trust == pair[1].trust:
+        return change
+    return doubtful(change, "whether failsafes and receivers are to believe it for just so long")
 
 
 def width(change: Change, sides: Sides) -> Change:
