@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 ENDINGS = (".reqif", ".json")
 """Ends of the names of files that have requirements, not fields."""
-OPTIONS = ("prefix", "status", "text", "heading", "id", "type", "version")
+OPTIONS = ("prefix", "status", "text", "heading", "id", "specification", "type", "version")
 """Options of this alone."""
 OF_FIELDS = ("message", "dialect", "for_each", "stream", "requirement", "merge", "compare")
 """Options of the import of fields alone."""
@@ -32,6 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--text", metavar="NAME", help="ReqIF: the attribute with texts (default: ReqIF.Text)")
     group.add_argument("--heading", metavar="NAME", help="ReqIF: that with headings (default: ReqIF.ChapterName)")
     group.add_argument("--id", metavar="NAME", help="ReqIF: that with ids (default: ReqIF.ForeignID)")
+    group.add_argument("--specification", metavar="NAME", help="ReqIF: the one to import of several (default: all)")
     group.add_argument("--type", metavar="NAME", action="append", help="needs.json: a type to import (default: req)")
     group.add_argument("--version", metavar="NAME", help="needs.json: the version (default: the current one)")
 
@@ -81,7 +82,7 @@ def _read(path: str, arguments: argparse.Namespace, report: "Report") -> "Stated
         return read_needs(path, arguments.type or ["req"], arguments.version, report)
     from codegen.exchanged.reqif import Attributes, read_reqif
 
-    given = {name: getattr(arguments, name) for name in ("text", "heading", "id")}
+    given = {name: getattr(arguments, name) for name in ("text", "heading", "id", "specification")}
     return read_reqif(path, Attributes(**{name: value for name, value in given.items() if value}), report)
 
 

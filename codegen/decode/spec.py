@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from codegen.decode.board_model import FOLDER, board_model_path
 from codegen.decode.decoded import decoded
-from codegen.decode.driver_modules import driver_module, user_modules
+from codegen.decode.driver_modules import driver_module, stores_of, user_modules
 from codegen.decode.overlays import Overlays
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
@@ -27,7 +27,7 @@ from codegen.model.spec.board import BoardSpec
 from codegen.model.spec.command import CommandsSpec
 from codegen.model.spec.driver import DriverSpec, OwnDriver
 from codegen.model.spec.population import PopulationSpec
-from codegen.model.spec.program import VehicleSpec
+from codegen.model.spec.program import CodeSpec, VehicleSpec
 from codegen.model.spec.receive import ReceiveSpec
 from codegen.model.spec.receiver import ReceiverSpec
 from codegen.model.spec.source import OwnSourceSpec
@@ -177,6 +177,12 @@ class _SpecReader:
             broken_drivers=broken_drivers,
             own_drivers=self._own_drivers,
             user_modules=user_modules(board.sources.values(), self._base, self._files),
+            state_stores=stores_of(
+                board.sources.values(),
+                (vehicle.code or CodeSpec(place=vehicle.place)).module if vehicle else None,
+                self._base,
+                self._files,
+            ),
             other_overlays=tuple(sorted(self._overlays.others)),
             other_corrections=tuple(self._overlays.spare),
         )

@@ -29,6 +29,12 @@ REQIF_ATTRIBUTE = Rule(
     "No object of a ReqIF file has an attribute with texts of requirements, as ReqIF.Text is called by convention. "
     "--text, --heading and --id name the attributes that the file has for texts, headings and ids.",
 )
+REQIF_SPECIFICATION = Rule(
+    "reqif-specification",
+    "A ReqIF file has no specification of the name that --specification gives, or several. A file can have several "
+    "specifications, such as the modules of DOORS, which number their objects each for itself: one can be imported by "
+    "its LONG-NAME or IDENTIFIER, with a --prefix of its own.",
+)
 REQIF_TWICE = Rule(
     "reqif-twice",
     "An object stands twice in the hierarchies of a ReqIF file; it is imported where it stands first.",
@@ -45,12 +51,15 @@ FACTS = ("status", "aliases", "refers_to", "bench")
 
 @dataclass(frozen=True, slots=True)
 class Attributes:
-    """The names in a file of the attributes with texts, headings, names and ids."""
+    """The names in a file of the attributes with texts, headings, names and ids; and of the one ``specification`` that
+    is read, by LONG-NAME or IDENTIFIER: without one, all are.
+    """
 
     text: str = "ReqIF.Text"
     heading: str = "ReqIF.ChapterName"
     name: str = "ReqIF.Name"
     id: str = "ReqIF.ForeignID"
+    specification: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +103,8 @@ class _Reader:
         placed = self._placed()
         stated = [self._stated(key, parent, depends_on.get(key, ())) for key, parent in placed.items()]
         kept = [each for each in stated if _says_something(each)]
-        self._check_texts(stated)
+        if placed or self._attributes.specification is None:
+            self._check_texts(stated)
         left_out = Counter(self._objects[each.key].kind or "object" for each in stated if not _says_something(each))
         elsewhere = Counter(each.kind or "object" for key, each in self._objects.items() if key not in placed)
         return StatedFile(tuple(kept), {**(left_out + elsewhere), **relations})
@@ -147,7 +157,7 @@ class _Reader:
     def _placed(self) -> dict[str, str | None]:
         """The objects that stand in hierarchies with the one that each stands below."""
         placed: dict[str, str | None] = {}
-        for specification in _children(_only(self._content, "SPECIFICATIONS")):
+        for specification in self._chosen():
             waiting = [(each, None) for each in reversed(_children(_only(specification, "CHILDREN")))]
             todo: list[tuple[MixedElement, str | None]] = list(waiting)
             while todo:
@@ -162,6 +172,23 @@ class _Reader:
                 below = key if key in self._objects else parent
                 todo += [(child, below) for child in reversed(_children(_only(each, "CHILDREN")))]
         return placed
+
+    def _chosen(self) -> Sequence[MixedElement]:
+        """Return the specifications that are read: all, or after a finding none."""
+        known = _children(_only(self._content, "SPECIFICATIONS"))
+        wanted = self._attributes.specification
+        if wanted is None:
+            return known
+        found = [each for each in known if wanted in map(each.attributes.get, ("LONG-NAME", "IDENTIFIER"))]
+        if len(found) != 1:
+            names = [each.attributes.get("LONG-NAME") or each.attributes.get("IDENTIFIER", "") for each in known]
+            what = f"{len(found)} specifications are called" if found else "no specification is called"
+            hint = (
+                f"name one of {shortened_list(sorted(names))}, or its IDENTIFIER" if names else "leave the option out"
+            )
+            self._report.add(REQIF_SPECIFICATION, self._at(self._content), f"{what} {wanted}", hint)
+            return ()
+        return found
 
     def _relations(self) -> tuple[dict[str, tuple[str, ...]], dict[str, int]]:
         """Return what depends on what, by keys; and how many relations there are of other types."""

@@ -36,7 +36,6 @@ KNOWN_FOR_EVER = Rule(
 )
 
 
-
 def check(system: System) -> Iterator[Diagnostic]:
     """Every condition of a failsafe, and every boolean that follows a limit."""
     found = attainable(system)

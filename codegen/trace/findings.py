@@ -151,7 +151,8 @@ def _all(
 def _of(each: Coverage) -> Iterator[Diagnostic]:
     place = each.criterion.place
     if each.is_uncovered:
-        yield Diagnostic(place, UNCOVERED, f"{each.name} {_why(each)}", related=_not_passed(each))
+        hint = "look at the tests that failed, and at what they are about" if each.verdict is Verdict.FAILED else None
+        yield Diagnostic(place, UNCOVERED, f"{each.name} {_why(each)}", hint, _not_passed(each))
     elif each.verdict is Verdict.PARTLY and each.counts:
         yield Diagnostic(place, PARTLY, f"{each.name}: {counted_text(each.counts)}", related=_not_passed(each))
     if each.is_suspect:

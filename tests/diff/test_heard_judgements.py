@@ -57,7 +57,10 @@ def program(**parts: Any) -> Any:
 def sent(rate: int, stream: str | None = "S", *, unknown: int = 0, by: str = "") -> Any:
     """A program with one message; ``by`` is the key that sends it, or nothing."""
     table = {"name": "M", "rate": Fraction(rate), "stream": stream, "withheld_for": (None,) * unknown}
-    own = {key: key == by for key in ("on_connection", "on_change")}
+    own = {
+        "on_connection": by == "on_connection",
+        "on_change": SimpleNamespace(path="a.b") if by == "on_change" else None,
+    }
     return program(messages=(SimpleNamespace(**table, **own),))
 
 

@@ -1,5 +1,6 @@
 """The headline never says that nothing breaks where somebody hears nothing, hears less, or gets other numbers."""
 
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -66,6 +67,16 @@ CASES: dict[str, tuple[Edit, str, str]] = {
     "threshold": (
         replaced("parameters.yaml", "default: 3.5", "default: 3.4"),
         "needs a person: whether another value is meant for the low threshold of the failsafe of battery.voltage",
+        "need",
+    ),
+    "believed for longer": (
+        replaced("state.yaml", "stale_after: 1 s", "stale_after: 60 s"),
+        "needs a person: whether it is to be unknown just then, which failsafe battery may wait for",
+        "need",
+    ),
+    "about another one": (
+        replaced("messages/sys_status.yaml", "{parameter: BATT_SYS_STATUS}", "{first: true}"),
+        "needs a person: whether receivers are to be told of another battery, the first",
         "need",
     ),
     "divider": (
@@ -145,6 +156,22 @@ def test_what_nothing_else_sends_breaks(key: str, said: str, project: Path) -> N
     assert said in finding_text(as_finding(group))
     assert "none of them breaks anybody" not in found.head_line
     assert fails(found, ["breaking"])
+
+
+def test_a_point_of_a_curve_is_a_question(tmp_path: Path) -> None:
+    """What follows a reading is another number then, and a failsafe on it acts elsewhere."""
+    specs = ROOT / "tests" / "projects" / "radio_rover" / "specs"
+    shutil.copytree(specs, tmp_path / "specs")
+    board = tmp_path / "specs" / "board.yaml"
+    text = board.read_text()
+    board.write_text(re.sub(r"(curves:\n(?:.*\n)*?.*?[\d.]+ V: )(\d\d)\b", r"\g<1>51", text, count=1))
+    assert board.read_text() != text
+    systems = [read_systems(str(folder / "codegen.yaml"), Report()) for folder in (specs, tmp_path / "specs")]
+    found = review("old", "new", compare_systems(*systems))
+    said = "\n".join(finding_text(as_finding(group)) for group in found.groups)
+    assert "error quantity-source-changed" in said
+    assert "needs a person: whether it still gives the same numbers" in said
+    assert fails(found, ["person"])
 
 
 def compared(project: Path, before: tuple[System, ...], edit: Edit) -> Review:

@@ -51,19 +51,19 @@ QUESTIONS = {
     ),
     "action by default": (
         *(BOAT, "parameters.yaml", "does., type: uint8, default: 1", "does., type: uint8, default: 2"),
-        f"whether motor is to watch and act so, {STORED}",
+        f"whether another value is meant for the warm action of the failsafe of motor.temperature, {STORED}",
     ),
     "threshold by default": (
         *(BOAT, "parameters.yaml", "unit: m, default: 1.5", "unit: m, default: 1.2"),
-        f"whether depth is to watch and act so, {STORED}",
+        f"whether another value is meant for the shallow threshold of the failsafe of sounder.depth, {STORED}",
     ),
     "least to arm by default": (
         *(BOAT, "parameters.yaml", "unit: m, default: 2", "unit: m, default: 1"),
-        f"whether depth is to watch and act so, {STORED}",
+        f"whether another value is meant for the least sounder.depth to arm with, {STORED}",
     ),
     "switch by default": (
         *(BOAT, "parameters.yaml", "watched., type: uint8, default: 1", "watched., type: uint8, default: 0"),
-        f"whether ground_station is to watch and act so, {STORED}",
+        f"whether another value is meant for whether the failsafe of the ground station is on, {STORED}",
     ),
     "age": (
         *(BOAT, "state.yaml", "max: 100, stale_after: 3 s", "max: 100, stale_after: 9 s"),
@@ -92,14 +92,14 @@ QUESTIONS = {
     "loop": (BOAT, "vehicle.yaml", "rate: 50 Hz, links: 50 Hz", "rate: 25 Hz, links: 25 Hz", "whether code that"),
     "board": (BOAT, "board.yaml", "board: pico_2_w", "board: pico_w", "whether what is connected was changed with it"),
     "network": (
-        *("networked", "board.yaml", "wifi.json, retry: 1 s, req", "net.json, retry: 1 s, req"),
+        *("guarded", "board.yaml", "credentials: wifi.json", "credentials: net.json"),
         "whether net.json is on boards, for the same network",
     ),
     "receiver trusts": (ROVER, "receiver.yaml", "stale_after: 10 s", "stale_after: 20 s", "whether nothing is to"),
     "receiver averages": (ROVER, "receiver.yaml", "rate_over: 30 s", "rate_over: 60 s", "how long something lasts"),
     "role": (ROVER, "receiver.yaml", "counted_anew: true", "counted_anew: false", "how long something lasts"),
     "used": (
-        *(BOAT, "parameters.yaml", "step: 0.5, req", "step: 0.5, reboot: true, req"),
+        *("power_monitor", "parameters.yaml", "max: 10, step: 0.001, reboot: true", "max: 10, step: 0.001"),
         "whether who sets it counts on its being used after a restart",
     ),
     "step": (BOAT, "parameters.yaml", "step: 0.5, req", "step: 1, req", "between the steps"),

@@ -348,6 +348,32 @@ def test_other_names_of_attributes(write: Write, capsys: pytest.CaptureFixture[s
     assert list(criteria(capsys.readouterr().out)) == ["SRS-1", "SRS-4"]
 
 
+def test_one_of_several_specifications(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    """Modules that number their objects each for itself are imported one by one, with prefixes of their own."""
+    first = ("o1", {"heading": "One", "id": "1"}, [("o2", {"text": "It starts.", "id": "2"}, [])])
+    second = ("o3", {"heading": "Two", "id": "1"}, [("o4", {"text": "It stops.", "id": "2"}, [])])
+    whole = xml([first, second])
+    apart = "</SPEC-HIERARCHY></CHILDREN></SPECIFICATION><SPECIFICATION IDENTIFIER='m2' LONG-NAME='Second'><CHILDREN>"
+    text = whole.replace("<SPECIFICATION>", "<SPECIFICATION IDENTIFIER='m1' LONG-NAME='First'>")
+    at = "<SPEC-HIERARCHY><OBJECT><SPEC-OBJECT-REF>o3"
+    text = text.replace(f"</SPEC-HIERARCHY>{at}", apart + at)
+    assert text.count("<SPECIFICATION ") == 2
+    path = write("a.reqif", text)
+    assert main(["import", path, "--prefix", "FR"]) == 1
+    assert "hint: rename one of the two where they were written, or import each --specification with" in (
+        capsys.readouterr().err
+    )
+    for name, prefix, said in (("First", "FR", "It starts."), ("m2", "NFR", "It stops.")):
+        assert main(["import", path, "--specification", name, "--prefix", prefix]) == 0
+        told = capsys.readouterr()
+        assert criteria(told.out) == {f"{prefix}-1": [said]}
+        assert "not imported, as it is no requirement: 2 object" in told.err
+    assert main(["import", path, "--specification", "Third"]) == 1
+    assert "error reqif-specification: no specification is called Third" in capsys.readouterr().err
+    assert main(["import", path, "--specification", "Third"]) == 1
+    assert "hint: name one of First, Second" in capsys.readouterr().err
+
+
 def test_references_that_lead_nowhere(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
     good = xml(CHAPTERS, [("depends on", "o3", "o2")])
     broken = good.replace(

@@ -158,6 +158,7 @@ def test_what_could_not_be_collected_has_failed(
     assert project.run("--results", str(path)) == 1
     said = capsys.readouterr().out
     assert "error trace-uncovered: FR-1.3 has failed: 1 failed" in said
+    assert "hint: look at the tests that failed, and at what they are about" in said
     for module in ("test_beat", "test_far"):
         assert f"warning results-uncollected: the tests of tests.{module} could not be collected" in said
     assert "results-unrelated" not in said

@@ -2,14 +2,10 @@
 
 from collections.abc import Iterator
 
-from codegen.diagnostics import shortened_list
 from codegen.diff.change import Change
 from codegen.diff.system.failsafes import is_chosen
 from codegen.diff.system.judged import Sides, doubtful, silent
-from codegen.model.failsafe import Failsafe
 from codegen.model.program import Program
-from codegen.model.system import System
-from codegen.model.vehicle import Parameter
 
 _ACTION = "failsafe action "
 
@@ -30,46 +26,6 @@ def failsafe(change: Change, sides: Sides) -> Change:
         if calls[1][number] == first:
             change = doubtful(change, f"whether {first} is to come before {second}")
     return change
-
-
-def decided(change: Change, sides: Sides) -> Change:
-    """A default by which nobody is told another number, but failsafes watch, wait or act otherwise, or something else
-    does: nothing here says what the code of the vehicle does with it.
-    """
-    if not change.weight.is_harmless:
-        return change
-    old, new = (side.parameters.get(change.subject) for side in (sides.old, sides.new))
-    if old is None or new is None or _is_told_elsewhere(new, sides.new):
-        return change
-    name = new.siblings[0] if new.siblings else new.name
-    failsafes = [each.name for side in (sides.old, sides.new) for each in _deciding(side, name)]
-    if failsafes:
-        shown = shortened_list(tuple(dict.fromkeys(failsafes)), 3)
-        return doubtful(change, f"whether {shown} is to watch and act so, where no value is stored")
-    return doubtful(change, "whether what it decides is meant, where no value is stored")
-
-
-def _is_told_elsewhere(parameter: Parameter, system: System) -> bool:
-    """Return whether it says nothing but what is judged by itself: the rate of a stream, who the vehicle is, which
-    generation is sent.
-    """
-    chosen = (
-        system.system_parameter,
-        system.component_parameter,
-        *(stream.parameter for stream in system.streams.values()),
-        *(generations.parameter for generations in system.generations),
-    )
-    return any(each is not None and each.name == parameter.name for each in chosen)
-
-
-def _deciding(system: System, name: str) -> Iterator[Failsafe]:
-    """The failsafes that read a parameter."""
-    for failsafe in system.program.failsafes if system.program else ():
-        read = [each for level in failsafe.levels for each in level.parameters]
-        read += [each for condition in failsafe.to_arm for each in condition.parameters]
-        read += [failsafe.enabled_by] if failsafe.enabled_by else []
-        if any(name in (each.name, *each.siblings) for each in read):
-            yield failsafe
 
 
 def _exchanged(old: Program, new: Program) -> Iterator[tuple[str, str]]:

@@ -19,8 +19,6 @@ from codegen.summaries.parameters import uses
 
 _ADDRESSED = ("uart", "baud", "udp", "tcp_server", "tcp_client", "to", "local_port")
 _WIRED = ("tx", "rx")
-_TOLD_APART = ("the rate of stream", "which generation")
-"""Uses of parameters whose defaults are changes of their own: what is sent by default."""
 
 
 def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iterator[Change]:
@@ -28,8 +26,7 @@ def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iter
     sides = Sides(old, new, {**fields_by_source(old), **fields_by_source(new)})
     for change in changes:
         judge = _JUDGES.get(change.rule)
-        judged = judge(change, sides) if judge is not None else change
-        yield acted_otherwise.decided(judged, sides) if judged.rule is rules.PARAMETER_DEFAULT else judged
+        yield judge(change, sides) if judge is not None else change
 
 
 def _schedule(change: Change, sides: Sides) -> Change:
@@ -86,10 +83,11 @@ def _default(change: Change, sides: Sides) -> Change:
     fields = sides.fields.get(change.subject, ())
     old, new = (side.parameters.get(change.subject) for side in (sides.old, sides.new))
     if not fields:
-        decided = () if new is None else _decided(new, sides.new)
-        if not decided:
+        if old is None or new is None or _is_told_elsewhere(new, sides.new):
             return change
-        return doubtful(change, f"whether another value is meant for {' and '.join(decided)}, where no value is stored")
+        decided = " and ".join(_decided(new, sides.new))
+        wanted = f"another value is meant for {decided}" if decided else "what it decides is meant"
+        return doubtful(change, f"whether {wanted}, where no value is stored")
     shown = shortened_list(fields, 3)
     scaled = scaling_parameters(sides.new).get(change.subject)
     if scaled and old is not None and new is not None and old.default:
@@ -102,8 +100,20 @@ def _default(change: Change, sides: Sides) -> Change:
 def _decided(parameter: Parameter, system: System) -> tuple[str, ...]:
     """Return what a parameter decides, in words, those of a family together."""
     first = system.parameters.get(parameter.siblings[0], parameter) if parameter.siblings else parameter
-    found = [each.removeprefix(f"of {first.component} {first.instance + 1}: ") for each in uses(first, system)]
-    return tuple(each for each in found if not each.startswith(_TOLD_APART))
+    return tuple(each.removeprefix(f"of {first.component} {first.instance + 1}: ") for each in uses(first, system))
+
+
+def _is_told_elsewhere(parameter: Parameter, system: System) -> bool:
+    """Return whether it says nothing but what is judged by itself: the rate of a stream, who the vehicle is, which
+    generation is sent.
+    """
+    chosen = (
+        system.system_parameter,
+        system.component_parameter,
+        *(stream.parameter for stream in system.streams.values()),
+        *(generations.parameter for generations in system.generations),
+    )
+    return any(each is not None and each.name == parameter.name for each in chosen)
 
 
 def _channel(change: Change, sides: Sides) -> Change:

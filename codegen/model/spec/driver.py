@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.spec.described import Amount, described
 from codegen.model.spec.python_class import PythonClass
-from codegen.source import Written
+from codegen.source import Place, Written
 
 
 class KeyKind(StrEnum):
@@ -84,6 +84,15 @@ class DriverModule:
     classes: tuple[str, ...]
     shapes: Mapping[str, PythonClass]
     fault: tuple[int, str] | None
+
+
+@dataclass(frozen=True, slots=True)
+class StateStore:
+    """An attribute of a component of the state that a module of the user's sets, with its place."""
+
+    component: str
+    attribute: str
+    place: Place
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from codegen.model.board_model import BoardModelSpec
 from codegen.model.spec.board import BoardSpec
 from codegen.model.spec.command import CommandsSpec
 from codegen.model.spec.described import Amount, Verbatim, described
-from codegen.model.spec.driver import DriverModule, OwnDriver
+from codegen.model.spec.driver import DriverModule, OwnDriver, StateStore
 from codegen.model.spec.population import PopulationSpec
 from codegen.model.spec.program import VehicleSpec
 from codegen.model.spec.receive import ReceiveSpec
@@ -352,6 +352,7 @@ class Spec:
     broken_drivers: frozenset[str] = frozenset()
     own_drivers: tuple[str, ...] = ()
     user_modules: Mapping[str, DriverModule] = field(default_factory=dict)
+    state_stores: tuple[StateStore, ...] = ()
     other_overlays: tuple[str, ...] = ()
     other_corrections: tuple[Correction, ...] = ()
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/reason_checks.py: do not edit.
-# Inputs: ed3a611be1eeb26a
+# Inputs: 103aa43bf33152b4
 """Texts and reasons of failsafes: why the vehicle is not armed, level by level, and that a level is over."""
 
 from program_bench import GroundStation, main, messages, needs_arming
@@ -37,7 +37,7 @@ def each_condition_has_its_reason():
         bench, at, beyond = bench_of(facts, condition, is_armed=False)
         for value in (at, beyond):
             bench.values[condition[ATTRIBUTE]] = value
-            bench._set()
+            bench.set_values()
             assert condition in bench.holding() or value == at
             problem, expected = bench.failsafe.problem(), _spoken(bench)
             assert problem in expected or (not expected and problem), (condition, value, problem)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: e6d2dd35f18e7cf9
+# Inputs: 8b6976cb9083c76a
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import GroundStation, main, mock_time, needs, needs_arming, new_craft
@@ -276,7 +276,7 @@ def arming_asks_for_every_condition():
             bench, at, beyond = bench_of(facts, condition, is_armed=False)
             for value in (at, beyond, None):
                 bench.values[condition[ATTRIBUTE]] = value
-                bench._set()
+                bench.set_values()
                 is_free = bench.is_free()  # another one may hold at the threshold, too
                 assert not is_free or value != beyond
                 problem = bench.failsafe.problem()

@@ -35,7 +35,7 @@ def each_condition_has_its_reason():
         bench, at, beyond = bench_of(facts, condition, is_armed=False)
         for value in (at, beyond):
             bench.values[condition[ATTRIBUTE]] = value
-            bench._set()
+            bench.set_values()
             assert condition in bench.holding() or value == at
             problem, expected = bench.failsafe.problem(), _spoken(bench)
             assert problem in expected or (not expected and problem), (condition, value, problem)

@@ -274,7 +274,7 @@ def arming_asks_for_every_condition():
             bench, at, beyond = bench_of(facts, condition, is_armed=False)
             for value in (at, beyond, None):
                 bench.values[condition[ATTRIBUTE]] = value
-                bench._set()
+                bench.set_values()
                 is_free = bench.is_free()  # another one may hold at the threshold, too
                 assert not is_free or value != beyond
                 problem = bench.failsafe.problem()
