@@ -1,13 +1,15 @@
 """The names that a document may mean, and which of them a name is like that is none."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
+from functools import lru_cache, partial
 
 from codegen.claims.enum_names import all_names, entries_by_start
 from codegen.claims.parts.worded_units import worded_unit
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 
 UPPER = pattern(
@@ -59,17 +61,27 @@ def _followed(reading: Reading) -> Iterator[str]:
 
 def near_message(name: str, names: Names) -> str | None:
     """The message that a name was meant for; None for what may be a message of its own."""
+    return _nearness(names.messages)(name)
+
+
+@once
+def _nearness(messages: Mapping[str, WireMessage]) -> Callable[[str], str | None]:
+    """Return what finds that message, once for each name: a document repeats its names."""
+    return lru_cache(maxsize=1024)(partial(_near, tuple(messages)))
+
+
+def _near(messages: Sequence[str], name: str) -> str | None:
     joined = name.replace("_", "")
     if "_" not in name:
-        same = (known for known in names.messages if "_" in known and known.replace("_", "") == joined)
-        alone = [known for known in names.messages if "_" not in known and len(known) > SHORT]
+        same = (known for known in messages if "_" in known and known.replace("_", "") == joined)
+        alone = [known for known in messages if "_" not in known and len(known) > SHORT]
         return next(same, None) or next(iter(get_close_matches(name, alone, cutoff=_SAME)), None)
     *front, last = name.split("_")
-    turned = [known for known in names.messages if sorted(known.split("_")) == sorted(name.split("_"))]
+    turned = [known for known in messages if sorted(known.split("_")) == sorted(name.split("_"))]
     if len(turned) == 1:
         return turned[0]
     kin = []
-    for known in names.messages:
+    for known in messages:
         *own_front, own_last = known.split("_")
         if known.replace("_", "") == joined:
             return known

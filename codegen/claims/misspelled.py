@@ -1,9 +1,11 @@
 """Names that are one of a dialect with its words in another order, without a letter, or beside its id."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
+from functools import lru_cache, partial
 
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 
 
@@ -52,8 +54,18 @@ _ID_BEHIND = pattern(
 _ID_BEFORE = pattern(r"(?:^\s*\||[(#]) ?(?P<id>\d{1,5}) ?[|:,)]? ?`?$")
 
 
-def shortened_message(name: str, known: Iterable[str]) -> str | None:
+def shortened_message(name: str, messages: Mapping[str, WireMessage]) -> str | None:
     """Return the only message whose name is this one with other underscores, or with words more in its middle."""
+    return _lengthening(messages)(name)
+
+
+@once
+def _lengthening(messages: Mapping[str, WireMessage]) -> Callable[[str], str | None]:
+    """Return what finds that message, once for each name: a document repeats its names."""
+    return lru_cache(maxsize=1024)(partial(_lengthened, tuple(messages)))
+
+
+def _lengthened(known: Iterable[str], name: str) -> str | None:
     words = name.split("_")
     joined = "".join(words)
     found = [

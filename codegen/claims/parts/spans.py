@@ -1,7 +1,7 @@
 """The parts of a document in which statements stand, each with the messages that it may be about."""
 
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache, partial
 from itertools import groupby
 
 from codegen.claims.enum_names import entry_values
@@ -14,7 +14,7 @@ from codegen.claims.parts.span import Span, Topic
 from codegen.claims.parts.terms import read_sentence
 from codegen.claims.reading import Reading
 from codegen.load.prose import CodeBlock, Passage, PassageKind
-from codegen.model.dialect.dialect import WireMessage
+from codegen.model.dialect.dialect import EnumDefinition, WireMessage
 from codegen.once import once
 from codegen.pattern import pattern
 
@@ -31,12 +31,22 @@ _MOST = 20
 def vocabulary(reading: Reading) -> Vocabulary:
     """The names that are terms in a document: fields only of messages that it names."""
     named = {name for _, name in reading.sightings}
-    return Vocabulary(
-        messages=reading.messages,
-        enums=reading.enums,
-        entries=entry_values(reading.enums),
-        fields=frozenset(field.name for name in named for field in reading.messages[name].fields),
-    )
+    fields = frozenset(field.name for name in named for field in reading.messages[name].fields)
+    return _vocabularies(reading.messages)(reading.enums)(fields)
+
+
+@once
+def _vocabularies(
+    messages: Mapping[str, WireMessage],
+) -> Callable[[Mapping[str, EnumDefinition]], Callable[[frozenset[str]], Vocabulary]]:
+    """Return what makes vocabularies with some messages, of enums and fields: the same one of the same."""
+    return once(lambda enums: lru_cache(8)(partial(Vocabulary, messages, enums, entry_values(enums))))
+
+
+@once
+def _reader(words: Vocabulary) -> Callable[[str, tuple[tuple[int, int], ...]], Sentence]:
+    """Return what reads texts with a vocabulary: texts are repeated, and documents read again."""
+    return lru_cache(maxsize=1024)(lambda text, codes: read_sentence(text, 0, len(text), codes, words))
 
 
 @once
@@ -58,7 +68,7 @@ def _spans(reading: Reading) -> Iterator[Span]:
     leading: list[Term] = []
     is_foreign = is_foreign_section = False
     others = _other_lists(reading, words)
-    read = cache(lambda text, codes: read_sentence(text, 0, len(text), codes, words))  # a text may be repeated
+    read = _reader(words)
     for part in reading.prose.parts:
         named = _named(reading, part)
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:

@@ -175,9 +175,9 @@ def _shared_words(words: Sequence[str], tokens: Sequence[str]) -> bool:
 
 
 def _is_like(word: str, token: str) -> bool:
-    short, long = sorted((word, token), key=len)
-    if short == long:
+    if word == token:
         return True
+    short, long = (word, token) if len(word) < len(token) else (token, word)
     return len(short) > 2 and long.startswith(short) and not long[-1].isdigit()
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 
 from codegen.frozen import dataclass
 from codegen.model.units.nearest_unit import worded_unit
@@ -68,6 +68,7 @@ class Amount:
         return f"{text} {self.unit.name}".strip()
 
 
+@lru_cache(maxsize=4096)
 def amounts(text: str, start: int = 0, end: int | None = None) -> tuple[Amount, ...]:
     """The numbers of a part of ``text``, in order; not those in names, ids and references."""
     found = []
