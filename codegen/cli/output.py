@@ -69,14 +69,14 @@ def emit(
 
     plan = None if rendered is None or report.has_errors else _plan(rendered, folder, arguments, report, vacated)
     if plan is None or arguments.check or arguments.diff or arguments.dry_run:
-        print_findings(report, arguments.format)
+        print_findings(report, arguments.format, shows_waived=False)
         return report.exit_code if plan is None else _show(arguments, plan, report)
     outcome = None
     if not report.has_errors:
         from codegen.emit.write import write_output
 
         outcome = write_output(plan, report)
-    print_findings(report, arguments.format)
+    print_findings(report, arguments.format, shows_waived=False)
     if outcome is not None:
         removed = f", {outcome.removed} removed" if outcome.removed else ""
         noun = "file" if outcome.written == 1 else "files"

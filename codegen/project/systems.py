@@ -18,7 +18,7 @@ from codegen.model.program_folders import ProgramFolders, is_one_of_several, pro
 from codegen.model.scenario import Scenario
 from codegen.model.spec.spec import Spec
 from codegen.model.system import System
-from codegen.project.waived_errors import with_waived_errors
+from codegen.project.waived import with_waived
 from codegen.resolve.board.adc_sources import with_adc_channels
 from codegen.resolve.scenarios.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
@@ -81,7 +81,7 @@ def _checked(spec: Spec | None, dialect: Dialect | None, files: Files, report: R
     if dialect is None:
         return None
     system = resolve_system(with_adc_channels(spec, report), dialect, report)
-    report.extend(with_waived_errors(check_system(system), spec.folder, files))
+    report.extend(with_waived(check_system(system), spec.folder, files))
     return system
 
 

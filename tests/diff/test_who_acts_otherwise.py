@@ -100,7 +100,7 @@ QUESTIONS = {
     "role": (ROVER, "receiver.yaml", "counted_anew: true", "counted_anew: false", "how long something lasts"),
     "used": (
         *("power_monitor", "parameters.yaml", "max: 10, step: 0.001, reboot: true", "max: 10, step: 0.001"),
-        "whether who sets it counts on its being used after a restart",
+        "whether who sets it counts on its being used at once",
     ),
     "step": (BOAT, "parameters.yaml", "step: 0.5, req", "step: 1, req", "between the steps"),
 }  # fmt: skip

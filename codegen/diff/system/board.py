@@ -43,7 +43,7 @@ def _identity(system: System) -> Subject:
         Fact("board", system.board_name, rules.PROGRAM, board.at("board"), doubt=_CONNECTED),
         Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board"), doubt=_COUNTED),
         Fact("speed of the board", _speed(system), rules.PROGRAM, board.at("board")),
-        Fact("memory of the board", _memory(system), DOC, board.at("board")),
+        Fact("memory of the board", _memory(system), rules.PROGRAM, board.at("board")),
         Fact("name", project.project, DOC, project.at("project")),
     )
     name = system.spec.program or "project"
