@@ -73,7 +73,7 @@ def test_anything_else_needs_a_project(pipeline: Any, run: Any, project: Any) ->
         (
             "sensors",
             "power",
-            ("power, a sensor: INA226 at 0x40", "sets         pack.voltage, pack.current, pack.power"),
+            ("a sensor: INA226 at 0x40", "sets         pack.voltage, pack.current, pack.power"),
         ),
         (
             *("watched_boat", "ground_station"),
