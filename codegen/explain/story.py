@@ -10,6 +10,7 @@ from codegen.explain.corrections import correction_facts
 from codegen.explain.dialect import attributes, dialect_story
 from codegen.explain.receptions import explained_received_field, explained_reception
 from codegen.explain.text import cited, columns, facts
+from codegen.explain.watching import watching_stories, watching_topics
 from codegen.findings.catalogue import rule_catalogue
 from codegen.model.answers.account import FLAGS
 from codegen.model.quantities.reach import reach_words, reaches
@@ -22,8 +23,8 @@ from codegen.summaries.parameters import type_words, uses
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
-    "explain was asked for something that is no message, field, parameter, quantity or rule of this project, or that "
-    "errors in the specification leave nothing to tell of.",
+    "explain was asked for something that is no message, field, parameter, quantity, sensor, failsafe or rule of this "
+    "project, or that errors in the specification leave nothing to tell of.",
     unreadable=True,
     remedy="name a message, a field as MESSAGE.field, a parameter, a quantity or a rule",
 )
@@ -102,12 +103,15 @@ def _explain_part(topic: str, system: System) -> str | None:
     if topic in system.components:
         quantities = [_quantity(quantity, system) for quantity in system.components[topic].quantities.values()]
         costs = _prices(lambda generations: generations.component.name == topic, system)
-        return "\n".join([*quantities, *costs[1:]]) + "\n" * bool(costs)
+        return "\n".join([*quantities, *costs[1:], *watching_stories(topic, system)]) + "\n" * bool(costs)
     if topic in system.parameters:
         return _parameter(system.parameters[topic], system)
     quantity = system.quantity(topic)
     if quantity is not None:
         return _quantity(quantity, system)
+    watching = "\n".join(watching_stories(topic, system))
+    if watching:
+        return watching
     story = command_story(topic, system)
     return None if story is None else "\n".join([story[0], story[1].strip(), "", *facts(story[2])]) + "\n"
 
@@ -119,8 +123,16 @@ def _topics(system: System) -> list[str]:
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
-    known += [*system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
-    return [LOOP, HEAP, *known]
+    return [
+        LOOP,
+        HEAP,
+        *known,
+        *system.parameters,
+        *watching_topics(system),
+        *command_topics(system),
+        *rule_catalogue(),
+        *system.dialect.messages,
+    ]
 
 
 def _message(message: PopulatedMessage, system: System) -> str:

@@ -14,9 +14,9 @@ from codegen.model.units.unit import read_measure
 UNUSED = Rule(
     "unused-curve",
     "No quantity is estimated by a curve of board.yaml, so it has no effect. Name it where it is meant, beside "
-    "estimate_from, or leave it out.",
+    "estimate_from, say that it is kept for later (spare: true), or leave it out.",
     Severity.WARNING,
-    remedy="write curve: and its name at the quantity that it is for, or leave the curve out",
+    remedy="write curve: and its name at the quantity that it is for, or spare: true, or leave the curve out",
 )
 BAD_CURVE = Rule(
     "bad-curve",
@@ -30,6 +30,10 @@ _POINTS = "4.2 V: 100"
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every curve of the board; what is estimated by one has been looked at with the quantity."""
+    state = system.spec.state
+    written = {key.split(".")[1] for key in state.places if key.startswith("components.")}
+    if written - state.components.keys() or any(each.unread for each in state.components.values()):
+        return  # what may be estimated there has been reported
     used = {spec.curve: component for component, spec in _estimates(system)}
     for name, curve in system.spec.board.curves.items():
         component = used.get(name)
@@ -37,6 +41,8 @@ def check(system: System) -> Iterator[Diagnostic]:
         if component is None:
             yield from _unnamed(name, curve, system)
         for key, points in _points(curve):
+            if component is not None and (curve.choice is None or curve.points):
+                continue  # looked at with the quantity
             if key not in chosen:
                 yield from _beside(name, curve, key, points)
 
@@ -65,8 +71,8 @@ def _points(curve: CurveSpec) -> Iterator[tuple[str, Mapping[str, Fraction]]]:
 
 def _unnamed(name: str, curve: CurveSpec, system: System) -> Iterator[Diagnostic]:
     """Yield that nothing names a curve, and what of it no component could have."""
-    if system.spec.is_own(curve.place.file):  # others may use what a program does not
-        hint = f"curve: {name} at a quantity with estimate_from, or leave it out"
+    if system.spec.is_own(curve.place.file) and not curve.spare:  # others may use what a program does not
+        hint = f"curve: {name} at a quantity with estimate_from; spare: true, if it is kept for later; or leave it out"
         message = f"nothing is estimated by the curve {name}"
         file, about = curve.place.file, f"{system.spec.program} {name}"
         yield Diagnostic(curve.place, UNUSED, message, hint, fingerprint=fingerprint(UNUSED.id, file, about))

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5eb5889d63dd2266
+# Inputs: 5557e20688bf36f5
 """The current of the battery: imported only where it is measured.
 
 The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5eb5889d63dd2266
+# Inputs: 5557e20688bf36f5
 """Stores each reading in the state, in plain Python, for ports without machine code."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d49327ebdbf5fec0
+# Inputs: 1819130684940705
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 from array import array

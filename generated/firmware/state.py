@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5eb5889d63dd2266
+# Inputs: 5557e20688bf36f5
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5eb5889d63dd2266
+# Inputs: 5557e20688bf36f5
 """Stores each reading in the state, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: f07cafb16a51306d
+# Inputs: 03e73bd7087a6bfa
 """Messages of the telemetry: for each what builds it, and what makes its frame for a link.
 
 A builder returns the same message object at each call: send or encode it before the next one. An encoder goes from the

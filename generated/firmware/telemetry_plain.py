@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: f07cafb16a51306d
+# Inputs: 03e73bd7087a6bfa
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: f07cafb16a51306d
+# Inputs: 03e73bd7087a6bfa
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are

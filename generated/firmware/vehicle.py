@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d49327ebdbf5fec0
+# Inputs: 1819130684940705
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 0140bd55a8332858
+# Inputs: 443991c2108b8cd6
 """Raspberry Pi Pico 2 W on a host.
 
 The firmware's own Board on a scripted ADC, and a clock that is moved by hand.

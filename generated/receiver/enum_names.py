@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: 773c330b938a32fd
+# Inputs: d0b9364c748366ac
 """Names of the dialect: of numbers by number, of bits in pairs."""
 
 MAV_BATTERY_FAULT = (

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 8e7a0acf9dba16a2
+# Inputs: 3e8b26d225944fc5
 """Checks of the board and the state that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null. Its arguments are the names of the

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 8e7a0acf9dba16a2
+# Inputs: 3e8b26d225944fc5
 """Facts about this program, drawn from by lot: see counterparts_run.py."""
 
 SYSTEM_ID = 1

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 7110f7d44b183bec
+# Inputs: 8572a607430e293b
 """Facts of the specification about the program, which its checks compare with."""
 
 CONTROL_US = 2500

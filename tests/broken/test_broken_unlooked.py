@@ -10,7 +10,6 @@ from codegen.cli import main
 pytestmark = pytest.mark.usefixtures("without_output")
 
 LION = "3.92 V: 70"
-WAIVERS = ("waivers.yaml", "    fingerprint: 8b6091b654ad\n", "    fingerprint: 8b6091b654ae\n")
 CASES = {
     "a misspelt name beside a right one": (
         [("receiver.yaml", "[current, current_battery]", "[current, curent_battery]")],
@@ -35,21 +34,21 @@ CASES = {
         "  hint: did you mean MAV_BATTERY_CHARGE_STATE_CHARGING?",
     ),
     "a curve that nothing names": (
-        [WAIVERS],
+        [("board.yaml", "    spare: true", "    #")],
         0,
         "specs/board.yaml:71:3: warning unused-curve: nothing is estimated by the curve discharge\n"
-        "  hint: curve: discharge at a quantity with estimate_from, or leave it out",
+        "  hint: curve: discharge at a quantity with estimate_from; spare: true",
     ),
     "a choice of nothing": (
         [("board.yaml", "    choice: chemistry", "    choice: chemystry")],
         1,
-        "specs/board.yaml:72:13: error bad-curve: board.yaml states no chemystry of any component\n"
+        "specs/board.yaml:73:13: error bad-curve: board.yaml states no chemystry of any component\n"
         "  hint: did you mean chemistry?",
     ),
     "a count of nothing": (
         [("board.yaml", "    per: cells", "    per: nothing")],
         1,
-        "specs/board.yaml:73:10: error bad-curve: board.yaml states no nothing of any component",
+        "specs/board.yaml:74:10: error bad-curve: board.yaml states no nothing of any component",
     ),
     "a choice without points": (
         [("board.yaml", "    choice: chemistry\n", "")],
@@ -85,7 +84,7 @@ def test_points_that_no_instance_chooses_are_looked_at(tmp_path, monkeypatch, ca
     monkeypatch.chdir(tmp_path)
     main(["check"])
     found = capsys.readouterr().out
-    assert "specs/board.yaml:79:9: error bad-curve: a curve has two points" in found, found
+    assert "specs/board.yaml:80:9: error bad-curve: a curve has two points" in found, found
     assert "specs/board.yaml:71:3: warning unused-curve" not in found
 
 

@@ -1,11 +1,13 @@
 """``codegen explain``: the argument part; what is told is tested with ``codegen.explain``."""
 
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from codegen.cli import main
 from codegen.diagnostics import Report, Rule
 from codegen.source import Place
 
@@ -63,3 +65,29 @@ def test_anything_else_needs_a_project(pipeline: Any, run: Any, project: Any) ->
     assert (code, pipeline.projects) == (2, [])
     assert "error file-not-found" in out
     assert "--project" in out
+
+
+@pytest.mark.parametrize(
+    ("project", "topic", "said"),
+    [
+        (
+            "sensors",
+            "power",
+            ("a sensor: INA226 at 0x40", "sets         pack.voltage, pack.current, pack.power"),
+        ),
+        (
+            *("watched_boat", "ground_station"),
+            ("a failsafe: it watches the ground station", "FS_GCS_TIMEOUT, 5 s by default", "  does       slow()"),
+        ),
+        ("watched_boat", "motor", ("motor.temperature\n", "motor, a failsafe: it watches motor.temperature")),
+        ("watched_boat", "motor", ("{name} is {level} {value:.2} degC",)),
+    ],
+)
+def test_a_sensor_and_a_failsafe_are_explained(
+    project: str, topic: str, said: tuple[str, ...], monkeypatch: Any, capsys: Any
+) -> None:
+    """With what they give, watch and do; of a component that is called as one, both are told."""
+    monkeypatch.chdir(Path(__file__).resolve().parents[1] / "projects" / project)
+    assert main(["explain", topic]) == 0
+    found = capsys.readouterr().out
+    assert [each for each in said if each not in found] == []

@@ -138,6 +138,10 @@ class CurveSpec(Written):
     per: str | None = described(
         "A fact of the component that counts something, such as cells: the amounts are for one of them.", default=None
     )
+    spare: bool = described(
+        "true: it is kept for who estimates by it later; otherwise a curve that no quantity names is a warning.",
+        default=False,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

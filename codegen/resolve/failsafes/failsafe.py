@@ -187,7 +187,7 @@ def _text(
     """Return what is said when a level is reached: its own text, or that of the failsafe, or what all say."""
     written, place = (spec.text, spec.at("text")) if level.text is None else (level.text, level.at("text"))
     if written is None:
-        value = f" {{value:.2}}{quantity.unit.name}" if quantity is not None and not level.unknown else ""
+        value = f" {{value:.2}} {quantity.unit.name}".rstrip() if quantity is not None and not level.unknown else ""
         written = f"{{name}} is {{level}}{value}"
     return read_text(written, place, component, quantity, scope.report) or FailsafeText(written, ())
 

@@ -34,7 +34,7 @@ UNPLAYED_ROLE = Rule(
 
 
 _MISSPELT = 0.85
-"""How near a name is to one of the messages, from 0 to 1, of which it is a misspelling."""
+"""The likeness, from 0 to 1, from which on a name is a misspelling of one of the messages."""
 
 
 def resolve_receiver(

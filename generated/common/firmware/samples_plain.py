@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/state.yaml, specs/smart_battery/board.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: da324e812d991979
+# Inputs: 48e9cf16cd5f28e3
 """Takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 6ea3a3edfc85b0d3
+# Inputs: 3473f0c2a70bace6
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import machine

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 6ea3a3edfc85b0d3
+# Inputs: 3473f0c2a70bace6
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 6ea3a3edfc85b0d3
+# Inputs: 3473f0c2a70bace6
 """Stores each reading in the state, in plain Python, for ports without machine code."""
 
 from micropython import const

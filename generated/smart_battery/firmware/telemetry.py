@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: b0ad97a7b11933ad
+# Inputs: 7a1d6afeb34ea4bf
 """Messages of the telemetry: for each what builds it, and what makes its frame for a link.
 
 A builder returns the same message object at each call: send or encode it before the next one. An encoder goes from the

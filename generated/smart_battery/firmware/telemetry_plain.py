@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: b0ad97a7b11933ad
+# Inputs: 7a1d6afeb34ea4bf
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: b0ad97a7b11933ad
+# Inputs: 7a1d6afeb34ea4bf
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 07d85e5d68c93c71
+# Inputs: 4c55958749ed583e
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

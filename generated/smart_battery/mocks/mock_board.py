@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: e225ae5060b1835f
+# Inputs: bc892670de466fdb
 """Raspberry Pi Pico on a host.
 
 The firmware's own Board on a scripted ADC, and a clock that is moved by hand.

@@ -11,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 778bd6f127b9e8eb
+# Inputs: 8e4825f7db72c0dc
 """Checks of the board and the state that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null. Its arguments are the names of the

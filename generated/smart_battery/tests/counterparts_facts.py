@@ -11,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 778bd6f127b9e8eb
+# Inputs: 8e4825f7db72c0dc
 """Facts about this program, drawn from by lot: see counterparts_run.py."""
 
 SYSTEM_ID = 1

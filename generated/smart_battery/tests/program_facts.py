@@ -11,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 7048cd7050fa5318
+# Inputs: 8bab26911d6138fd
 """Facts of the specification about the program, which its checks compare with."""
 
 CONTROL_US = 50000
