@@ -48,7 +48,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def project(folder: Path) -> Path:
     """The same with a copy of the shipped specification, of which two documents are whole."""
     shutil.copytree(ROOT / "specs", folder / "specs")
-    shorten_documents(folder / "specs", ["FR-00068", "ADR-00018"])
+    shorten_documents(folder / "specs", whole=["FR-00068", "ADR-00018"])
     return folder
 
 
