@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 79278e46c80ba7ba
+# Inputs: 3dd7280320f5b424
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -198,6 +198,7 @@ def save_is_done_in_steps():
     _set_all(craft)
     live(craft, _wait(2000))
     assert 0 < craft.flash.longest <= CHUNK, craft.flash.longest
+    assert craft.storage._chunk == CHUNK, craft.storage._chunk
     assert craft.scheduler.overruns == 0
     writes = len(craft.flash.operations)
     assert craft.said("a step of a save") == []

@@ -196,6 +196,7 @@ def save_is_done_in_steps():
     _set_all(craft)
     live(craft, _wait(2000))
     assert 0 < craft.flash.longest <= CHUNK, craft.flash.longest
+    assert craft.storage._chunk == CHUNK, craft.storage._chunk
     assert craft.scheduler.overruns == 0
     writes = len(craft.flash.operations)
     assert craft.said("a step of a save") == []
