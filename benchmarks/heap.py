@@ -149,23 +149,28 @@ def in_use(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int
 
     The heap is the program's: what no board has on it lies beside.
     """
-    return _said(folder, form, heap + beside(folder), *arguments)
+    return _said(folder, form, heap * 1024 + _held(folder), *arguments)
+
+
+def beside(folder: Path) -> int:
+    """Return the whole KB that the mocks and the script hold before the program is imported."""
+    return _held(folder) // 1024
 
 
 @cache
-def beside(folder: Path) -> int:
-    """Return the whole KB that the mocks and the script hold before the program is imported."""
+def _held(folder: Path) -> int:
     alone = measure.said([measure.tool("micropython32"), "-X", f"heapsize={MOST}k", "-c", NOTHING], cwd=folder)
-    held = _said(folder, "mpy", MOST, "held")
+    held = _said(folder, "mpy", MOST * 1024, "held")
     if held is None:
         raise SystemExit(f"the mocks do not find room in {MOST} KB")
-    return (held["held"] - int(alone)) // 1024
+    return held["held"] - int(alone)
 
 
 def _said(folder: Path, form: str, heap: int, *arguments: str) -> dict[str, int] | None:
-    image = image_size(folder) if form == "rom" else 0
+    """Return what the script says in a heap of so many bytes, with the image of a ROMFS beside them."""
+    image = image_size(folder) * 1024 if form == "rom" else 0
     script = MOUNT if image else SCRIPT
-    command = [measure.tool("micropython32"), "-X", f"heapsize={heap + image}k", script, *arguments]
+    command = [measure.tool("micropython32"), "-X", f"heapsize={heap + image}", script, *arguments]
     done = measure.ended(command, env={**os.environ, "MICROPYPATH": os.pathsep.join(("mocks", form))}, cwd=folder)
     if done.returncode and "MemoryError" not in done.stderr:
         raise SystemExit(f"the program ended by something else than a full heap:\n{done.stdout}{done.stderr}")

@@ -18,7 +18,7 @@ IMPORT_ID = Rule(
     "An object that would be a document has no id of the form that documents have, capital letters, a hyphen, and "
     "digits or small letters, such as FR-12; or two have the same one. --prefix FR makes FR-12 of 12, and "
     "FR-sysreq12 of SYS-REQ_12.",
-    remedy="rename one of the two where they were written, or import each --specification with a --prefix of its own",
+    remedy="rename one of the two, or import each --specification with a --prefix of its own",
 )
 IMPORT_TITLE = Rule(
     "import-title",

@@ -1,4 +1,4 @@
-"""What a module of the user's sets in the state of the vehicle, found in its source: it is never imported."""
+"""Finds attributes of the state that a module of the user's sets, in its source: it is never imported."""
 
 import ast
 import warnings
@@ -18,7 +18,7 @@ class Stored(NamedTuple):
 
 
 class ModuleStores(NamedTuple):
-    """What a module sets in the state, and the names of the modules that it imports."""
+    """The attributes of the state that a module sets, and the names of the modules that it imports."""
 
     stored: tuple[Stored, ...]
     imported: frozenset[str]

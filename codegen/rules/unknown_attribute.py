@@ -15,7 +15,7 @@ RULE = Rule(
 )
 
 _KEPT = frozenset({"words", "limited", "beyond", "number", "failures", "expires_ms"})
-"""What components keep beside their quantities."""
+"""Attributes that components keep beside their quantities."""
 
 
 def check(system: System) -> Iterator[Diagnostic]:

@@ -32,9 +32,9 @@ def layout(cls):
     """Return {name: (form, offset, count, sentinels, lowest, highest)} of a class, made at its first use.
 
     `form` is for struct. Count 0 is a scalar. Sentinels is empty without any; of an array it is bytes, the array with
-    every element unknown, where one value speaks for any, else a tuple: a value or None for each element, or, by one
-    None more, a value of the first for the whole array, or, by two, the values of all elements for it. An int or float,
-    as the limits are, from lowest to highest is carried for sure; of text they are None.
+    every element unknown, where one value speaks for any, else a tuple: a value or None for each element, or, longer
+    by so many, the values of the first, or of all elements, for the whole array. An int or float, as the limits are,
+    from lowest to highest is carried for sure; of text they are None.
     """
     if cls not in _LAYOUTS:
         _LAYOUTS[cls] = layout_of(cls)
@@ -226,13 +226,10 @@ def known(payload, field):
         return value
     if _type(sentinels) is _bytes:
         sentinels = unpack_from(field[0], sentinels)
-    elif len(sentinels) > field[2]:
-        for at in range(1 if len(sentinels) == field[2] + 1 else field[2]):
-            if not is_unknown(value[at], sentinels[at]):
-                return value
-        return None
     pairs = zip(value, sentinels)  # noqa: B905  MicroPython has no strict
-    return tuple([None if a == b or (a != a and is_unknown(a, b)) else a for a, b in pairs])  # noqa: PLR0124  NaN
+    found = tuple([None if a == b or (a != a and is_unknown(a, b)) else a for a, b in pairs])  # noqa: PLR0124  NaN
+    speaking = len(sentinels) - field[2]
+    return found if not speaking else None if found.count(None) == speaking else value
 
 
 def write(payload, field, value):
@@ -336,10 +333,8 @@ def _sentinels(text, form, count):
     if not text:
         return ()
     number = float if form[-1] in "fd" else int
-    if text[-1] == ":":
-        return (number(text[:-1]),) + (None,) * count
-    if text[-1] == "*":
-        return (number(text[:-1]),) * count + (None, None)
+    if text[-1] in ":*":
+        return (number(text[:-1]),) * (1 if text[-1] == ":" else count) + (None,) * count
     if "," in text:
         values = [number(part) if part else None for part in text.split(",")]
         return tuple(values + [None] * (count - len(values)))

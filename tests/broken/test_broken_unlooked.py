@@ -59,9 +59,9 @@ CASES = {
     "no amount": ([("board.yaml", LION, "high: 70")], 1, "error bad-curve: 'high' is no amount with a unit"),
     "another kind": ([("board.yaml", LION, "3.92 A: 70")], 1, "amounts of the curve discharge are of several kinds"),
     "a limit that nothing passes": (
-        [("board.yaml", "read_limit: 2 ms", "read_limit: 1000 s")],
+        [("board.yaml", "read_limit: 2 ms", "read_limit: 1 s")],
         0,
-        "warning idle-limit: a mean of battery_voltage may take 1000000 ms, and it is read every 100 ms",
+        "warning idle-limit: a mean of battery_voltage may take 1000 ms, and it is read every 100 ms",
     ),
 }
 

@@ -88,12 +88,12 @@ def test_the_next_float_is_the_next_one(value: float):
 
 @pytest.mark.parametrize("storage", FLOATS)
 def test_limits_of_floats_lie_within_what_is_written(storage: Storage):
-    """1/10 is no float: the limits are the floats next to it, on the inner side."""
+    """1/10 is no float: the limits are the floats next to it, on the inner side; beside 0 is the least normal one."""
     scaling = float_within(Scaling(Fraction(1), Rounding.NEAREST, Fraction(-1, 10), Fraction(1, 10)), 0.0, storage)
     assert Fraction(-1, 10) <= scaling.low < 0 < scaling.high <= Fraction(1, 10)
     assert next_float(scaling.high, storage) > Fraction(1, 10)
     assert scaling.hole == 0
-    assert scaling.beside == next_float(Fraction(0), storage)
+    assert scaling.beside == Fraction(1, 1 << {Storage.BINARY32: 126, Storage.BINARY64: 1022}[storage])
 
 
 @pytest.mark.parametrize(

@@ -219,7 +219,9 @@ def test_no_time_is_guessed() -> None:
     assert budget is not None
     assert budget.longest.busy.likely_us is None
     assert budget.left_us(budget.longest.busy) is None
-    assert why_not_predicted(boat) == "nobody has measured how many cycles the ESP32 takes for what the firmware does"
+    assert (
+        why_not_predicted(boat) == "nobody has measured how many cycles the ESP32-S3 takes for what the firmware does"
+    )
     assert traffic_load(boat) == why_not_predicted(boat)
     for name, why in (("radio_rover", "machine_code is false"), ("minimal", "vehicle.yaml is missing")):
         [system] = systems_of(PROJECTS / name / "specs")

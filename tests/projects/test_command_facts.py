@@ -126,14 +126,14 @@ NOT_FINITE = [INFINITE, -INFINITE]
             "set_lights",
             {
                 3: [-beside(0.5, 1), beside(0.1, 1), NAN, *NOT_FINITE],
-                1: [-beside(1e-6, 0), beside(3, 1), NAN, *NOT_FINITE, 0.5],
+                1: [-beside(1e-6, 0), -1, beside(3, 1), 4, NAN, *NOT_FINITE, 0.5],
             },
         ),
         (
             "turn",
             {
                 1: [-beside(1e-6, 0), beside(360, 1), NAN, *NOT_FINITE],
-                3: [-beside(1, 1), beside(1, 1), *NOT_FINITE, -0.5],
+                3: [-beside(1, 1), -2, beside(1, 1), 2, *NOT_FINITE, -0.5],
                 4: [NAN, *NOT_FINITE, 2, 0.5],
             },
         ),
@@ -143,7 +143,7 @@ NOT_FINITE = [INFINITE, -INFINITE]
     ],
 )
 def test_what_is_denied(facts: Any, method: str, beyond: Any) -> None:
-    """The next float beyond each end, what is no number, an entry that there is not, and a half."""
+    """The floats and whole numbers next beyond each end, what is no number, an entry that there is not, and a half."""
     found: dict[int, list[float]] = {}
     good = facts[method]["good"][0]
     for params in facts[method]["beyond"]:

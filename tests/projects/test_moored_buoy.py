@@ -47,7 +47,7 @@ told(2)
 print(json.dumps(found))
 """
 ACTIVE, CRITICAL = 4, 5
-COLD, GOOD = "Frost is cold 0.50degC", "Frost is good again"
+COLD, GOOD = "Frost is cold 0.50 degC", "Frost is good again"
 
 
 @pytest.fixture(scope="module")

@@ -115,6 +115,7 @@ def test_a_section_that_names_no_aspect_gets_no_evidence(tmp_path: Path) -> None
     assert {case.split("-")[2] for case in cases} == {
         "control_keeps_its_grid",
         "jitter_is_no_drift",
+        "jobs_are_due_as_stated",
         "faults_do_not_stop_the_loop",
         "day_across_the_wrap",
         "an_interrupt_ends_one_pass",

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: b54be50e9a4ff6ad
+# Inputs: 422da576f1957c79
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -137,7 +137,7 @@ def text_of_each_escalation():
     expected = [
         (
             dialect.MAV_SEVERITY_WARNING,
-            f"{facts['title']} is {word} {value / facts['divisor']:.2f}{facts['unit']}{tail}",
+            f"{facts['title']} is {word} {value / facts['divisor']:.2f}{tail}",
         )
         for word, value in (("low", watch.between), ("critical", watch.deep))
     ]

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: aea97d57da8505e0
+# Inputs: 10d9d47c116242c7
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -49,7 +49,7 @@ def control_keeps_its_grid():
 
 
 def jobs_are_due_as_stated():
-    """What the main loop does beside control() is due as often as the specification says, in its order."""
+    """Jobs of the main loop beside control() are due as often as the specification says, in its order."""
     craft = new_craft()
     jobs = craft.scheduler._jobs
     assert [(job.period_us, job.name) for job in jobs] == list(JOBS)

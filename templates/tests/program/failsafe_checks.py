@@ -135,7 +135,7 @@ def text_of_each_escalation():
     expected = [
         (
             dialect.MAV_SEVERITY_WARNING,
-            f"{facts['title']} is {word} {value / facts['divisor']:.2f}{facts['unit']}{tail}",
+            f"{facts['title']} is {word} {value / facts['divisor']:.2f}{tail}",
         )
         for word, value in (("low", watch.between), ("critical", watch.deep))
     ]

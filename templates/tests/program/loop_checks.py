@@ -47,7 +47,7 @@ def control_keeps_its_grid():
 
 
 def jobs_are_due_as_stated():
-    """What the main loop does beside control() is due as often as the specification says, in its order."""
+    """Jobs of the main loop beside control() are due as often as the specification says, in its order."""
     craft = new_craft()
     jobs = craft.scheduler._jobs
     assert [(job.period_us, job.name) for job in jobs] == list(JOBS)

@@ -27,7 +27,6 @@ class PairFacts:
     title: str
     quantity: str
     watched: str
-    unit: str
     divisor: int
     words: tuple[str, str]
     names: dict[str, str | None]
@@ -144,7 +143,6 @@ def _pair(failsafe: Failsafe) -> PairFacts:
         title=failsafe.title.replace("{number}", "1"),
         quantity=quantity.name,
         watched=quantity.attribute,
-        unit=quantity.unit.name,
         divisor=int(quantity.steps),
         words=(failsafe.levels[0].name, failsafe.levels[1].name),
         names={"minimum": None, **{key: parameter_attribute(parameter.name) for key, parameter in read.items()}},
@@ -165,7 +163,7 @@ def _shown(text: FailsafeText) -> list[Shown]:
 
 
 def _behind(text: FailsafeText, watched: Quantity, used: int | None) -> str:
-    """Return what stands behind the watched value and its unit, while others are so many steps, or unknown."""
+    """Return what stands behind the watched value, its unit first, while others are so many steps, or unknown."""
     said, is_behind = "", False
     for part in text.parts:
         is_clause = isinstance(part, Clause)
@@ -180,7 +178,7 @@ def _behind(text: FailsafeText, watched: Quantity, used: int | None) -> str:
                 said += each.unknown if value is None else f"{value:.{each.decimals}f}"
             elif is_behind and isinstance(each, str):
                 said += each
-    return said.removeprefix(watched.unit.name)
+    return said
 
 
 def watch_facts(program: Program) -> tuple[WatchFacts, ...]:
