@@ -1,12 +1,14 @@
 """The dialect's words give a number of a received field a meaning of its own, and the table takes it as a value."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.dialect.dialect import Kind
-from codegen.model.dialect.stated_values import StatedValue, stated_nan, stated_negative, stated_values
+from codegen.model.dialect.stated_values import StatedValue, stated_below, stated_nan, stated_values
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.system import System
+from codegen.model.units.unit import decimal
 
 RULE = Rule(
     "untreated-value",
@@ -27,9 +29,9 @@ def check(system: System) -> Iterator[Diagnostic]:
             ignored = stated_nan(taken.field.definition.description) if taken.field.type.kind is Kind.FLOAT else None
             if ignored is not None and ignored.is_left and not _is_nan_treated(taken):
                 yield _finding(table, taken, ignored)
-            below = stated_negative(taken.field.definition.description)
-            if below is not None and taken.low < 0 and taken.spec.unknown != ():
-                yield _negative(table, taken, below)
+            below = stated_below(taken.field.definition.description)
+            if below is not None and taken.low < below[0] and taken.spec.unknown != ():
+                yield _below(table, taken, *below)
             for stated in stated_values(taken.field.definition.description):
                 if not _is_treated(stated, taken):
                     yield _finding(table, taken, stated)
@@ -62,12 +64,13 @@ def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Dia
     )
 
 
-def _negative(table: Reception, taken: ReceivedField, words: str) -> Diagnostic:
-    """Return the finding that numbers below 0, which mean that there is no value, are taken."""
+def _below(table: Reception, taken: ReceivedField, limit: Fraction, words: str) -> Diagnostic:
+    """Return the finding that numbers below a limit, which mean that there is no value, are taken."""
+    least = f"{decimal(limit)} {taken.field.unit_text}".rstrip() if limit else "0"
     return Diagnostic(
         taken.spec.place,
         RULE,
         f"{table.wire.name}.{taken.label} has numbers with a meaning of their own, {words!r}, and takes them as values",
-        "write min: 0, which keeps them out, or unknown: [] where they are values here",
+        f"write min: {least}, which keeps them out, or unknown: [] where they are values here",
         ((taken.field.definition.place, "the dialect says so here"),),
     )

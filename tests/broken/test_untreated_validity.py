@@ -13,7 +13,7 @@ from codegen.cli import main
 from codegen.diagnostics import Report
 from codegen.model.dialect.stated_frames import stated_frames
 from codegen.model.dialect.stated_validity import stated_validities
-from codegen.model.dialect.stated_values import stated_negative
+from codegen.model.dialect.stated_values import stated_below
 from codegen.project.systems import read_systems
 
 SPECS = Path(__file__).resolve().parents[1] / "projects" / "flagged" / "specs"
@@ -89,6 +89,7 @@ VALIDITIES = {
 """All that is found in common.xml, and has been read there: the field that says so, and those of which it does."""
 NEGATIVES = [
     "OPTICAL_FLOW.ground_distance", "OPTICAL_FLOW_RAD.distance", "HIL_OPTICAL_FLOW.distance",
+    "ALTITUDE.altitude_terrain",
     "ALTITUDE.bottom_clearance",
 ]  # fmt: skip
 
@@ -136,6 +137,7 @@ def test_tables_that_look_at_what_others_say_are_right(checked):
         ("SET_POSITION_TARGET_LOCAL_NED", "vx: {state: added.speed%s}", "mask", "says with POSITION_TARGET_TYPEMASK_X_IGNORE", "unless: {type_mask: ...}"),
         ("DISTANCE_SENSOR", "signal_quality: {state: added.percent%s}", "value", "'1 = invalid signal', and it is taken as a value", "write unknown: [1]"),
         ("OPTICAL_FLOW", "ground_distance: {state: added.metres%s}", "value", "'Negative value: Unknown distance', and takes them as values", "write min: 0"),
+        ("ALTITUDE", "altitude_terrain: {state: added.metres, min: -2000%s}", "value", "'Values smaller than -1000 should be interpreted as unknown'", "write min: -1000 m"),
         ("ALTITUDE", "bottom_clearance: {state: added.metres, min: -5%s}", "value", "'negative value indicates no measurement available'", "write min: 0"),
     ],
 )  # fmt: skip
@@ -192,6 +194,6 @@ def test_what_is_found_in_common_is_what_was_read_there():
         f"{message.name}.{field.name}"
         for message in dialect.messages.values()
         for field in message.fields
-        if stated_negative(field.definition.description)
+        if stated_below(field.definition.description)
     ]
     assert negatives == NEGATIVES

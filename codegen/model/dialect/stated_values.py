@@ -69,6 +69,7 @@ _NONE = (
 )
 
 _NEGATIVE = r"\b[Nn]egative values?(?: ?:| indicates?| means?)? (?P<words>[^.;,()]{0,70})"
+_SMALLER = r"\b[Vv]alues? (?:smaller|less|lower) than (?P<limit>-?\d{1,9})(?P<words>[^.;,()]{0,70})"
 _NAN = r"[^.;:,()]{0,50}(?<!maps to )\bNaN\b[^.;()]{0,70}"
 
 
@@ -99,12 +100,16 @@ def stated_values(description: str) -> Iterator[StatedValue]:
                 yield StatedValue("0" if text.lower() == "zero" else text, match[0].strip(), is_left)
 
 
-def stated_negative(description: str) -> str | None:
-    """Return the words that say that there is no value below 0, as in "Negative value: Unknown distance"."""
-    match = _compiled(_NEGATIVE).search(description)
-    if match is None or not _compiled(rf"{_FAILED}|{_NONE}|\bno measurement\b").search(match["words"]):
-        return None
-    return match[0].strip()
+def stated_below(description: str) -> tuple[Fraction, str] | None:
+    """Return the number below which there is no value, and the words that say so.
+
+    As in "Negative value: Unknown distance", and in "Values smaller than -1000 should be interpreted as unknown".
+    """
+    for form in (_NEGATIVE, _SMALLER):
+        match = _compiled(form).search(description)
+        if match is not None and _compiled(rf"{_FAILED}|{_NONE}|\bno measurement\b").search(match["words"]):
+            return Fraction(match.groupdict().get("limit") or 0), match[0].strip()
+    return None
 
 
 def stated_nan(description: str) -> StatedValue | None:
