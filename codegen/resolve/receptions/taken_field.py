@@ -272,8 +272,7 @@ def _is_no_turn(field: WireField, quantity: Quantity, written: ReceivedFieldSpec
         return False
     for key, end in (("max", quantity.maximum), ("min", quantity.minimum)):
         last = float(end / quantity.steps)
-        is_stated = getattr(written, key) is not None or getattr(quantity.spec, key) is not None
-        if not is_stated and abs(last) < turn.settled(Fraction(360), float):
+        if not _is_stated(key, quantity, written) and abs(last) < turn.settled(Fraction(360), float):
             return _report_cut(key, last, field, quantity, written, report)
     return False
 
@@ -289,13 +288,17 @@ def _is_cut(natural: Bounds, field: WireField, quantity: Quantity, written: Rece
         ("max", natural.high, field.type.maximum if stated.high is None else stated.high),
         ("min", natural.low, field.type.minimum if stated.low is None else stated.low),
     ):
-        is_stated = getattr(written, key) is not None or getattr(quantity.spec, key) is not None
         assert end is not None
-        if is_stated or end == wire_end or (abs(wire_end - end) == 1 and wire_end in special):
+        if _is_stated(key, quantity, written) or end == wire_end or (abs(wire_end - end) == 1 and wire_end in special):
             continue
         last = float((quantity.maximum if key == "max" else quantity.minimum) / quantity.steps)
         return _report_cut(key, last, field, quantity, written, report)
     return False
+
+
+def _is_stated(key: str, quantity: Quantity, written: ReceivedFieldSpec) -> bool:
+    """Return whether the table or the quantity says where its values end."""
+    return getattr(written, key) is not None or getattr(quantity.spec, key) is not None
 
 
 def _report_cut(
