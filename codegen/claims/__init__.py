@@ -29,9 +29,10 @@ def of_dialect(reading: Reading, *, with_weighed: bool = True) -> tuple[Diagnost
         kept = _weighed(reading, found, kept)
     if not kept:
         return ()
+    from codegen.claims.copied import is_copied
     from codegen.claims.doubted import told
 
-    return tuple(told(reading, kept))
+    return tuple(told(reading, [each for each in kept if not is_copied(reading, each)]))
 
 
 def _weighed(reading: Reading, found: Iterable[Diagnostic], kept: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:

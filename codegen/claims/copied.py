@@ -1,0 +1,96 @@
+"""Findings in text that the dialect itself has: a description that was copied is none of the document's own claims.
+
+Generated libraries, and pages made of the XML, have the descriptions of all fields word by word. Such a sentence says
+of other fields, of parts of an array and of older versions what the dialect says of them, and is right by definition.
+"""
+
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from codegen.claims.reading import Reading, parts_at
+from codegen.diagnostics import Diagnostic
+from codegen.load.prose import CodeBlock, Passage
+from codegen.model.dialect.dialect import Dialect
+from codegen.once import once
+from codegen.pattern import pattern
+from codegen.source import Place
+
+_WORD = pattern(r"-?\w+")
+_END = pattern(r"(?<=[.;!?])\s+")
+_FIRST = 3
+"""Words by which a sentence is found, and the fewest of a whole description."""
+_FEWEST = 5
+"""Words of a sentence in a longer description: "0 if unknown" may be said of anything."""
+_XML = ("xml", "html")
+"""Languages of definitions, which state attributes beside their descriptions: whether these agree is a claim."""
+_AROUND = 8
+"""Lines of code before and behind a place that may have one sentence, broken where lines were full."""
+
+_Words = tuple[str, ...]
+
+
+class _Text(NamedTuple):
+    """The words of a part of a document, and where each of them begins and ends: a line and a column."""
+
+    words: _Words
+    places: tuple[tuple[int, int], ...]
+
+
+def is_copied(reading: Reading, finding: Diagnostic) -> bool:
+    """Return whether a finding is within a sentence of a description in the dialect, word by word."""
+    place = finding.place
+    return any(
+        _is_within(reading, _around(part, place), place)
+        for part in parts_at(reading, place.line)
+        if isinstance(part, Passage) or part.language not in _XML
+    )
+
+
+def _is_within(reading: Reading, text: _Text, place: Place) -> bool:
+    at = bisect_right(text.places, (place.line, place.column)) - 1
+    sentences = _sentences(reading.reference.dialect)
+    return any(
+        start + len(sentence) > at and text.words[start : start + len(sentence)] == sentence
+        for start in range(at + 1)
+        for sentence in sentences.get(text.words[start : start + _FIRST], ())
+    )
+
+
+def _around(part: Passage | CodeBlock, place: Place) -> _Text:
+    """Return the words of a passage, or of the lines of code around a place."""
+    if isinstance(part, Passage):
+        found = [(each[0], part.place_at(each.start())[1:]) for each in _WORD.finditer(part.text)]
+    else:
+        lines = [line for line in part.lines if abs(line.place.line - place.line) <= _AROUND]
+        found = [
+            (each[0], (line.place.line, line.place.column + each.start()))
+            for line in lines
+            for each in _WORD.finditer(line.text)
+        ]
+    return _Text(tuple(word for word, _ in found), tuple(at for _, at in found))
+
+
+@once
+def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
+    """Return the sentences of all descriptions by their first words."""
+    found: dict[_Words, set[_Words]] = defaultdict(set)
+    for text in _descriptions(dialect):
+        sentences = _END.split(text)
+        for sentence in sentences:
+            words = tuple(_WORD.findall(sentence))
+            if len(words) >= (_FEWEST if len(sentences) > 1 else _FIRST):
+                found[words[:_FIRST]].add(words)
+    return {first: tuple(those) for first, those in found.items()}
+
+
+def _descriptions(dialect: Dialect) -> Iterator[str]:
+    for message in dialect.messages.values():
+        yield message.definition.description
+        yield from (field.definition.description for field in message.fields)
+    for enum in dialect.enums.values():
+        yield enum.description
+        for entry in enum.entries:
+            yield entry.description
+            yield from (parameter.description for parameter in entry.parameters)
