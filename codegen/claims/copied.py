@@ -50,6 +50,8 @@ def is_copied(reading: Reading, finding: Diagnostic) -> bool:
 
 def _is_within(reading: Reading, text: _Text, place: Place) -> bool:
     at = bisect_right(text.places, (place.line, place.column)) - 1
+    if _line_of(text, place.line) in _whole(reading.reference.dialect):
+        return True
     sentences = _sentences(reading.reference.dialect)
     return any(
         start + len(sentence) > at and text.words[start : start + len(sentence)] == sentence
@@ -83,6 +85,16 @@ def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
             if len(words) >= (_FEWEST if len(sentences) > 1 else _FIRST):
                 found[words[:_FIRST]].add(words)
     return {first: tuple(those) for first, those in found.items()}
+
+
+def _line_of(text: _Text, line: int) -> _Words:
+    return tuple(word for word, at in zip(text.words, text.places, strict=True) if at[0] == line)
+
+
+@once
+def _whole(dialect: Dialect) -> frozenset[_Words]:
+    """Return the words of each description that is of two or more, which may be all of a comment: "/// Servo 16"."""
+    return frozenset(words for text in _descriptions(dialect) if len(words := tuple(_WORD.findall(text))) > 1)
 
 
 def _descriptions(dialect: Dialect) -> Iterator[str]:

@@ -3,8 +3,9 @@
 import re
 from collections.abc import Iterator
 
-from codegen.claims.reading import Reading, parts_at
+from codegen.claims.reading import Reading, parts_at, snake
 from codegen.load.prose import CodeBlock
+from codegen.model.dialect.dialect import WireMessage
 from codegen.once import once
 from codegen.pattern import pattern
 from codegen.source import Place
@@ -29,6 +30,19 @@ def _declared(line: str) -> "re.Match[str] | None":
     """Match the declaration of a type; the words of a comment, "message unit", are none."""
     found = _TYPE.search(line)
     return None if found is None or _COMMENT.search(line, 0, found.start()) else found
+
+
+def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | None]:
+    """Yield for each line of code the message whose name the type around it bears, word by word; None for none."""
+    around = None
+    for line in code.lines:
+        found = _declared(line.text)
+        if found is not None:
+            name = found["name"]
+            around = reading.messages.get(name) or reading.messages.get(snake(name).upper())
+        yield around
+        if line.text.startswith("}"):
+            around = None
 
 
 def is_of_type(reading: Reading, place: Place, message: str) -> bool:

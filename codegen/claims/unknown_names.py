@@ -83,6 +83,8 @@ _IN_CODE = pattern(
     r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"
     r"|\bMAVLINK_MSG_ID_(?P<constant>[A-Z][A-Z0-9_]{2,60})(?![\w])"
 )
+_OF_LIBRARY = pattern(r"_(?:(?:MIN_)?LEN|CRC|FIELD_[A-Z0-9_]+_LEN)$")
+"""The end of names that libraries in C make of the name of a message, "MAVLINK_MSG_ID_HEARTBEAT_MIN_LEN"."""
 _TAKEN = pattern(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
 _DECLARED = pattern(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
 _CONSTANT = pattern(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
@@ -217,7 +219,7 @@ def _entries(reading: Reading, passage: Passage, names: Names) -> Iterator[Diagn
 def _entry(reading: Reading, place: Place, name: str, names: Names) -> Iterator[Diagnostic]:
     """A name that begins as the entries of an enum do, and is none of them."""
     start = entry_start(name, names)
-    if name in names.known or name in names.messages:
+    if name in names.known or name in names.messages or name.endswith(_BEHIND_LAST):
         return
     if not start:
         yield from _turned(reading, place, name)
@@ -230,6 +232,10 @@ def _entry(reading: Reading, place: Place, name: str, names: Names) -> Iterator[
     near = near or get_close_matches(name, entries, n=1, cutoff=_KIN)
     if near:
         yield reading.found(NO_ENTRY, place, name, f"{start[:-1]} has no entry {name}", f"did you mean {near[0]}?")
+
+
+_BEHIND_LAST = "_ENUM_END"
+"""Libraries in C and other languages have a last entry of that name in each enum."""
 
 
 def _turned(reading: Reading, place: Place, name: str) -> Iterator[Diagnostic]:
@@ -267,7 +273,7 @@ def _code(reading: Reading, code: CodeBlock, names: Names) -> Iterator[Diagnosti
     are_messages = any(found["name"] in names.messages for _, found in quoted)
     for line, found in (*asked, *(quoted if are_messages else ())):
         group = found.lastgroup or ""
-        name = found[group]
+        name = _OF_LIBRARY.sub("", found[group]) if group == "constant" else found[group]
         near = near_message(name, names) if is_unknown(name, names) and "_" in name else None
         if near is not None:
             yield _no_message(reading, _at(line, found.start(group)), name, near)

@@ -5,6 +5,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from codegen.claims.enclosing import types_around
 from codegen.claims.parts.aligned import aligned_items, csv_rows
 from codegen.claims.parts.data_comments import data_comments
 from codegen.claims.parts.sentence import Sentence, Vocabulary
@@ -58,12 +59,13 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
     note: list[Line] = []
-    for line in code.lines:
+    for line, around in zip(code.lines, types_around(reading, code), strict=True):
         last = bisect_left(reading.sightings, (line.place.line + 1, ""))
         sighted = reading.sightings[max(first, last - _MOST) : last]
         near = [
             reading.messages[name] for at, name in sighted if at < line.place.line or not _only_compared(line, name)
         ]
+        near += [] if around is None else [around]  # what comments of members name besides is another message
         own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
         is_comment = _COMMENT.match(line.text) is not None or (not code.language and _is_prose(line.text))
         sentence = _line(line, words)

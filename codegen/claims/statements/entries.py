@@ -238,8 +238,8 @@ def _values(reading: Reading, span: Span, subject: _Subject, low: int, high: int
             yield _finding(reading, span, subject, meant, value, offset, words)
 
 
-_NUMBERED = pattern(r"\bparam(?:eter)?s?(?: number)?:? $")
-"""Before the number of a parameter, ``param: 4``, which is no value of an entry."""
+_NUMBERED = pattern(r"\b(?:param(?:eter)?s?(?: number)?|offset)[:=]? ?$")
+"""Before the number of a parameter, ``param: 4``, or of a byte, ``offset: 4``, which is no value of an entry."""
 
 
 def _is_sum(enum: EnumDefinition, value: int, part: int) -> bool:

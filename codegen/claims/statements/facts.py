@@ -89,6 +89,8 @@ def _placed(reading: Reading, span: Span) -> Iterator[Diagnostic]:
 def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     """ "`a` and `b` are extensions", "`c` belongs to the base fields", "the extensions are `a` and `b`"."""
     text = span.text
+    if span.is_code and not span.is_comment and _ADDS_TO_TYPE.match(text):
+        return
     for found in _LIST.finditer(text):
         names = [at for at in range(*found.span("names")) if text[at] in "FP"]
         yield from _kinds(reading, span, names, is_extension=found["kind"].startswith("ext"))
@@ -108,6 +110,10 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     for found in _MARKED.finditer(text) if span.kind is not PassageKind.ROW else ():
         yield from _kinds(reading, span, [found.start()], is_extension=found["kind"].startswith("ext"))
     yield from _grouped(reading, span) if _KIND.search(text) else ()
+
+
+_ADDS_TO_TYPE = pattern(r"\s*(?:public |private |internal |fileprivate )?extension [A-Z]")
+"""A line of Swift or Dart that adds to a type."""
 
 
 def _grouped(reading: Reading, span: Span) -> Iterator[Diagnostic]:

@@ -243,9 +243,14 @@ def _stated(span: Span) -> Iterator[_Size]:
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
         at = each.start("number") if each["number"] else each.start("sizeof")
         is_argument = span.is_code and not span.is_comment and pattern(r", ?$").search(each[0][:-1]) is not None
+        is_argument |= span.is_code and _PLACED.search(span.text, 0, each.start()) is not None
         is_word = span.sentence.term(at).written.isalpha()  # "payload: five arrays" counts something else
         if at not in paired and not is_of_frame and not is_argument and not is_word:
             yield _Size(span, at, each.end(), each[0])
+
+
+_PLACED = pattern(r"\b(?:at|offset|from|start|index)[:=] ?N, $")
+"""Before the length of a part of a message that a call reads or writes: "data.string(at: 21, length: 16)"."""
 
 
 def _first(span: Span, offset: int) -> Fraction | None:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import accumulate
 
 from codegen.claims.layout import typed
 from codegen.claims.parts.sentence import StatedType
@@ -139,7 +140,7 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         if _MEANS.search(gap):
             continue
         is_turned = _TO.fullmatch(gap) and _TURNED.search(span.text, max(said.before, said.start - 40), said.start)
-        if is_turned or _OF_ANOTHER.search(gap):
+        if is_turned or _OF_ANOTHER.search(gap) or _is_of_line(said, offset, gap):
             return
         is_bounded = (
             (said.is_listed or len(gap) < 40)
@@ -165,6 +166,34 @@ def _type(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             continue
         yield from _found(reading, said, offset, stated, term.written)
         return
+
+
+_LEADING = pattern(r"\s*(?://+|\*|#)?\s*F ")
+"""The name with which a comment of code begins."""
+
+
+def _is_of_line(said: Said, offset: int, gap: str) -> bool:
+    """Return whether a type in code belongs to another name of its line, or to another argument."""
+    if not said.span.is_code:
+        return False
+    return _ends_other(said.span, said, offset) if said.span.is_comment else _leaves_call(gap)
+
+
+def _ends_other(span: Span, said: Said, offset: int) -> bool:
+    """Return whether a type ends a comment that begins with another name: "// `a` the first, see `b` uint8_t"."""
+    if span.text[offset + 1 :].strip():
+        return False
+    led = _LEADING.match(span.text)
+    return led is not None and led.end() - 2 not in said.names
+
+
+def _leaves_call(gap: str) -> bool:
+    """Return whether brackets end behind a name that began before it: "[x a], [array of uint8_t]"."""
+    return any(low < 0 for pair in ("[]", "()") for low in accumulate(_depths(gap, *pair)))
+
+
+def _depths(text: str, start: str, end: str) -> Iterator[int]:
+    return ((letter == start) - (letter == end) for letter in text)
 
 
 _IS_ARRAY = pattern(r"\[|;")

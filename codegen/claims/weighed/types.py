@@ -12,6 +12,8 @@ from codegen.pattern import pattern
 
 _CAST = pattern(r"::|\)[ (]")
 _CASTING = pattern(r" as $|::<$|_cast<$")
+_LISTED = pattern(r"[,(]\s*$")
+_NAMED = pattern(r"(?:\[\])?\s+[A-Za-z_]")
 _ENDED = pattern(r"\s*(?:[,.;:)\]|]|$|\*/)")
 _NEXT = pattern(r" ?F|(?: \w+){0,2} F")
 _ANOTHER = pattern(
@@ -28,7 +30,7 @@ def of_type(pair: Pair) -> Iterator[Comparison]:
     stated, field = pair.term.value, pair.one.field
     if not isinstance(stated, StatedType) or (pair.term.written.lower().startswith("float") and field.definition.enum):
         return
-    if _is_cast(pair):
+    if _is_cast(pair) or _is_of_next(pair):
         return
     if any(has_type(each, stated) for each in pair.fields):
         yield Comparison("type", TYPE, is_right=True)
@@ -46,6 +48,12 @@ def _is_cast(pair: Pair) -> bool:
     before = pair.before(8)
     is_in_parentheses = before.endswith("(") and pair.behind(1) == ")"
     return is_in_parentheses or _CAST.match(pair.behind(3)) is not None or _CASTING.search(before) is not None
+
+
+def _is_of_next(pair: Pair) -> bool:
+    """Return whether a list of code has a type before each name, "(long a, float b)", and so that of the next one."""
+    is_code = pair.span.is_code and not pair.span.is_comment
+    return is_code and _LISTED.search(pair.before(8)) is not None and _NAMED.match(pair.behind(8)) is not None
 
 
 def _traits(pair: Pair, stated: StatedType) -> tuple[str, ...]:

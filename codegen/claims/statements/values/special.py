@@ -3,6 +3,7 @@
 A document that gives the same meaning to another value is compared by the words of the meaning.
 """
 
+import math
 from collections.abc import Iterator
 from functools import cache
 
@@ -81,15 +82,20 @@ def check(reading: Reading, span: Span) -> Iterator[Diagnostic]:
         known = specials(one.field.definition.description)
         meant = content(span.source_text(*found.span("words")))
         same = [each for each in known if _is_like(meant, each.words)]
-        if len(same) != 1 or any(each.value == float(value) for each in known):
+        if len(same) != 1 or any(is_value(each, float(value)) for each in known):
             continue
         others = [each for other in one.others for each in specials(other.definition.description)]
-        if any(_is_like(meant, each.words) and each.value == float(value) for each in others):
+        if any(_is_like(meant, each.words) and is_value(each, float(value)) for each in others):
             continue
         written = span.sentence.term(at).written
         told = same[0].told
         text = f'{one.name}: for "{told}" it is {same[0].written}, not {written}'
         yield reading.found(as_sure(SENTINEL, is_sure=False), span.place(at), f"{one.name} {told} {written}", text)
+
+
+def is_value(known: Special, value: float) -> bool:
+    """Return whether a special value is this number; NaN, which equals nothing, is NaN."""
+    return known.value == value or (math.isnan(known.value) and math.isnan(value))
 
 
 def _is_like(meant: frozenset[str], known: frozenset[str]) -> bool:
