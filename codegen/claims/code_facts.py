@@ -1,29 +1,45 @@
 """Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
+import re
 from collections.abc import Iterator, Mapping
 
+from codegen.claims.enclosing import types_around
 from codegen.claims.enum_names import entry_values
 from codegen.claims.reading import Reading
-from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE
+from codegen.claims.rules import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID, SIZE, UNIT
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
-from codegen.model.dialect.dialect import WireMessage
+from codegen.model.dialect.dialect import WireField, WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 from codegen.source import Place
 
+_MODIFIERS = (
+    r"(?:(?:pub|public|private|protected|internal|export|static|final|readonly|constexpr|const|let|var|auto|size_t"
+    r"|u?int(?:\d+(?:_t)?)?|long|short|byte|u\d+|usize)\s+)*"
+)
 _CONSTANT = pattern(
-    r"^\s*(?:#define|(?:pub |export |static |constexpr )*(?:const|let|var)?)\s*(?P<name>[A-Z][A-Z0-9_]{2,80})"
+    rf"^\s*(?:#define\s+|{_MODIFIERS})(?P<name>[A-Z][A-Z0-9_]{{2,80}})"
     r"(?:\s*:\s*\w+)?\s*=?\s+\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8})\)?\s*[;,]?\s*(?://.*|/\*.*|#.*)?$"
 )
 _ROLE = pattern(
     r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_|(?P<first>CRC_EXTRA|CRC|LENGTH|LEN|ID)_)?(?P<message>\w+?)(?:_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN))?$"
 )
 _NUMBERED = pattern(r"(?:MAVLINK_)?(?:MSG|MESSAGE)_?ID_")
+_BY_ID = pattern(r"MAVLINK_MSG_ID_(?P<id>\d{1,8})_(?P<role>LEN|MIN_LEN|CRC)")
 _BARE = pattern(
-    r"^\s+(?:pub |static |export |readonly |constexpr )*(?:const )?(?:\w+ )?(?:MSG_|MESSAGE_)?"
-    r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
+    rf"^\s+{_MODIFIERS}(?:\w+ )?(?:MAVLINK_)?(?:MSG_|MESSAGE_)?"
+    r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|MIN_LEN|MIN_LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?"
+    r"=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
 )
+_OF_TYPE = pattern(
+    rf"^\s+(?P<modifiers>{_MODIFIERS})_?(?P<role>message_id|messageId|msg_id|msgId|msgid|id|crc_extra|crcExtra)"
+    r"(?:\s*:\s*\w+)?\s*=\s*(?:U?[iI]nt\d*\()?(?P<value>\d{1,6})\)?\s*[;,]?\s*(?://.*)?$"
+)
+"""A constant of a type that bears the name of a message; one called ``id`` has to be of the type itself."""
+_UNITS = pattern(r"^\s*@Units\(\"(?P<unit>[^\"]{1,20})\"\)\s*$")
+_DECLARED = pattern(r"^\s*public\s+[\w\[\]]+\s+(?P<name>[a-z]\w*)(?:\[\])?\s*(?:=[^;]*)?;")
 _COMMENT = pattern(
     r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?:,?| [^.;]{1,30},) (?:message )?id:? #?(?P<id>\d{1,6})\b"
 )
@@ -39,12 +55,16 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     entries = entry_values(reading.enums)
     for code in reading.prose.code:
         yield from _listed(reading, code)
+        yield from _units(reading, code)
         about: WireMessage | None = None
         seen = [(number, name) for number, name in reading.sightings if code.place.line <= number]
-        for line in code.lines:
+        for line, around in zip(code.lines, types_around(reading, code), strict=True):
             yield from _constants(reading, line, entries)
             yield from _comments(reading, line)
-            yield from _alone(reading, line, [name for number, name in seen if number <= line.place.line][-1:])
+            near = [name for number, name in seen if number <= line.place.line][-1:]
+            yield from _alone(reading, line, near if around is None else [around.name])
+            if around is not None:
+                yield from _of_type(reading, line, around)
             yield from _length(reading, line)
             named = _NAMED.match(line.text)
             if named is not None:
@@ -73,6 +93,27 @@ _MEMBER = pattern(
 )
 
 
+def _units(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """``@Units("mV")`` above a member of a class of the message's name, with other notes between them."""
+    noted: tuple[Line, re.Match[str]] | None = None
+    for line, around in zip(code.lines, types_around(reading, code), strict=True):
+        found = _UNITS.match(line.text)
+        member = _DECLARED.match(line.text)
+        if found is not None:
+            noted = (line, found)
+        elif member is not None:
+            field = around.field(member["name"]) if around is not None else None
+            if noted is not None and around is not None and field is not None and field.definition.units:
+                yield from _unit(reading, noted[0], noted[1], f"{around.name}.{field.name}", field)
+            noted = None
+
+
+def _unit(reading: Reading, line: Line, found: "re.Match[str]", name: str, field: WireField) -> Iterator[Diagnostic]:
+    if found["unit"] != field.definition.units:
+        text = f"{name} is in {field.definition.units}, not {found['unit']}"
+        yield reading.found(UNIT, _at(line, found.start("unit")), f"{name} {found['unit']}", text)
+
+
 def _at(line: Line, offset: int) -> Place:
     return line.place._replace(column=line.place.column + offset)
 
@@ -83,6 +124,12 @@ def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iter
         return
     name, number = found["name"], int(found["value"], 0)
     place = _at(line, found.start("value"))
+    of_id = _BY_ID.fullmatch(name)
+    if of_id is not None:
+        named = _by_id(reading).get(int(of_id["id"]))
+        if named is not None:
+            yield from number_claims(reading, named, of_id["role"].lower(), number, place)
+        return
     if name in entries:
         if entries[name] != number:
             text = f"{name} is {entries[name]}, not {found['value']}"
@@ -122,6 +169,20 @@ def _alone(reading: Reading, line: Line, near: list[str]) -> Iterator[Diagnostic
     if found is not None and message is not None and message.id >= 0:
         role = found["role"].lower().removeprefix("extra_")
         yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
+
+
+@once
+def _by_id(reading: Reading) -> Mapping[int, WireMessage]:
+    return {message.id: message for message in reading.messages.values()}
+
+
+def _of_type(reading: Reading, line: Line, message: WireMessage) -> Iterator[Diagnostic]:
+    """``public _message_id: number = 22;`` in a class of the message's name."""
+    found = _OF_TYPE.match(line.text)
+    if found is None or message.id < 0 or (found["role"] == "id" and "static" not in found["modifiers"]):
+        return
+    role = "crc" if found["role"].lower().startswith("crc") else "id"
+    yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
 
 
 _OWN_LENGTH = pattern(

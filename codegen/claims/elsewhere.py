@@ -15,7 +15,9 @@ from codegen.source import Place
 
 _CITED = pattern(r"(?:(?<=[\s(|\u2013\u2014])|^)[\"\u201c](?=\S)[^\"\u201c\u201d]{2,300}[\"\u201d](?=[\s.,;:!?)|]|$)")
 _CAPITALS = pattern(r"(?<![\w.-])[A-Z][A-Z0-9]+(?:_[A-Z0-9]+)*(?![\w-])")
-_GENERIC = pattern(r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z])(?:_|$))+")
+_GENERIC = pattern(
+    r"(?:(?:MAVLINK|MSG|MESSAGE|IDS?|CRC|EXTRA|MIN|MAX|LEN|LENGTH|SIZE|BYTES|PAYLOAD|V[12]|[A-Z]|\d+)(?:_|$))+"
+)
 _OF_MEMBERS = frozenset(("claim-struct", "claim-unit", "claim-sentinel", "claim-offset"))
 _NUMBERS = frozenset(("claim-message-id", "claim-crc-extra", "claim-message-size"))
 _BETWEEN = pattern(
@@ -80,7 +82,9 @@ def _others_in(code: CodeBlock) -> Iterator[int]:
             is_other = not line.text.lstrip().startswith("}")
 
 
-_NO_MAVLINK = pattern(r"\b(?:not|no|non)[ -]MAVLink\b", re.IGNORECASE)
+_NO_MAVLINK = pattern(
+    r"\b(?:not|no|non)[ -]MAVLink\b(?! (?:cameras?|components?|devices?|systems?|gimbals?|vehicles?)\b)", re.IGNORECASE
+)
 
 
 def _is_number_of_section(reading: Reading, place: Place) -> bool:

@@ -11,7 +11,7 @@ from codegen.pattern import pattern
 from codegen.source import Place
 
 _TYPE = pattern(
-    r"\b(?:struct|class|interface|type|impl|union|message)\s+(?:__attribute__\S*\s+)?(?P<name>(?!__attribute__)[A-Za-z_]\w*)"
+    r"\b(?:struct|class|interface|type|impl|union|message|extension)\s+(?:__attribute__\S*\s+)?(?P<name>(?!__attribute__)[A-Za-z_]\w*)"
 )
 _CLOSED = pattern(r"\s*\}")
 _PARTS = pattern(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -32,6 +32,10 @@ def _declared(line: str) -> "re.Match[str] | None":
     return None if found is None or _COMMENT.search(line, 0, found.start()) else found
 
 
+_OF_LIBRARY = pattern(r"^(?:mavlink_)?(?:msg_)?|(?<=[a-z0-9])_t$")
+"""Around the name of a message in the name of a type: "msg_altitude", "mavlink_altitude_t"."""
+
+
 def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | None]:
     """Yield for each line of code the message whose name the type around it bears, word by word; None for none."""
     around = None
@@ -39,7 +43,8 @@ def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | No
         found = _declared(line.text)
         if found is not None:
             name = found["name"]
-            around = reading.messages.get(name) or reading.messages.get(snake(name).upper())
+            plain = _OF_LIBRARY.sub("", name)
+            around = reading.messages.get(plain) or reading.messages.get(snake(plain).upper())
         yield around
         if line.text.startswith("}"):
             around = None

@@ -76,7 +76,8 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
             continue
         yield Span(sentence, PassageKind.TEXT, own, _places([line]), code.language, is_code=True)
         if note and line.text.strip():  # what stands above a member is said of it
-            joined = " ".join(_DECLARES.sub("", each.text).replace("*/", "").strip() for each in note)
+            told = [_told(each) for each in note]
+            joined = " ".join(each.text for each in told)
             name = pattern(r"\b[A-Za-z_]\w*\s*[?:;=\[]").search(line.text)
             if name is not None and len(note) < 4:
                 text = f"{name[0][:-1].strip()}: {joined}"
@@ -85,7 +86,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     read_sentence(text, 0, len(text), ((0, shift),), words),
                     PassageKind.ITEM,
                     own,
-                    _above(note[0], shift),
+                    _above(told, shift),
                     code.language,
                     True,
                     True,
@@ -140,10 +141,17 @@ _FEWEST = 4
 """Words in small letters that make a line a sentence."""
 
 
-def _above(line: Line, shift: int) -> Callable[[int], Place]:
-    lead = _DECLARES.match(line.text)
-    start = lead.end() if lead else 0
-    return lambda offset: line.place._replace(column=line.place.column + start + max(offset - shift, 0))
+def _told(line: Line) -> Line:
+    """Return what a comment says, without its marks."""
+    text = _DECLARES.sub("", line.text).replace("*/", "")
+    start = len(line.text) - len(_DECLARES.sub("", line.text)) + len(text) - len(text.lstrip())
+    return Line(text.strip(), line.place._replace(column=line.place.column + start))
+
+
+def _above(told: Sequence[Line], shift: int) -> Callable[[int], Place]:
+    """Return the place of a character of what comments say, with ``shift`` characters before it."""
+    place_at = _places(told)
+    return lambda offset: place_at(max(offset - shift, 0))
 
 
 def _line(line: Line, words: Vocabulary) -> Sentence:

@@ -1,7 +1,7 @@
 """Types that are said of fields: "an unsigned 16-bit integer", "array of 4 floats"."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from itertools import accumulate
 
 from codegen.claims.layout import typed
@@ -176,15 +176,15 @@ def _is_of_line(said: Said, offset: int, gap: str) -> bool:
     """Return whether a type in code belongs to another name of its line, or to another argument."""
     if not said.span.is_code:
         return False
-    return _ends_other(said.span, said, offset) if said.span.is_comment else _leaves_call(gap)
+    return ends_other(said.span, said.names, offset) if said.span.is_comment else _leaves_call(gap)
 
 
-def _ends_other(span: Span, said: Said, offset: int) -> bool:
+def ends_other(span: Span, names: Collection[int], offset: int) -> bool:
     """Return whether a type ends a comment that begins with another name: "// `a` the first, see `b` uint8_t"."""
     if span.text[offset + 1 :].strip():
         return False
     led = _LEADING.match(span.text)
-    return led is not None and led.end() - 2 not in said.names
+    return led is not None and led.end() - 2 not in names
 
 
 def _leaves_call(gap: str) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.claims.layout import typed
 from codegen.claims.parts.sentence import StatedType
 from codegen.claims.rules import TYPE
-from codegen.claims.statements.types import has_type
+from codegen.claims.statements.types import ends_other, has_type
 from codegen.claims.weighed.comparison import Comparison, traits
 from codegen.claims.weighed.pairs import Pair
 from codegen.pattern import pattern
@@ -30,7 +30,7 @@ def of_type(pair: Pair) -> Iterator[Comparison]:
     stated, field = pair.term.value, pair.one.field
     if not isinstance(stated, StatedType) or (pair.term.written.lower().startswith("float") and field.definition.enum):
         return
-    if _is_cast(pair) or _is_of_next(pair):
+    if _is_cast(pair) or _is_of_another(pair):
         return
     if any(has_type(each, stated) for each in pair.fields):
         yield Comparison("type", TYPE, is_right=True)
@@ -50,10 +50,13 @@ def _is_cast(pair: Pair) -> bool:
     return is_in_parentheses or _CAST.match(pair.behind(3)) is not None or _CASTING.search(before) is not None
 
 
-def _is_of_next(pair: Pair) -> bool:
-    """Return whether a list of code has a type before each name, "(long a, float b)", and so that of the next one."""
-    is_code = pair.span.is_code and not pair.span.is_comment
-    return is_code and _LISTED.search(pair.before(8)) is not None and _NAMED.match(pair.behind(8)) is not None
+def _is_of_another(pair: Pair) -> bool:
+    """Return whether a type in code is of another name: "(long a, float b)", "// `a` comes first, see `b` uint8_t"."""
+    if not pair.span.is_code:
+        return False
+    if pair.span.is_comment:
+        return ends_other(pair.span, (pair.name,), pair.at)
+    return _LISTED.search(pair.before(8)) is not None and _NAMED.match(pair.behind(8)) is not None
 
 
 def _traits(pair: Pair, stated: StatedType) -> tuple[str, ...]:
