@@ -20,9 +20,9 @@ from codegen.source import Place
 _WORD = pattern(r"-?\w+")
 _END = pattern(r"(?<=[.;!?])\s+")
 _FIRST = 3
-"""Words by which a sentence is found, and the fewest of a whole description."""
+"""Words by which a sentence is found, and the fewest of a whole description of a field."""
 _FEWEST = 5
-"""Words of a sentence in a longer description: "0 if unknown" may be said of anything."""
+"""Words of any other sentence: "0 if unknown" and "16-bit unsigned integer" may be said of anything."""
 _XML = ("xml", "html")
 """Languages of definitions, which state attributes beside their descriptions: whether these agree is a claim."""
 _AROUND = 8
@@ -76,13 +76,15 @@ def _around(part: Passage | CodeBlock, place: Place) -> _Text:
 
 @once
 def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
-    """Return the sentences of all descriptions by their first words."""
+    """Return the sentences of all descriptions, and the whole ones of fields, by their first words."""
     found: dict[_Words, set[_Words]] = defaultdict(set)
+    of_fields = {field.definition.description for message in dialect.messages.values() for field in message.fields}
     for text in _descriptions(dialect):
         sentences = _END.split(text)
+        fewest = _FIRST if len(sentences) == 1 and text in of_fields else _FEWEST
         for sentence in sentences:
             words = tuple(_WORD.findall(sentence))
-            if len(words) >= (_FEWEST if len(sentences) > 1 else _FIRST):
+            if len(words) >= fewest:
                 found[words[:_FIRST]].add(words)
     return {first: tuple(those) for first, those in found.items()}
 

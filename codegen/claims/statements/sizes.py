@@ -144,6 +144,8 @@ _EXTENDED = pattern(
     r"|\b(?:full|whole|complete|extended|long) (?:one|payload|message|form|version)\b"
     r"|\bthe (?:latter|whole|rest)\b|\bin full\b"
 )
+_ARGUMENT = pattern(r"(?:\b(?:at|offset|from|start|index)[:=] ?N, [a-z]+[:=] ?|, ?)$")
+"""Before the length of a part that a call reads or writes: "read(length, 16)", "data.string(at: 21, length: 16)"."""
 _UNSIGNED = pattern(r"\bunsigned\b|(?:without|no) (?:the |a )?signature")
 
 
@@ -242,15 +244,10 @@ def _stated(span: Span) -> Iterator[_Size]:
     for each in _LENGTH.finditer(span.text):
         is_of_frame = span.is_comment and "len" in each[0] and "base" not in each[0] and "M" not in span.text
         at = each.start("number") if each["number"] else each.start("sizeof")
-        is_argument = span.is_code and not span.is_comment and pattern(r", ?$").search(each[0][:-1]) is not None
-        is_argument |= span.is_code and _PLACED.search(span.text, 0, each.start()) is not None
+        is_argument = span.is_code and not span.is_comment and _ARGUMENT.search(span.text, 0, at) is not None
         is_word = span.sentence.term(at).written.isalpha()  # "payload: five arrays" counts something else
         if at not in paired and not is_of_frame and not is_argument and not is_word:
             yield _Size(span, at, each.end(), each[0])
-
-
-_PLACED = pattern(r"\b(?:at|offset|from|start|index)[:=] ?N, $")
-"""Before the length of a part of a message that a call reads or writes: "data.string(at: 21, length: 16)"."""
 
 
 def _first(span: Span, offset: int) -> Fraction | None:
@@ -285,13 +282,10 @@ _OTHER_LINK = pattern(
 
 def _is_claim(size: _Size) -> bool:
     """Return whether the sentence states the size of a message, and not that of a part or of a supposed one."""
-    if (
-        not size.span.is_code
-        and _OTHER_LINK.search(size.span.text)
-        and not any(size.span.named(0, len(size.span.text)))
-    ):
+    span = size.span
+    if not span.is_code and _OTHER_LINK.search(span.text) and not any(span.named(0, len(span.text))):
         return False
-    before = size.before.rstrip(" /*#") if size.span.is_code else size.before
+    before = size.before.rstrip(" /*#") if span.is_code else size.before
     if "sizeof" in size.words:
         return True
     if _FIELD_OF.search(before) or _FOREIGN.search(size.clause) or _FRAMES_OF.match(size.behind):
@@ -302,7 +296,7 @@ def _is_claim(size: _Size) -> bool:
         return _versions(size) == {1} or _BASE.search(size.sentence) is not None
     if _SHORT.search(size.clause) or _OF_ELSE.search(before) or _CALCULATED.search(before):
         return size.first is not None
-    if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", size.span.text[size.offset + 1 : size.offset + 14]):
+    if _HYPOTHETICAL.search(size.clause) or re.search(r"hz|/s\b", span.text[size.offset + 1 : size.offset + 14]):
         return False
     return size.first is not None or _GOES_ON.match(size.behind) is None
 
