@@ -72,6 +72,7 @@ def readings_view(
         code: SpelledCode = (MachineCode if machine_code else PlainReading)(layout, component.name)
         old = expiry(component.readings, code, "now_ms") if reading.is_first and expires(component) else []
         old_pointers = code.pointers()
+        code.uses.clear()  # the other function begins
         name, block = component.name, layout.blocks[component.name]
         several = component.instances > 1
         asked = f"board.read_{reading.name}_adc({'instance' if several else ''})"
@@ -129,7 +130,7 @@ def _turn(reading: Reading, code: SpelledCode, asked: str, is_read: str) -> list
     count = code.word(reading.component.name, reading.word("count"))
     asking = "first >= 0"
     if reading.quantity.derivation.represented:
-        asking += f" and {code.word(reading.component.name, reading.word('is_set'))} == 0"
+        asking += f" and not {code.word(reading.component.name, reading.word('is_set'))}"
     lines = [f"if {asking}:", f"    {count} = {WAITING}", f"    {count} = int({asked})"]
     lines += taken(reading, code)
     if change := changed(reading, code):
