@@ -58,13 +58,14 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
     sign = bit << 31
     unknown = sign | bit << 30
     now_ms = int(ticks())
+    is_alone = first < 0
     instance = first
     battery = ptr32(words)
-    if first >= 0:
+    if not is_alone:
         battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
     while instance < 2:
-        if first < 0 or battery[_BATTERY_CURRENT_IS_READ]:
-            if first >= 0:
+        if is_alone or battery[_BATTERY_CURRENT_IS_READ]:
+            if not is_alone:
                 battery[_BATTERY_CURRENT_COUNT] = -1000000000
                 battery[_BATTERY_CURRENT_COUNT] = int(board.read_battery_current_adc(instance))
             told = 0
@@ -167,7 +168,7 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_CURRENT_IS_LOGGED] = 1
                     told = 1
 
-            if first < 0:
+            if is_alone:
                 return told
             if told:
                 return told | instance << 4

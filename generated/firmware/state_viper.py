@@ -64,13 +64,14 @@ def read_battery(words, every, board, ticks, first: int) -> int:
     sign = bit << 31
     unknown = sign | bit << 30
     now_ms = int(ticks())
+    is_alone = first < 0
     instance = first
     battery = ptr32(words)
-    if first >= 0:
+    if not is_alone:
         battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
     while instance < 2:
-        if first < 0 or battery[_BATTERY_MONITORED]:
-            if first >= 0 and not battery[_BATTERY_IS_SET]:
+        if is_alone or battery[_BATTERY_MONITORED]:
+            if not is_alone and not battery[_BATTERY_IS_SET]:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc(instance))
             # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
@@ -241,7 +242,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     else:
                         battery[_BATTERY_TREND_MV_S] = (value + 20) // 40
 
-            if first < 0:
+            if is_alone:
                 return told
             if told:
                 return told | instance << 4

@@ -43,13 +43,14 @@ def read_battery(words, every, board, ticks, first: int) -> int:
     sign = bit << 31
     unknown = sign | bit << 30
     now_ms = int(ticks())
+    is_alone = first < 0
     instance = first
     battery = ptr32(words)
-    if first >= 0:
+    if not is_alone:
         battery = ptr32(int(battery) + 4 * _BATTERY)
     while instance < 1:
-        if first < 0 or battery[_BATTERY_MONITORED]:
-            if first >= 0:
+        if is_alone or battery[_BATTERY_MONITORED]:
+            if not is_alone:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc())
             # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
@@ -115,7 +116,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
                     told |= 4
 
-            if first < 0:
+            if is_alone:
                 return told
             if told:
                 return told | instance << 4
