@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 2d5d7a659eff9a8a
+# Inputs: e8dbb6483a38cd1b
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -105,8 +105,9 @@ class Connection:
 
     def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
-        diff = ticks_diff
+        add, diff = ticks_add, ticks_diff
         log = self._log
+        inbox = self.inbox
         budget = self._budget
         most = vehicle.MESSAGES
         buffered = self.link._state  # frames_plain says what it holds
@@ -135,7 +136,7 @@ class Connection:
                             taken += 1
                             budget[0] -= 1
                             try:
-                                message = self.inbox.next(now_ms)
+                                message = inbox.next(now_ms)
                                 if message is not None:
                                     number = buffered[_NUMBER]
                                     if (buffered[_SENDER] >> 8 != system_id or self.is_other(message)) and (
@@ -222,7 +223,7 @@ class Connection:
                         if left:
                             least_ms = 0
                             is_left = is_left or left == _TO_READ
-                        next_ms = ticks_add(now_ms, least_ms)
+                        next_ms = add(now_ms, least_ms)
                     else:  # whether anything is left is found out in the next pass
                         is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
                         if is_left_out and turn == _ARRIVED:
