@@ -4,7 +4,7 @@ The caller sees to it that they lie at multiples of four: viper checks no bounds
 """
 
 # ptr8, ptr16 and ptr32 are viper's own names; calls cost more than what they would do.
-# ruff: noqa: C901, F821
+# ruff: noqa: C901, F821, PLR0915
 
 import micropython
 

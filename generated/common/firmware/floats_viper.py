@@ -1,12 +1,12 @@
 # Generated from templates/firmware/floats_viper.py: do not edit.
-# Inputs: b5185b902103695b
+# Inputs: 6b58c226fe57955f
 """Floats of the wire from whole numbers in machine code, by MicroPython's viper emitter; floats_plain describes them.
 
 The caller sees to it that they lie at multiples of four: viper checks no bounds.
 """
 
 # ptr8, ptr16 and ptr32 are viper's own names; calls cost more than what they would do.
-# ruff: noqa: C901, F821
+# ruff: noqa: C901, F821, PLR0915
 
 import micropython
 

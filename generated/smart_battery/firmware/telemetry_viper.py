@@ -95,7 +95,8 @@ def _stand_in(message):
 def _finished(wire_at: int, last_word: int, crc_extra: int) -> int:
     """Finish the frame of a payload as others do on their own, and return its length: a call is dear, yet code smaller.
 
-    That is for messages which are on request, or due no more often than every second.
+    That is for messages which are on request, or due no more often than every second unless a ground station asks for
+    more.
     """
     wire = ptr8(wire_at)
     frame = ptr8(wire_at - 12)
@@ -154,7 +155,6 @@ def build_heartbeat(state):
 @micropython.viper
 def encode_heartbeat(link, state):
     """Return the frame of HEARTBEAT (0), FR-00074.1."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
@@ -189,47 +189,7 @@ def encode_heartbeat(link, state):
     frame[9] = 0
     frame[10] = 0
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 8)
-    while not words[0]:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while not last[0]:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    value ^= data[0]  # the next two bytes are in it already
-    left = (length + 8) >> 3
-    while left:
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        data = ptr16(int(data) + 4)
-    value ^= data[0]
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 50) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
+    return views[_finished(int(wire), 8, 50)]
 
 
 def build_battery_status(state, instance=0):
@@ -482,7 +442,6 @@ def build_autopilot_version(state):
 @micropython.viper
 def encode_autopilot_version(link, state):
     """Return the frame of AUTOPILOT_VERSION (148), FR-00070.2."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
@@ -552,7 +511,6 @@ def build_protocol_version(state):
 @micropython.viper
 def encode_protocol_version(link, state):
     """Return the frame of PROTOCOL_VERSION (300), FR-00070.2."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
@@ -808,7 +766,6 @@ def build_smart_battery_info(state, instance=0):
 @micropython.viper
 def smart_battery_info_frame(link, state, instance: int):
     """Return the frame of SMART_BATTERY_INFO (370), FR-00074.4."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
@@ -923,7 +880,6 @@ def build_battery_info(state, instance=0):
 @micropython.viper
 def battery_info_frame(link, state, instance: int):
     """Return the frame of BATTERY_INFO (372), FR-00074.4."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
@@ -1052,7 +1008,6 @@ def build_battery_cell_voltages(state, instance=0, page=0):
 @micropython.viper
 def battery_cell_voltages_frame(link, state, instance: int, page: int):
     """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)

@@ -117,10 +117,10 @@ class MachineCode(SpelledCode):
         shown = value if str(value).isidentifier() else f"({value})"
         if size == 4 and offset % 2 == 0 and (turns is None or turns.size % 2 == 0):
             self.uses.add("wire16")
-            low, high = (placed(at, 2, turns) for at in (offset, offset + 2))
+            halves = [placed(at, 2, turns) for at in (offset, offset + 2)]
             if known is not None:
-                return [f"wire16[{low}] = {known & 0xFFFF}", f"wire16[{high}] = {known >> 16 & 0xFFFF}"]
-            return [f"wire16[{low}] = {value}", f"wire16[{high}] = {shown} >> 16"]
+                return [f"wire16[{half}] = {known >> 16 * n & 0xFFFF}" for n, half in enumerate(halves)]
+            return [f"wire16[{halves[0]}] = {value}", f"wire16[{halves[1]}] = {shown} >> 16"]
         self.uses.add("wire")
         places = [placed(offset + n, 1, turns) for n in range(size)]
         if known is not None:
@@ -246,7 +246,7 @@ class MachineCode(SpelledCode):
         return words + [f"{name} = int(state.parameters.{name})" for name in self.parameters]
 
     def pointers(self) -> list[str]:
-        """Return the lines of the pointers to the payload as larger numbers, of the sign's bit, and of an unknown word."""
+        """Return the lines of the pointers to the payload as larger numbers, of the sign's bit and an unknown word."""
         lines = [f"wire{bits} = ptr{bits}(wire)" for bits in (16, 32) if f"wire{bits}" in self.uses]
         if self.uses & {"sign", "unknown"}:
             lines.append("bit = 1")
