@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 8144ee7b7c597e7a
+# Inputs: 2bec331c13a09826
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -15,9 +15,11 @@ from parameter_service import ParameterService
 _FILE_TRANSFER_PROTOCOL_PAYLOAD_AT = const(3)
 _FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT = const(2)
 _FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT = const(1)
+_HEARTBEAT_TYPE_AT = const(4)
 _MAV_FTP_ERR_UNKNOWNCOMMAND = const(7)
 _MAV_FTP_OPCODE_ACK = const(128)
 _MAV_FTP_OPCODE_NAK = const(129)
+_MAV_TYPE_GCS = const(6)
 _PING_TARGET_COMPONENT_AT = const(13)
 _PING_TARGET_SYSTEM_AT = const(12)
 _REQUEST_DATA_STREAM_REQ_MESSAGE_RATE_AT = const(0)
@@ -25,8 +27,6 @@ _REQUEST_DATA_STREAM_REQ_STREAM_ID_AT = const(4)
 _REQUEST_DATA_STREAM_START_STOP_AT = const(5)
 
 _COMPONENTS = const(12)  # that are told apart on one link, beside ground stations
-_TYPE = const(4)  # where HEARTBEAT has it, and what a ground station says there
-_GCS = const(6)
 _SENDER = const(23)  # where the state of a link has system << 8 | component of who has sent what arrived last
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
@@ -155,7 +155,7 @@ class Services:
     def _hear(self, message):
         name = self._received[_SENDER]
         now_ms = ticks_ms()
-        is_station = message.wire[_TYPE] == _GCS
+        is_station = message.wire[_HEARTBEAT_TYPE_AT] == _MAV_TYPE_GCS
         known = self.listeners if is_station else self.components
         if known.last == name and ticks_diff(now_ms, known.heard_ms) < known.silence_ms:
             known.heard_ms = now_ms

@@ -11,8 +11,6 @@ from micropython import const
 from parameter_service import ParameterService
 
 _COMPONENTS = const(12)  # that are told apart on one link, beside ground stations
-_TYPE = const(4)  # where HEARTBEAT has it, and what a ground station says there
-_GCS = const(6)
 _SENDER = const(23)  # where the state of a link has system << 8 | component of who has sent what arrived last
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
@@ -141,7 +139,7 @@ class Services:
     def _hear(self, message):
         name = self._received[_SENDER]
         now_ms = ticks_ms()
-        is_station = message.wire[_TYPE] == _GCS
+        is_station = message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS
         known = self.listeners if is_station else self.components
         if known.last == name and ticks_diff(now_ms, known.heard_ms) < known.silence_ms:
             known.heard_ms = now_ms
