@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: e8dbb6483a38cd1b
+# Inputs: 2b120dfe5fab3af8
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -107,7 +107,6 @@ class Connection:
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
         add, diff = ticks_add, ticks_diff
         log = self._log
-        inbox = self.inbox
         budget = self._budget
         most = vehicle.MESSAGES
         buffered = self.link._state  # frames_plain says what it holds
@@ -136,7 +135,7 @@ class Connection:
                             taken += 1
                             budget[0] -= 1
                             try:
-                                message = inbox.next(now_ms)
+                                message = self.inbox.next(now_ms)
                                 if message is not None:
                                     number = buffered[_NUMBER]
                                     if (buffered[_SENDER] >> 8 != system_id or self.is_other(message)) and (

@@ -102,7 +102,6 @@ class Connection:
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
         add, diff = ticks_add, ticks_diff
         log = self._log
-        inbox = self.inbox
         budget = self._budget
         most = vehicle.MESSAGES
         buffered = self.link._state  # frames_plain says what it holds
@@ -131,7 +130,7 @@ class Connection:
                             taken += 1
                             budget[0] -= 1
                             try:
-                                message = inbox.next(now_ms)
+                                message = self.inbox.next(now_ms)
                                 if message is not None:
                                     number = buffered[_NUMBER]
                                     if (buffered[_SENDER] >> 8 != system_id or self.is_other(message)) and (
