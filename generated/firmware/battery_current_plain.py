@@ -86,7 +86,7 @@ def _take_battery_current(battery, now_ms):
         battery[_BATTERY_CURRENT_MA] = value
         battery[_BATTERY_CURRENT_FAILURES] = 0
         battery[_BATTERY_CURRENT_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
-        if battery[_BATTERY_CURRENT_IS_LOGGED] == 0:
+        if not battery[_BATTERY_CURRENT_IS_LOGGED]:
             battery[_BATTERY_CURRENT_IS_LOGGED] = 1
             told = 1
     return told
@@ -138,7 +138,7 @@ def _sum_battery_current(battery, value, now_ms):
         part = 0
     if part > battery[_BATTERY_BATT_CAPACITY]:
         part = battery[_BATTERY_BATT_CAPACITY]
-    if battery[_BATTERY_BATT_CAPACITY] == 0:
+    if not battery[_BATTERY_BATT_CAPACITY]:
         battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
     else:
         part = (part * 100 + battery[_BATTERY_BATT_CAPACITY] // 2) // battery[_BATTERY_BATT_CAPACITY]
@@ -149,7 +149,7 @@ def _sum_battery_current(battery, value, now_ms):
         part = 0
     if part > battery[_BATTERY_BATT_CAPACITY]:
         part = battery[_BATTERY_BATT_CAPACITY]
-    if battery[_BATTERY_BATT_CAPACITY] == 0:
+    if not battery[_BATTERY_BATT_CAPACITY]:
         battery[_BATTERY_LEFT_MAH] = _UNKNOWN
     else:
         battery[_BATTERY_LEFT_MAH] = part

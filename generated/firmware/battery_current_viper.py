@@ -56,14 +56,16 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
     """
     bit = 1
     sign = bit << 31
+    unknown = sign | bit << 30
     now_ms = int(ticks())
+    is_alone = first < 0
     instance = first
     battery = ptr32(words)
-    if first >= 0:
+    if not is_alone:
         battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
     while instance < 2:
-        if first < 0 or battery[_BATTERY_CURRENT_IS_READ]:
-            if first >= 0:
+        if is_alone or battery[_BATTERY_CURRENT_IS_READ]:
+            if not is_alone:
                 battery[_BATTERY_CURRENT_COUNT] = -1000000000
                 battery[_BATTERY_CURRENT_COUNT] = int(board.read_battery_current_adc(instance))
             told = 0
@@ -84,12 +86,12 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 value += count // 27300 * 220 - away // 27300 * 273
                 # A reading stands for the time since the last; more than 1000 ms, or an unknown one, is a gap.
                 took = now_ms - battery[_BATTERY_CURRENT_SINCE_MS] & 0x3FFFFFFF
-                if took > 1000 or (battery[_BATTERY_CURRENT_MA] ^ sign) - sign == _UNKNOWN:
+                if took > 1000 or battery[_BATTERY_CURRENT_MA] == unknown:
                     took = 0
                 battery[_BATTERY_CURRENT_SINCE_MS] = now_ms & 0x3FFFFFFF
                 took = value * took
                 # battery.consumed: 3600000 parts are a step, and what is less is kept (FR-00077.5).
-                if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign == _UNKNOWN:
+                if battery[_BATTERY_CONSUMED_MAH] == unknown:
                     battery[_BATTERY_CONSUMED_MAH] = 0
                     battery[_BATTERY_CONSUMED_REST] = 1800000
                 part = took + battery[_BATTERY_CONSUMED_REST]
@@ -101,8 +103,8 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     part = -1073741823
                 battery[_BATTERY_CONSUMED_MAH] = part
                 # battery.energy: 100000000000 parts are a step, and what is less is kept (FR-00077.5).
-                if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign != _UNKNOWN:
-                    if (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign == _UNKNOWN:
+                if battery[_BATTERY_VOLTAGE_MV] != unknown:
+                    if battery[_BATTERY_ENERGY_HJ] == unknown:
                         battery[_BATTERY_ENERGY_HJ] = 0
                         battery[_BATTERY_ENERGY_LOW] = 0
                         battery[_BATTERY_ENERGY_MIDDLE] = 0
@@ -127,7 +129,7 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     part = 0
                 if part > battery[_BATTERY_BATT_CAPACITY]:
                     part = battery[_BATTERY_BATT_CAPACITY]
-                if battery[_BATTERY_BATT_CAPACITY] == 0:
+                if not battery[_BATTERY_BATT_CAPACITY]:
                     battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
                 else:
                     part = (part * 100 + battery[_BATTERY_BATT_CAPACITY] // 2) // battery[_BATTERY_BATT_CAPACITY]
@@ -138,18 +140,18 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     part = 0
                 if part > battery[_BATTERY_BATT_CAPACITY]:
                     part = battery[_BATTERY_BATT_CAPACITY]
-                if battery[_BATTERY_BATT_CAPACITY] == 0:
+                if not battery[_BATTERY_BATT_CAPACITY]:
                     battery[_BATTERY_LEFT_MAH] = _UNKNOWN
                 else:
                     battery[_BATTERY_LEFT_MAH] = part
                 # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
                 part = (battery[_BATTERY_TIME_LEFT_MEAN] ^ sign) - sign
-                if (battery[_BATTERY_CURRENT_MA] ^ sign) - sign == _UNKNOWN:
+                if battery[_BATTERY_CURRENT_MA] == unknown:
                     part = value * 64
                 part += (value * 64 - part) // 300
                 battery[_BATTERY_TIME_LEFT_MEAN] = part
                 part = part // 64
-                if part <= 0 or (battery[_BATTERY_LEFT_MAH] ^ sign) - sign == _UNKNOWN:
+                if part <= 0 or battery[_BATTERY_LEFT_MAH] == unknown:
                     battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
                 else:
                     battery[_BATTERY_TIME_LEFT_S] = battery[_BATTERY_LEFT_MAH] * 900 // part
@@ -162,11 +164,11 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 battery[_BATTERY_CURRENT_MA] = value
                 battery[_BATTERY_CURRENT_FAILURES] = 0
                 battery[_BATTERY_CURRENT_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
-                if battery[_BATTERY_CURRENT_IS_LOGGED] == 0:
+                if not battery[_BATTERY_CURRENT_IS_LOGGED]:
                     battery[_BATTERY_CURRENT_IS_LOGGED] = 1
                     told = 1
 
-            if first < 0:
+            if is_alone:
                 return told
             if told:
                 return told | instance << 4

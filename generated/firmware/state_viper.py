@@ -62,18 +62,20 @@ def read_battery(words, every, board, ticks, first: int) -> int:
     """
     bit = 1
     sign = bit << 31
+    unknown = sign | bit << 30
     now_ms = int(ticks())
+    is_alone = first < 0
     instance = first
     battery = ptr32(words)
-    if first >= 0:
+    if not is_alone:
         battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
     while instance < 2:
-        if first < 0 or battery[_BATTERY_MONITORED]:
-            if first >= 0 and battery[_BATTERY_IS_SET] == 0:
+        if is_alone or battery[_BATTERY_MONITORED]:
+            if not is_alone and not battery[_BATTERY_IS_SET]:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc(instance))
             # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
-            if (battery[_BATTERY_CELLS_MV_AGE] ^ sign) - sign != _UNKNOWN:
+            if battery[_BATTERY_CELLS_MV_AGE] != unknown:
                 battery[_BATTERY_CELLS_MV_AGE] = battery[_BATTERY_CELLS_MV_AGE] + 1
                 if battery[_BATTERY_CELLS_MV_AGE] > 20:
                     battery[_BATTERY_CELLS_MV_AGE] = _UNKNOWN
@@ -92,14 +94,14 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                         count += 1
                         if value == _UNKNOWN:
                             continue
-                        if (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign == _UNKNOWN:
+                        if battery[_BATTERY_LOWEST_CELL_MV] == unknown:
                             battery[_BATTERY_LOWEST_CELL_MV] = value
                         if value < (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign:
                             battery[_BATTERY_LOWEST_CELL_MV] = value
                         if value > (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign:
                             battery[_BATTERY_HIGHEST_CELL_MV] = value
             # What else code sets is forgotten 5000 ms after the last of it (FR-00073.11).
-            if (battery[_BATTERY_SET_AGE] ^ sign) - sign != _UNKNOWN:
+            if battery[_BATTERY_SET_AGE] != unknown:
                 battery[_BATTERY_SET_AGE] = battery[_BATTERY_SET_AGE] + 1
                 if battery[_BATTERY_SET_AGE] > 50:
                     battery[_BATTERY_SET_AGE] = _UNKNOWN
@@ -155,7 +157,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                 battery[_BATTERY_FAILURES] = 0
                 battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
             if value != _UNKNOWN:
-                if battery[_BATTERY_IS_LOGGED] == 0:
+                if not battery[_BATTERY_IS_LOGGED]:
                     battery[_BATTERY_IS_LOGGED] = 1
                     told = 1
                 # Whether it is absent; another one may have been put in (FR-00073.8).
@@ -176,15 +178,15 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
                     battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
                     battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
-                if battery[_BATTERY_GONE] and is_gone == 0:
+                if battery[_BATTERY_GONE] and not is_gone:
                     told |= 2
-                    if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:
+                    if battery[_BATTERY_SWAPS_NUMBER] == unknown:
                         battery[_BATTERY_SWAPS_NUMBER] = 0
                     battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
-                    if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign != _UNKNOWN:
+                    if battery[_BATTERY_CONSUMED_MAH] != unknown:
                         battery[_BATTERY_CONSUMED_MAH] = 0
                         battery[_BATTERY_CONSUMED_REST] = 1800000
-                    if (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign != _UNKNOWN:
+                    if battery[_BATTERY_ENERGY_HJ] != unknown:
                         battery[_BATTERY_ENERGY_HJ] = 0
                         battery[_BATTERY_ENERGY_LOW] = 0
                         battery[_BATTERY_ENERGY_MIDDLE] = 0
@@ -192,23 +194,23 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_COUNTED_FROM_FULL] = 0
                 battery[_BATTERY_GONE] = is_gone
                 # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-                since = (battery[_BATTERY_WARNED_MS] ^ sign) - sign
-                if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
+                since = battery[_BATTERY_WARNED_MS]
+                if since != unknown and now_ms - since & 0x3FFFFFFF >= 10000:
                     battery[_BATTERY_WARNED_MS] = _UNKNOWN
-                if value > 13000 and (battery[_BATTERY_WARNED_MS] ^ sign) - sign == _UNKNOWN:
+                if value > 13000 and battery[_BATTERY_WARNED_MS] == unknown:
                     battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
                     told |= 4
             # The sum of battery.cells comes first while all of them are known (FR-00067.3).
             value = 0
             count = 0
-            while count < 3 and (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign != _UNKNOWN:
+            while count < 3 and battery[_BATTERY_CELLS_MV + count] != unknown:
                 value += (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign
                 count += 1
             if count == 3:
                 battery[_BATTERY_VOLTAGE_MV] = value
                 battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
 
-            if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign != _UNKNOWN:
+            if battery[_BATTERY_VOLTAGE_MV] != unknown:
                 # The change per second: the sum of the newer 20 readings against that of the older ones (FR-00021.1).
                 value = battery[_BATTERY_VOLTAGE_MV]
                 count = battery[_BATTERY_TREND_COUNT]
@@ -240,7 +242,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     else:
                         battery[_BATTERY_TREND_MV_S] = (value + 20) // 40
 
-            if first < 0:
+            if is_alone:
                 return told
             if told:
                 return told | instance << 4
@@ -253,9 +255,9 @@ def read_battery(words, every, board, ticks, first: int) -> int:
 def expire_battery(battery: ptr32, now_ms: int):
     """Forget a reading that has become too old, FR-00067.3."""
     bit = 1
-    sign = bit << 31
+    unknown = bit << 31 | bit << 30
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+    if battery[_BATTERY_EXPIRES_MS] != unknown:
         if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
@@ -264,7 +266,7 @@ def expire_battery(battery: ptr32, now_ms: int):
             battery[_BATTERY_TREND_OLDER] = 0
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
     # The current is forgotten once it is older than 1000 ms (FR-00077.4).
-    if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+    if battery[_BATTERY_CURRENT_EXPIRES_MS] != unknown:
         if now_ms - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN

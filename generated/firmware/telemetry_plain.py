@@ -168,13 +168,13 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     if place < 0 or place >= 2:
         place = 0
     battery = _BATTERY + _BATTERY_SIZE * place
-    if words[battery + _BATTERY_MONITORED] == 0:
+    if not words[battery + _BATTERY_MONITORED]:
         place = 0
         battery = _BATTERY + _BATTERY_SIZE * place
-        while place < 1 and words[battery + _BATTERY_MONITORED] == 0:
+        while place < 1 and not words[battery + _BATTERY_MONITORED]:
             place += 1
             battery = _BATTERY + _BATTERY_SIZE * place
-        if words[battery + _BATTERY_MONITORED] == 0:
+        if not words[battery + _BATTERY_MONITORED]:
             place = 0
             battery = _BATTERY + _BATTERY_SIZE * place
 

@@ -87,13 +87,13 @@ def encoder(frame, views, new_view):
         if is_v2:
             # Before the payload stands a 1, so that both loops end.
             words = ptr32(int(payload) + ((length - 1) & -4))
-            while words[0] == 0:
+            while not words[0]:
                 words = ptr32(int(words) - 4)
             last = ptr8(int(words) + 3)
-            while last[0] == 0:
+            while not last[0]:
                 last = ptr8(int(last) - 1)
             length = int(last) - int(payload) + 1
-            if length == 0 and int(image[4]):
+            if not length and int(image[4]):
                 length = 1
             frame[9] = image[0]
             frame[10] = image[1]
@@ -156,18 +156,17 @@ def taker(receiver):
     """
     state_at = address(receiver._state)
     keep_address(receiver._state, 19, receiver._buffer)
-    kind_of, length_of = type, len  # found here, they are found sooner than among the built-in names
-    own = (receiver, bytes)
+    kind, length_of = bytes, len  # found here, they are found sooner than among the built-in names
 
     @micropython.viper
     def put(data):
         state = ptr32(int(state_at))
         left = int(state[17])
-        if state[12] or left == 0:
-            if state[12] == 0 and kind_of(data) is own[1]:
+        if state[12] or not left:
+            if not state[12] and data.__class__ is kind:
                 left = int(length_of(data))
             else:
-                own[0]._put_more(data)
+                receiver._put_more(data)
                 return
         # Move the rest to the front.
         target = ptr8(int(state[19]) | int(state[20]) << 32)
@@ -186,7 +185,7 @@ def taker(receiver):
         source = ptr8(int(source) + int(state[2]))
         if left > room:
             left = room
-            own[0]._arrived[0] = data
+            receiver._arrived[0] = data
             state[12] = 1
             state[2] = int(state[2]) + left
         else:
@@ -194,7 +193,7 @@ def taker(receiver):
             state[17] = 0
         state[1] = kept + left
         end = int(target) + left
-        if (int(source) | int(target)) & 3 == 0:
+        if not (int(source) | int(target)) & 3:
             # Of 16 bytes the last ones may lie behind it: the buffer has room for them, and the heap consists of such.
             words = ptr32(target)
             others = ptr32(source)
@@ -249,6 +248,7 @@ def decoder(receiver):
 
     @micropython.viper
     def receive():
+        crc: int  # the first variable has a register
         state = ptr32(int(state_at))
         base = int(state[19]) | int(state[20]) << 32
         while True:
@@ -281,7 +281,7 @@ def decoder(receiver):
                 sender = ptr8(int(start) + 2)
             if int(start) + header > end:
                 state[0] = at
-                if state[12] == 0:
+                if not state[12]:
                     return None
                 own[0]._refill()
                 continue
@@ -312,7 +312,7 @@ def decoder(receiver):
             left = stop + 2 + 13 * signed
             if left > end:
                 state[0] = at
-                if state[12] == 0:
+                if not state[12]:
                     return None
                 own[0]._refill()
                 continue
@@ -351,7 +351,7 @@ def decoder(receiver):
                 source = ptr8(int(source) + 1)
             state[7] = crc
 
-            if row[0] and state[14] == 0:
+            if row[0] and not state[14]:
                 image = ptr8(int(row[1]) | int(row[2]) << 32)
             else:
                 message = own[0]._admitted(message)
@@ -376,7 +376,7 @@ def decoder(receiver):
             target = payload
             end = int(target) + left
             source = ptr8(int(start) + header)
-            if int(source) & 1 == 0:
+            if not int(source) & 1:
                 halves = ptr16(target)
                 pairs = ptr16(source)
                 stop = end - 7

@@ -143,8 +143,8 @@ FAULTS = {
     "a type": replace("message_fields.py", "vz:h", "vz:H"),
     "CRC_EXTRA": replace("messages.py", "CRC_EXTRA = 104", "CRC_EXTRA = 105"),
     "an id": replace("messages.py", "ID = 33\n", "ID = 34\n"),
-    "truncation to nothing": replace("frames_viper.py", "if length == 0 and", "if False and"),
-    "no truncation": replace("frames_viper.py", "while last[0] == 0:", "while False:"),
+    "truncation to nothing": replace("frames_viper.py", "if not length and", "if False and"),
+    "no truncation": replace("frames_viper.py", "while not last[0]:", "while False:"),
     "what stood there before": replace("frames_viper.py", "words[0] = 0\n", "pass\n"),
     "the sign of live values": replace("frames_viper.py", "^ 0x8000) - 0x8000", "^ 0x8000) ^ 0x8000"),
     "the highest byte of live values": replace(

@@ -511,7 +511,7 @@ BITES = {
     "wire[60] != 0": ("wire[60] != 1", "fix-other-gps_id"),
     "now_ms - 1073741324": ("now_ms - 1073741323", "chan1_raw-too-old"),
     "(value + 50) // 100": ("(value + 49) // 100", "yaw-half"),
-    "counts[2] != 0": ("counts[2] > 1", "MAVLink-1"),
+    "if counts[2]:  # MAVLink 1": ("if counts[2] > 1:  # MAVLink 1", "MAVLink-1"),
 }
 
 

@@ -18,7 +18,7 @@ from codegen.model.answers.answer import Answer, Elements
 from codegen.model.answers.known import Known, Stored, Value
 from codegen.model.answers.scaling import Scaling
 from codegen.model.answers.step import Step
-from codegen.model.code.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.code.payload_code import PayloadCode, indented
 from codegen.model.code.reading import Reading
 from codegen.model.code.storage import is_small
 from codegen.model.spec.population import FieldAnswer, Send
@@ -123,7 +123,7 @@ class EachAnswer(KindOfAnswer):
         return [
             f"place = {self.first}",
             f"while place < {end}:  # {self.covers.label} cannot say so",
-            *indented([f"if {code.read(self.source, 'place')} == {UNKNOWN}:", "    return None", "place += 1"]),
+            *indented([f"if {code.is_unknown(self.source, 'place')}:", "    return None", "place += 1"]),
         ]
 
     @property
@@ -175,7 +175,7 @@ class EachAnswer(KindOfAnswer):
         each = self._each(code)
         others = fallback.spilled(code) if fallback else code.fill(covers, self.absent)
         count = code.count(self.source)
-        known = f"{code.read(self.source, 'place')} != {UNKNOWN}"
+        known = code.is_known(self.source, "place")
         fits = f"place == {count}" if most <= self.room else f"place == {count} and place <= {self.room}"
         return [
             *head,

@@ -54,6 +54,10 @@ def _near(top: str, low: Number | None, high: Number | None, storage: Storage) -
             return ""
         least = min(storage.split(float(limit))[-1] & (_TOP - 1) for limit in (low, high))
         return f"({top} & 0x{_TOP - 1:X}) >= 0x{least:X}"
+    if storage.is_signed and low is not None and high is not None and low < 0 <= high:
+        # As if there were no sign, what is beyond stands between the largest number and the smallest.
+        first, last = (storage.split(int(limit))[-1] for limit in (high, low))
+        return f"{top} >= 0x{first:X} and {top} <= 0x{last:X}"
     ways = []
     for limit, sign in ((low, "<="), (high, ">=")):
         if limit is not None:

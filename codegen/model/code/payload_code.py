@@ -52,6 +52,10 @@ class PayloadCode(ABC):
         """Return whether a quantity that is stored, or its value at the place ``element``, is unknown: a condition."""
 
     @abstractmethod
+    def is_known(self, quantity: Quantity, element: str = "") -> str:
+        """Return whether a quantity that is stored, or its value at the place ``element``, is known: a condition."""
+
+    @abstractmethod
     def half(self, quantity: Quantity, at: int, element: str = "") -> str:
         """One of the halves in which a quantity is kept, the low one at 0: an expression, 0 to 65535 while it is known.
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 2d5d7a659eff9a8a
+# Inputs: 2b120dfe5fab3af8
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -105,7 +105,7 @@ class Connection:
 
     def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
-        diff = ticks_diff
+        add, diff = ticks_add, ticks_diff
         log = self._log
         budget = self._budget
         most = vehicle.MESSAGES
@@ -222,7 +222,7 @@ class Connection:
                         if left:
                             least_ms = 0
                             is_left = is_left or left == _TO_READ
-                        next_ms = ticks_add(now_ms, least_ms)
+                        next_ms = add(now_ms, least_ms)
                     else:  # whether anything is left is found out in the next pass
                         is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
                         if is_left_out and turn == _ARRIVED:

@@ -1,12 +1,12 @@
 # Generated from templates/firmware/floats_viper.py: do not edit.
-# Inputs: af71878076057847
+# Inputs: 6b58c226fe57955f
 """Floats of the wire from whole numbers in machine code, by MicroPython's viper emitter; floats_plain describes them.
 
 The caller sees to it that they lie at multiples of four: viper checks no bounds.
 """
 
 # ptr8, ptr16 and ptr32 are viper's own names; calls cost more than what they would do.
-# ruff: noqa: C901, F821
+# ruff: noqa: C901, F821, PLR0915
 
 import micropython
 
@@ -18,6 +18,7 @@ def put_floats(value: int, floats: ptr8):
     `value` is the address of the first word, then what is in a word. `floats` has four bytes for each: 6 bits are the
     place, 26 the divisor; 0 is the end. What is beyond 2 ** 30 - 1 is a float already and stays.
     """
+    exponent: int  # the first variable has a register
     at = value
     bit = 1
     sign = bit << 31
@@ -41,16 +42,19 @@ def put_floats(value: int, floats: ptr8):
             if value < 67108864:
                 value <<= 4
                 exponent -= 4
+            if value < 268435456:
+                value <<= 2
+                exponent -= 2
             if divisor != 1:
                 rest = value
                 value //= divisor
                 rest -= value * divisor
                 if value < 1048576 and divisor < 1048576:
-                    rest <<= 10
+                    rest <<= 7
                     more = rest // divisor
                     rest -= more * divisor
-                    value = (value << 10) | more
-                    exponent -= 10
+                    value = (value << 7) | more
+                    exponent -= 7
                 while value < 33554432:
                     rest <<= 5
                     more = rest // divisor

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/scan_viper.py: do not edit.
-# Inputs: a3c75e62808130fb
+# Inputs: 6031a1ddbed10f1d
 """The scans that the main loop makes all the time, in machine code; scan_plain has the same in Python, explained."""
 
 # ptr32 is viper's own name. Calls are dear: one function does it all.
@@ -24,7 +24,7 @@ def take_due(times: ptr32, now_ms: int, left: int) -> int:
     number = 0
     while number < count:
         ahead_ms = slot[0] - now_ms & 0x3FFFFFFF
-        if ahead_ms == 0 or ahead_ms > furthest_ms:
+        if not ahead_ms or ahead_ms > furthest_ms:
             parts = slot[3]
             if parts:
                 if left <= 0:
@@ -34,7 +34,7 @@ def take_due(times: ptr32, now_ms: int, left: int) -> int:
                 period //= parts
                 due_ms = slot[0] + period & 0x3FFFFFFF
                 ahead_ms = due_ms - now_ms & 0x3FFFFFFF
-                if ahead_ms == 0 or ahead_ms > furthest_ms:
+                if not ahead_ms or ahead_ms > furthest_ms:
                     slot[0] = now_ms + period & 0x3FFFFFFF
                     return number + 0x10000
                 slot[0] = due_ms
@@ -82,7 +82,7 @@ def watch(words: ptr32, rows: ptr32, now_ms: int, flags: int) -> int:  # noqa: C
             held_ms = (row[5] ^ sign) - sign
             if holds:
                 highest = row[6]
-            if flags & 1 == 0:
+            if not flags & 1:
                 row[5] = -1
             elif sense < 2 and value <= (row[3] ^ sign) - sign:
                 if (holds or held_ms >= 0) and row[6] <= level:

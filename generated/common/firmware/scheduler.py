@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: f5add0c242270968
+# Inputs: a1b4b6875b0451eb
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -123,7 +123,7 @@ class Scheduler:
         """
         control = self._control
         period_us = control.period_us
-        ticks, diff = ticks_us, ticks_diff
+        ticks, add, diff = ticks_us, ticks_add, ticks_diff
         jobs = self._jobs
         again = AGAIN
         is_failing = False
@@ -135,7 +135,7 @@ class Scheduler:
                 now_us = ticks()
                 due_us = control.due_us
                 if 0 <= diff(now_us, due_us) < period_us:
-                    control.due_us = due_us = ticks_add(due_us, period_us)
+                    control.due_us = due_us = add(due_us, period_us)
                     spare = 0
                 else:
                     missed = control.take(now_us)
@@ -167,12 +167,12 @@ class Scheduler:
                                     continue
                                 left -= 1
                                 if -job.period_us < ahead_us <= 0:
-                                    job.due_us = ticks_add(job.due_us, job.period_us)
+                                    job.due_us = add(job.due_us, job.period_us)
                                 else:
                                     job.take(now_us)
                                 try:
                                     if job.call() is again:
-                                        job.due_us = ticks_add(job.due_us, -job.period_us)  # and stays on its grid
+                                        job.due_us = add(job.due_us, -job.period_us)  # and stays on its grid
                                         last = job
                                     if job.is_failing:
                                         job.is_failing = False
@@ -187,7 +187,7 @@ class Scheduler:
                         left = 1
                     if least_us > 0:  # each had its turn
                         is_adrift = False
-                    self._next_us = ticks_add(now_us, least_us)
+                    self._next_us = add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:
                         jobs.remove(last)
                         jobs.append(last)

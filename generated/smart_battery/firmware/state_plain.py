@@ -92,7 +92,7 @@ def _take_battery(battery, now_ms):
         battery[_BATTERY_VOLTAGE_MV] = value
         battery[_BATTERY_FAILURES] = 0
         battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
-        if battery[_BATTERY_IS_LOGGED] == 0:
+        if not battery[_BATTERY_IS_LOGGED]:
             battery[_BATTERY_IS_LOGGED] = 1
             told = 1
         # Whether it is absent; another one may have been put in (FR-00073.8).
@@ -101,7 +101,7 @@ def _take_battery(battery, now_ms):
             is_gone = 1
         if value >= 6000:
             is_gone = 0
-        if battery[_BATTERY_GONE] and is_gone == 0:
+        if battery[_BATTERY_GONE] and not is_gone:
             told |= 2
             if battery[_BATTERY_SWAPS_NUMBER] == _UNKNOWN:
                 battery[_BATTERY_SWAPS_NUMBER] = 0

@@ -14,6 +14,9 @@ and a link and a state know the addresses of what they hold. A link that is too 
 MAVLink 1 has no room, see sender.py: there Link.encode() makes the frame of the message. What builds a message calls
 the same function with the payload of the message in place of a link's.
 
+Of a function's arguments and variables the first three have registers: so `value` is declared before the others.
+Ports with words of 64 bits read 32 bits without their sign: `sign` extends it, and `unknown` is how such a word reads.
+
 Viper checks no bounds. All that is read or written in steps of two or four bytes lies at a multiple of that, which the
 smaller Cortex-M insist on. telemetry_plain has the same functions for ports without machine code.
 """
@@ -92,16 +95,17 @@ def _stand_in(message):
 def _finished(wire_at: int, last_word: int, crc_extra: int) -> int:
     """Finish the frame of a payload as others do on their own, and return its length: a call is dear, yet code smaller.
 
-    That is for messages which are on request, or due no more often than every second.
+    That is for messages which are on request, or due no more often than every second unless a ground station asks for
+    more.
     """
     wire = ptr8(wire_at)
     frame = ptr8(wire_at - 12)
     # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
     words = ptr32(int(wire) + last_word)
-    while words[0] == 0:
+    while not words[0]:
         words = ptr32(int(words) - 4)
     last = ptr8(int(words) + 3)
-    while last[0] == 0:
+    while not last[0]:
         last = ptr8(int(last) - 1)
     length = int(last) - int(wire) + 1
     if length < 1:
@@ -155,7 +159,7 @@ def encode_heartbeat(link, state):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 9:
+    if not room_at & 1 and int(frame[0]) < 9:
         return link.encode(build_heartbeat(state))
     wire32 = ptr32(wire)
 
@@ -185,47 +189,7 @@ def encode_heartbeat(link, state):
     frame[9] = 0
     frame[10] = 0
     frame[11] = 0
-    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
-    words = ptr32(int(wire) + 8)
-    while words[0] == 0:
-        words = ptr32(int(words) - 4)
-    last = ptr8(int(words) + 3)
-    while last[0] == 0:
-        last = ptr8(int(last) - 1)
-    length = int(last) - int(wire) + 1
-    if length < 1:
-        length = 1
-    frame[3] = length
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    words = ptr32(int(frame) - 8)
-    table = ptr16(words[0] | words[1] << 32)
-    high = ptr16(int(table) + 512)
-    value = high[length ^ 0xFF] ^ 0xFF
-    data = ptr16(int(frame) + 4)
-    value ^= data[0]  # the next two bytes are in it already
-    left = (length + 8) >> 3
-    while left:
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[4]
-        data = ptr16(int(data) + 8)
-        left -= 1
-    if length & 4:
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
-        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
-        data = ptr16(int(data) + 4)
-    value ^= data[0]
-    last = ptr8(data)
-    left = length & 3
-    while left:
-        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
-        last = ptr8(int(last) + 1)
-        left -= 1
-    value = high[(value ^ 50) & 0xFF] ^ (value >> 8)
-    last[0] = value
-    last[1] = value >> 8
-    return views[length]
+    return views[_finished(int(wire), 8, 50)]
 
 
 def build_battery_status(state, instance=0):
@@ -240,17 +204,19 @@ def build_battery_status(state, instance=0):
 @micropython.viper
 def battery_status_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
+    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 54:
+    if not room_at & 1 and int(frame[0]) < 54:
         return link.encode(build_battery_status(state, instance))
     words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
+    unknown = sign | bit << 30
     battery = ptr32(int(words) + 4 * _BATTERY)
 
     # What nothing below writes is 0.
@@ -260,7 +226,7 @@ def battery_status_frame(link, state, instance: int):
     wire32[13] = 0
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+    if battery[_BATTERY_EXPIRES_MS] != unknown:
         if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
@@ -295,7 +261,7 @@ def battery_status_frame(link, state, instance: int):
 
     # voltages [mV]: battery.cells while all are known, else battery.voltage, spilling above 65534 (FR-00068.3)
     place = 0
-    while place < 3 and (battery[_BATTERY_CELLS_MV + place] ^ sign) - sign != _UNKNOWN:
+    while place < 3 and battery[_BATTERY_CELLS_MV + place] != unknown:
         place += 1
     if place == 3:
         place = 0
@@ -312,14 +278,10 @@ def battery_status_frame(link, state, instance: int):
             place += 1
     else:
         value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
-        wire16[6] = 65535
-        wire16[7] = 65535
-        wire16[8] = 65535
-        wire16[9] = 65535
-        wire16[10] = 65535
-        wire16[11] = 65535
-        wire16[12] = 65535
-        wire16[13] = 65535
+        wire32[3] = -1
+        wire32[4] = -1
+        wire32[5] = -1
+        wire32[6] = -1
         wire16[14] = 65535
         if value == _UNKNOWN:
             wire16[5] = 65535
@@ -411,10 +373,8 @@ def battery_status_frame(link, state, instance: int):
         flags |= 0x10
     if value < -2000 and value != _UNKNOWN:
         flags |= 0x20
-    wire[50] = flags
-    wire[51] = flags >> 8
-    wire[52] = flags >> 16
-    wire[53] = flags >> 24
+    wire16[25] = flags
+    wire16[26] = flags >> 16
 
     if room_at & 1:
         return None
@@ -423,10 +383,10 @@ def battery_status_frame(link, state, instance: int):
     frame[11] = 0
     # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
     words = ptr32(int(wire) + 52)
-    while words[0] == 0:
+    while not words[0]:
         words = ptr32(int(words) - 4)
     last = ptr8(int(words) + 3)
-    while last[0] == 0:
+    while not last[0]:
         last = ptr8(int(last) - 1)
     length = int(last) - int(wire) + 1
     if length < 1:
@@ -486,7 +446,7 @@ def encode_autopilot_version(link, state):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 78:
+    if not room_at & 1 and int(frame[0]) < 78:
         return link.encode(build_autopilot_version(state))
     wire32 = ptr32(wire)
 
@@ -555,7 +515,7 @@ def encode_protocol_version(link, state):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 22:
+    if not room_at & 1 and int(frame[0]) < 22:
         return link.encode(build_protocol_version(state))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
@@ -600,24 +560,26 @@ def build_battery_status_v2(state, instance=0):
 @micropython.viper
 def battery_status_v2_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
+    value: int
     room, views = link.room
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 27:
+    if not room_at & 1 and int(frame[0]) < 27:
         return link.encode(build_battery_status_v2(state, instance))
     words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
+    unknown = sign | bit << 30
     battery = ptr32(int(words) + 4 * _BATTERY)
 
     # What nothing below writes is 0.
     wire32[6] = 0
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+    if battery[_BATTERY_EXPIRES_MS] != unknown:
         if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
@@ -745,10 +707,10 @@ def battery_status_v2_frame(link, state, instance: int):
     frame[11] = 0
     # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
     words = ptr32(int(wire) + 24)
-    while words[0] == 0:
+    while not words[0]:
         words = ptr32(int(words) - 4)
     last = ptr8(int(words) + 3)
-    while last[0] == 0:
+    while not last[0]:
         last = ptr8(int(last) - 1)
     length = int(last) - int(wire) + 1
     if length < 1:
@@ -808,7 +770,7 @@ def smart_battery_info_frame(link, state, instance: int):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 109:
+    if not room_at & 1 and int(frame[0]) < 109:
         return link.encode(build_smart_battery_info(state, instance))
     words = ptr32(int(state.words_at))
     batt_capacity = int(state.parameters.batt_capacity)
@@ -884,16 +846,12 @@ def smart_battery_info_frame(link, state, instance: int):
     wire[89] = 3
 
     # discharge_maximum_current: 66 A (FR-00074.4)
-    wire[90] = 208
-    wire[91] = 1
-    wire[92] = 1
-    wire[93] = 0
+    wire16[45] = 464
+    wire16[46] = 1
 
     # discharge_maximum_burst_current: 132 A (FR-00074.4)
-    wire[94] = 160
-    wire[95] = 3
-    wire[96] = 2
-    wire[97] = 0
+    wire16[47] = 928
+    wire16[48] = 2
 
     # manufacture_date: unknown ([0]) (FR-00074.4)
 
@@ -926,7 +884,7 @@ def battery_info_frame(link, state, instance: int):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 140:
+    if not room_at & 1 and int(frame[0]) < 140:
         return link.encode(build_battery_info(state, instance))
     words = ptr32(int(state.words_at))
     batt_capacity = int(state.parameters.batt_capacity)
@@ -1054,13 +1012,14 @@ def battery_cell_voltages_frame(link, state, instance: int, page: int):
     room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if room_at & 1 == 0 and int(frame[0]) < 28:
+    if not room_at & 1 and int(frame[0]) < 28:
         return link.encode(build_battery_cell_voltages(state, instance, page))
     words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
+    unknown = sign | bit << 30
     battery = ptr32(int(words) + 4 * _BATTERY)
 
     # What nothing below writes is 0.
@@ -1072,7 +1031,7 @@ def battery_cell_voltages_frame(link, state, instance: int, page: int):
     wire32[6] = 0
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+    if battery[_BATTERY_EXPIRES_MS] != unknown:
         if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN

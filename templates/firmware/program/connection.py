@@ -100,7 +100,7 @@ class Connection:
 
     def _passes(self, vehicle, parameters, look):  # noqa: C901, PLR0912, PLR0915  calls are dear
         """Do a pass for each time.ticks_ms() that is sent, and yield whether more is left, for ever."""
-        diff = ticks_diff
+        add, diff = ticks_add, ticks_diff
         log = self._log
         budget = self._budget
         most = vehicle.MESSAGES
@@ -217,7 +217,7 @@ class Connection:
                         if left:
                             least_ms = 0
                             is_left = is_left or left == _TO_READ
-                        next_ms = ticks_add(now_ms, least_ms)
+                        next_ms = add(now_ms, least_ms)
                     else:  # whether anything is left is found out in the next pass
                         is_left_out = self.streams.has_waited if count(stations) == 1 else self._pass_on(now_ms)
                         if is_left_out and turn == _ARRIVED:

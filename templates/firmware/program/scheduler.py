@@ -121,7 +121,7 @@ class Scheduler:
         """
         control = self._control
         period_us = control.period_us
-        ticks, diff = ticks_us, ticks_diff
+        ticks, add, diff = ticks_us, ticks_add, ticks_diff
         jobs = self._jobs
         again = AGAIN
         is_failing = False
@@ -133,7 +133,7 @@ class Scheduler:
                 now_us = ticks()
                 due_us = control.due_us
                 if 0 <= diff(now_us, due_us) < period_us:
-                    control.due_us = due_us = ticks_add(due_us, period_us)
+                    control.due_us = due_us = add(due_us, period_us)
                     spare = 0
                 else:
                     missed = control.take(now_us)
@@ -165,12 +165,12 @@ class Scheduler:
                                     continue
                                 left -= 1
                                 if -job.period_us < ahead_us <= 0:
-                                    job.due_us = ticks_add(job.due_us, job.period_us)
+                                    job.due_us = add(job.due_us, job.period_us)
                                 else:
                                     job.take(now_us)
                                 try:
                                     if job.call() is again:
-                                        job.due_us = ticks_add(job.due_us, -job.period_us)  # and stays on its grid
+                                        job.due_us = add(job.due_us, -job.period_us)  # and stays on its grid
                                         last = job
                                     if job.is_failing:
                                         job.is_failing = False
@@ -185,7 +185,7 @@ class Scheduler:
                         left = 1
                     if least_us > 0:  # each had its turn
                         is_adrift = False
-                    self._next_us = ticks_add(now_us, least_us)
+                    self._next_us = add(now_us, least_us)
                     if last is not None and jobs[-1] is not last:
                         jobs.remove(last)
                         jobs.append(last)

@@ -13,6 +13,8 @@ def whole_of_float(at: int):
     They are the halves of a float, the high one first, a numerator and a denominator: each argument more takes as long
     as ten statements.
     """
+    whole: int  # the first variables have registers
+    shift: int
     given = ptr32(at)
     high = int(given[0])
     numerator = int(given[2])

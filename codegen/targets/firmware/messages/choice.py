@@ -32,7 +32,7 @@ def _enabled(choice: Representation, code: SpelledCode) -> list[str]:
     component = choice.component
     if component.enabled is None:
         return []
-    is_off = f"{code.is_set(component.enabled)} == 0"
+    is_off = f"not {code.is_set(component.enabled)}"
     first = ["place = 0", code.reach(component.name, "place")]
     others = [f"while place < {component.instances - 1} and {is_off}:", *indented(["place += 1", first[1]])]
     return [f"if {is_off}:", *indented([*first, *others, f"if {is_off}:", *indented(first)])]
@@ -48,7 +48,7 @@ def _lowest(choice: Representation, code: SpelledCode) -> list[str]:
         turn += forgetting(quantity, code, code.now())
     turn.append(f"level = {code.read(quantity)}")
     if component.enabled is not None:
-        turn += [f"if {code.is_set(component.enabled)} == 0:", f"    level = {UNKNOWN}"]
+        turn += [f"if not {code.is_set(component.enabled)}:", f"    level = {UNKNOWN}"]
     turn += [f"if level != {UNKNOWN} and (lowest == {UNKNOWN} or level < lowest):"]
     turn += ["    chosen = place", "    lowest = level", "place += 1"]
     start = ["chosen = -1", f"lowest = {UNKNOWN}", "place = 0"]

@@ -4,7 +4,7 @@ from textwrap import wrap
 
 from codegen.frozen import dataclass
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
-from codegen.model.vehicle import Component, Reading
+from codegen.model.vehicle import Component, Reading, Stream
 from codegen.targets.firmware.messages.choice import choosing
 from codegen.targets.firmware.messages.payload import SpelledCode
 from codegen.targets.firmware.messages.payload_machine import MachineCode
@@ -24,7 +24,7 @@ class FunctionView:
     ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
     state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
     ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be. ``is_seldom``: it is on request only,
-    or due at most once a second, and small code counts more than a quick one.
+    or due at most once a second unless a ground station asks for more, and small code counts more than a quick one.
     """
 
     message: str
@@ -135,6 +135,10 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
     return import_lines(modules, names)
 
 
+def _is_seldom(stream: Stream | None) -> bool:
+    return stream is None or stream.fastest <= 1 or (stream.parameter is None and stream.default_rate <= 1)
+
+
 def _function(
     message: PopulatedMessage, class_name: str, system: System, code: SpelledCode, shared: dict[str, SharedView]
 ) -> FunctionView:
@@ -176,7 +180,7 @@ def _function(
         head=in_brackets(*code.head(told), ":"),
         write=in_brackets(f"    done = {call.strip()}" if withheld else call, given, ""),
         is_withheld=bool(withheld),
-        is_seldom=message.stream is None or message.stream.fastest <= 1,
+        is_seldom=_is_seldom(message.stream),
         parameters=tuple(code.parameters),
         lines=tuple(part for line in lines for part in _printed(line)),
         id_bytes=(wire.id & 0xFF, wire.id >> 8 & 0xFF, wire.id >> 16),

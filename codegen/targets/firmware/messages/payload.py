@@ -50,7 +50,16 @@ class SpelledCode(PayloadCode):
     def is_unknown(self, quantity: Quantity, element: str = "") -> str:
         """Return the condition that a quantity is unknown, by its first word."""
         word = self.word(quantity.component, quantity.attribute, _first(quantity, element))
-        return f"{self.number_of(word)} == {UNKNOWN}"
+        return f"{word} == {self.unknown()}"
+
+    def is_known(self, quantity: Quantity, element: str = "") -> str:
+        """Return the condition that a quantity is known, by its first word."""
+        word = self.word(quantity.component, quantity.attribute, _first(quantity, element))
+        return f"{word} != {self.unknown()}"
+
+    def unknown(self) -> str:
+        """Return what a word that is read equals while it is unknown: an expression."""
+        return UNKNOWN
 
     def half(self, quantity: Quantity, at: int, element: str = "") -> str:
         """The word, which has no sign."""

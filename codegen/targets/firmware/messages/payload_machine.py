@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.scaling import FloatParts
-from codegen.model.code.payload_code import indented
+from codegen.model.code.payload_code import LONGEST_RUN, indented
 from codegen.model.code.storage import is_small
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.messages.payload import SpelledCode, byte_of, escaped, literal, real_about
@@ -30,6 +30,11 @@ class MachineCode(SpelledCode):
         """64-bit interpreters do not extend the sign of a word that they read."""
         self.uses.add("sign")
         return f"({word} ^ sign) - sign"
+
+    def unknown(self) -> str:
+        """A word as it is read, without its sign extended: most of those that are looked at are known."""
+        self.uses.add("unknown")
+        return "unknown"
 
     def put(
         self, offset: int, size: int, value: int | str, *, always: bool = True, turns: Turns | None = None
@@ -108,12 +113,18 @@ class MachineCode(SpelledCode):
             high = self.put(offset + 4, 4, -1, always=False, turns=turns)
             none = self.put(offset + 4, 4, 0, always=False, turns=turns) or self._by_bytes(offset + 4, 4, 0, turns)
             return [*low, f"if {value} < 0:", *indented(high), "else:", *indented(none)]
-        self.uses.add("wire")
         known = literal(value)
+        shown = value if str(value).isidentifier() else f"({value})"
+        if size == 4 and offset % 2 == 0 and (turns is None or turns.size % 2 == 0):
+            self.uses.add("wire16")
+            halves = [placed(at, 2, turns) for at in (offset, offset + 2)]
+            if known is not None:
+                return [f"wire16[{half}] = {known >> 16 * n & 0xFFFF}" for n, half in enumerate(halves)]
+            return [f"wire16[{halves[0]}] = {value}", f"wire16[{halves[1]}] = {shown} >> 16"]
+        self.uses.add("wire")
         places = [placed(offset + n, 1, turns) for n in range(size)]
         if known is not None:
             return [f"wire[{place}] = {known >> 8 * n & 0xFF}" for n, place in enumerate(places)]
-        shown = value if str(value).isidentifier() else f"({value})"
         return [f"wire[{place}] = {f'{shown} >> {8 * n}' if n else value}" for n, place in enumerate(places)]
 
     def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
@@ -127,6 +138,17 @@ class MachineCode(SpelledCode):
         self.uses.add("wire")
         lines = [f"at = {start} + {size} * {place}"]
         return [*lines, *(f"wire[at{f' + {n}' if n else ''}] = {byte_of(value, n)}" for n in range(size))]
+
+    def fill(self, covers: Elements, value: int | float, first: int = 0) -> list[str]:
+        """Write two elements of 16 bits in one piece, where both are alike in that: it takes half as long."""
+        if covers.field.type.size != 2 or covers.count - first > LONGEST_RUN or value not in {0xFFFF, -1}:
+            return super().fill(covers, value, first)
+        at, lines = first, []
+        while at < covers.count:
+            is_pair = at + 1 < covers.count and (covers.offset + 2 * at) % 4 == 0
+            lines += self.put(covers.offset + 2 * at, 4, -1) if is_pair else self.store(covers, value, at)
+            at += 2 if is_pair else 1
+        return lines
 
     def rest(self, covers: Elements, value: int) -> list[str]:
         """Zeros are what is cleared."""
@@ -224,10 +246,14 @@ class MachineCode(SpelledCode):
         return words + [f"{name} = int(state.parameters.{name})" for name in self.parameters]
 
     def pointers(self) -> list[str]:
-        """Return the lines of the pointers to the payload as numbers of 16 and 32 bits, and of the sign's bit."""
+        """Return the lines of the pointers to the payload as larger numbers, of the sign's bit and an unknown word."""
         lines = [f"wire{bits} = ptr{bits}(wire)" for bits in (16, 32) if f"wire{bits}" in self.uses]
+        if self.uses & {"sign", "unknown"}:
+            lines.append("bit = 1")
         if "sign" in self.uses:
-            lines += ["bit = 1", "sign = bit << 31"]
+            lines.append("sign = bit << 31")
+        if "unknown" in self.uses:
+            lines.append(f"unknown = {'sign' if 'sign' in self.uses else 'bit << 31'} | bit << 30")
         return lines
 
     def copied(self, covers: Elements, source: str, length: int) -> list[str]:

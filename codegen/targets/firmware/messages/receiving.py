@@ -120,7 +120,7 @@ def _lines(table: Reception, code: Plain, layout: Layout, places: dict[str, int]
     lines = list(_conditions(table, code))
     for number, taken in enumerate(table.fields, 1):
         lines += ["", *_Statements(taken, number, code, layout, places).lines()]
-    lines += ["return counts[0]" if not table.spec.call else "return counts[0] if counts[0] != 0 else -1"]
+    lines += ["return counts[0]" if not table.spec.call else "return counts[0] if counts[0] else -1"]
     return tuple(f"    {line}" if line else "" for line in lines)
 
 
@@ -161,7 +161,7 @@ def _admitted(table: Reception) -> Iterator[str]:
 def _conditions(table: Reception, code: Plain) -> Iterator[str]:
     """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
     places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
-    others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
+    others = [f"wire[{offset}] and wire[{offset}] != counts[{at}]" for offset, at in places]
     if others:
         yield f"if {_any(others)}:"
         yield "    counts[0] = -1  # for somebody else"
@@ -239,7 +239,7 @@ class _Statements:
         is_boolean = taken.quantity.kind is QuantityKind.BOOLEAN
         forget = ["pass"] if is_boolean else [f"{self._word(taken.quantity.attribute)} = {UNKNOWN}"]
         if taken.is_extension:
-            yield "counts[2] != 0", "MAVLink 1 does not have it", ["pass"] if taken.is_kept_by_absence else forget
+            yield "counts[2]", "MAVLink 1 does not have it", ["pass"] if taken.is_kept_by_absence else forget
         if taken.provisos:
             no_value = ["pass"] if taken.is_kept_otherwise else forget
             yield broken(taken.provisos, self._code), "others say that it is no value", no_value
@@ -356,10 +356,10 @@ class _Statements:
             "    at += 1",
             *self._renewed(),
         ]
-        is_cut = f"value < {count} and {letter} != 0"
+        is_cut = f"value < {count} and {letter}"
         tests: list[tuple[str, str, list[str]]] = []
         if taken.is_extension:
-            tests.append(("counts[2] != 0", "MAVLink 1 does not have it", [f"{place} = {UNKNOWN}"]))
+            tests.append(("counts[2]", "MAVLink 1 does not have it", [f"{place} = {UNKNOWN}"]))
         if taken.provisos:
             no_value = ["pass"] if taken.is_kept_otherwise else [f"{place} = {UNKNOWN}"]
             tests.append((broken(taken.provisos, self._code), "others say that it is no value", no_value))

@@ -20,7 +20,7 @@ def aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
         age = code.word(component.name, f"{quantity.attribute}_age")
         cited = cited_in(quantity.cited("stale_after"))
         yield f"# {quantity.path} is forgotten {stale_ms} ms after one was set{cited}."
-        yield f"if {code.number_of(age)} != {UNKNOWN}:"
+        yield f"if {age} != {code.unknown()}:"
         yield f"    {age} = {age} + 1"
         yield f"    if {age} > {math.ceil((stale_ms or 0) / component.read_every_ms)}:"
         yield f"        {age} = {UNKNOWN}"
@@ -40,7 +40,7 @@ def _set_together(component: Component, code: SpelledCode) -> Iterator[str]:
     age = code.word(name, SET_AGE)
     cited = cited_in(component.returns.count.cited("restarting_stale_after"))
     yield f"# What else code sets is forgotten {together.stale_ms} ms after the last of it{cited}."
-    yield f"if {code.number_of(age)} != {UNKNOWN}:"
+    yield f"if {age} != {code.unknown()}:"
     yield f"    {age} = {age} + 1"
     yield f"    if {age} > {together.readings}:"
     yield f"        {age} = {UNKNOWN}"
@@ -63,7 +63,7 @@ def _found(extremes: Iterable[Quantity], listed: Quantity, code: SpelledCode) ->
     for extreme, word in words:
         number = code.number_of(word)
         if extreme.derivation.is_of_lowest:
-            yield f"    if {number} == {UNKNOWN}:"
+            yield f"    if {word} == {code.unknown()}:"
             yield f"        {word} = value"
         yield f"    if value {'<' if extreme.derivation.is_of_lowest else '>'} {number}:"
         yield f"        {word} = value"

@@ -62,7 +62,7 @@ def _once_past(moment: str, statements: list[str], code: SpelledCode, now: str) 
     Without a variable for the age: functions with many of them keep all on the heap in plain Python.
     """
     return [
-        f"if {code.number_of(moment)} != {UNKNOWN}:",
+        f"if {moment} != {code.unknown()}:",
         f"    if {now} - {moment} - 1 & {CLOCK_MASK} < 0x1FFFFFFF:",
         *indented(statements, 2),
     ]
@@ -124,7 +124,7 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
     """Yield what follows from a new ``value``."""
     threshold = reading.quantity.derivation.threshold
     logged = code.word(reading.component.name, reading.word("is_logged"))
-    yield from (f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}")
+    yield from (f"if not {logged}:", f"    {logged} = 1", f"    told = {FIRST}")
     if reading.is_estimated_from:
         yield f"told |= {GOOD}"
     if reading.returns:
@@ -154,13 +154,13 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
     if measured.derivation.prefers is None:
         return
     listed = reading.component.quantities[measured.derivation.prefers]
-    number = code.number_of(code.half(listed, 0, "count"))
+    word = code.half(listed, 0, "count")
     cited = cited_in(measured.cited("stale_after"))
     yield f"# The sum of {listed.path} comes first while all of them are known{cited}."
     yield "value = 0"
     yield "count = 0"
-    yield f"while count < {code.count(listed)} and {number} != {UNKNOWN}:"
-    yield f"    value += {number}"
+    yield f"while count < {code.count(listed)} and {word} != {code.unknown()}:"
+    yield f"    value += {code.number_of(word)}"
     yield "    count += 1"
     yield f"if count == {code.count(listed)}:"
     yield f"    {code.word(name, measured.attribute)} = value"
@@ -231,7 +231,7 @@ def changed(reading: Reading, code: SpelledCode) -> list[str]:
 def known(reading: Reading, code: SpelledCode) -> str:
     """The condition that the measured value is known."""
     word = code.word(reading.component.name, reading.quantity.attribute)
-    return f"{code.number_of(word)} != {UNKNOWN}"
+    return f"{word} != {code.unknown()}"
 
 
 def _until(failures: int | None) -> str:
@@ -264,15 +264,15 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     if forgotten := [*_gone(component, returns, code)]:
         yield f"if {gone} or is_gone:"
         yield from indented(forgotten)
-    yield f"if {gone} and is_gone == 0:"
+    yield f"if {gone} and not is_gone:"
     yield f"    told |= {RETURNED}"
-    yield f"    if {code.number_of(counted)} == {UNKNOWN}:"
+    yield f"    if {counted} == {code.unknown()}:"
     yield f"        {counted} = 0"
     yield f"    {counted} = {counted} + 1"
     for quantity in returns.restarting:
         word = code.word(name, quantity.attribute)
         if quantity.derivation.sums:
-            yield f"    if {code.number_of(word)} != {UNKNOWN}:"
+            yield f"    if {word} != {code.unknown()}:"
             yield from indented(begun(quantity, code), 2)
         elif not _is_forgotten(quantity):
             yield f"    {word} = {quantity.initial}"
@@ -302,10 +302,10 @@ def _above(reading: Reading, threshold: Threshold, code: SpelledCode) -> Iterato
     limit = code.number_of(code.word(name, reading.word("warn_above"))) if own else str(limits[0])
     words = f"# Above {limit if limit.isdigit() else 'its limit'} a warning is due, unless there was one just now"
     yield f"{words}{cited_in(measured.cited('warn_above'))}."
-    yield f"since = {code.number_of(warned)}"
-    yield f"if since != {UNKNOWN} and now_ms - since & {CLOCK_MASK} >= {threshold.every_ms or 0}:"
+    yield f"since = {warned}"
+    yield f"if since != {code.unknown()} and now_ms - since & {CLOCK_MASK} >= {threshold.every_ms or 0}:"
     yield f"    {warned} = {UNKNOWN}"
-    yield f"if value > {limit} and {code.number_of(warned)} == {UNKNOWN}:"
+    yield f"if value > {limit} and {warned} == {code.unknown()}:"
     yield f"    {warned} = now_ms & {CLOCK_MASK}"
     yield f"    told |= {ABOVE}"
 

@@ -72,6 +72,7 @@ def readings_view(
         code: SpelledCode = (MachineCode if machine_code else PlainReading)(layout, component.name)
         old = expiry(component.readings, code, "now_ms") if reading.is_first and expires(component) else []
         old_pointers = code.pointers()
+        code.uses.clear()  # the other function begins
         name, block = component.name, layout.blocks[component.name]
         several = component.instances > 1
         asked = f"board.read_{reading.name}_adc({'instance' if several else ''})"
@@ -127,15 +128,15 @@ def _clock(turn: list[str]) -> list[str]:
 def _turn(reading: Reading, code: SpelledCode, asked: str, is_read: str) -> list[str]:
     """One turn of the loop in machine code: ask for a count, unless it stands there already, and take it over."""
     count = code.word(reading.component.name, reading.word("count"))
-    asking = "first >= 0"
+    asking = "not is_alone"
     if reading.quantity.derivation.represented:
-        asking += f" and {code.word(reading.component.name, reading.word('is_set'))} == 0"
+        asking += f" and not {code.word(reading.component.name, reading.word('is_set'))}"
     lines = [f"if {asking}:", f"    {count} = {WAITING}", f"    {count} = int({asked})"]
     lines += taken(reading, code)
     if change := changed(reading, code):
         lines += ["", f"if {known(reading, code)}:", *indented(change)]
-    lines += ["", "if first < 0:", "    return told", "if told:", "    return told | instance << 4"]
-    return [f"if first < 0 or {is_read}:", *indented(lines)] if is_read else lines
+    lines += ["", "if is_alone:", "    return told", "if told:", "    return told | instance << 4"]
+    return [f"if is_alone or {is_read}:", *indented(lines)] if is_read else lines
 
 
 def _take(reading: Reading, code: SpelledCode) -> list[str]:

@@ -23,14 +23,14 @@ def begun(quantity: Quantity, code: SpelledCode) -> list[str]:
 def summed(reading: Basis, code: SpelledCode) -> list[str]:
     """Count on with a good reading, which is in ``value`` and not yet stored, at ``now_ms``."""
     owner, quantity = reading.component.name, reading.quantity
-    before = code.number_of(code.word(owner, quantity.attribute))
+    before = code.word(owner, quantity.attribute)
     lines = []
     if reading.sums:
         since, stale_ms = code.word(owner, reading.word("since_ms")), quantity.trust.stale_after_ms
         lines += [
             f"# A reading stands for the time since the last; more than {stale_ms} ms, or an unknown one, is a gap.",
             f"took = now_ms - {since} & {CLOCK_MASK}",
-            f"if took > {stale_ms} or {before} == {UNKNOWN}:",
+            f"if took > {stale_ms} or {before} == {code.unknown()}:",
             "    took = 0",
             f"{since} = now_ms & {CLOCK_MASK}",
             "took = value * took",
@@ -50,7 +50,7 @@ def summed(reading: Basis, code: SpelledCode) -> list[str]:
 def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> list[str]:
     owner = quantity.component
     word = code.word(owner, quantity.attribute)
-    start = [f"if {code.number_of(word)} == {UNKNOWN}:", *indented(begun(quantity, code))]
+    start = [f"if {word} == {code.unknown()}:", *indented(begun(quantity, code))]
     cited = f" ({quantity.citation})" if quantity.citation else ""
     head = f"# {quantity.path}: {found.parts} parts are a step, and what is less is kept{cited}."
     if found.times is None:
@@ -58,7 +58,8 @@ def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> l
         carried = [f"part = took + {rest}", f"{rest} = part % {found.parts}"]
         carried.append(f"part = {code.number_of(word)} + part // {found.parts}")
         return [head, *start, *carried, *_limited("part", quantity), f"{word} = part"]
-    times = code.number_of(code.word(owner, reading.component.quantities[found.times].attribute))
+    multiplied = code.word(owner, reading.component.quantities[found.times].attribute)
+    times = code.number_of(multiplied)
     factor = f"({times})" if " " in times else times  # code may set one that is below 0
     low, middle, high = (code.word(owner, name) for name in rest_words(quantity))
     last = found.parts // RADIX // RADIX
@@ -76,7 +77,7 @@ def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> l
         *_limited("part", quantity),
         f"{word} = part",
     ]
-    return [head, f"if {times} != {UNKNOWN}:", *indented(lines)]
+    return [head, f"if {multiplied} != {code.unknown()}:", *indented(lines)]
 
 
 def _limited(name: str, quantity: Quantity) -> list[str]:
@@ -101,13 +102,13 @@ def _left(quantity: Quantity, rest: Rest, reading: Basis, code: SpelledCode) -> 
     ]
     told = [] if rest.share is None else [f"part = (part * {rest.share} + {size} // 2) // {size}"]
     told += _most("part", quantity) if (most if rest.share is None else rest.share) > quantity.maximum else []
-    return [*lines, f"if {full} == 0:", f"    {word} = {UNKNOWN}", "else:", *indented([*told, f"{word} = part"])]
+    return [*lines, f"if not {full}:", f"    {word} = {UNKNOWN}", "else:", *indented([*told, f"{word} = part"])]
 
 
 def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: SpelledCode) -> list[str]:
     owner, quantities = quantity.component, reading.component.quantities
     word, mean = code.word(owner, quantity.attribute), code.word(owner, f"{quantity.name}_mean")
-    before = code.number_of(code.word(owner, quantities[lasting.at].attribute))
+    before = code.word(owner, quantities[lasting.at].attribute)
     left = code.word(owner, quantities[lasting.left].attribute)
     number = code.number_of(mean)
     cited = f" ({quantity.citation})" if quantity.citation else ""
@@ -125,12 +126,12 @@ def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: Spelled
     return [
         f"# {quantity.path}: {lasting.left} at the mean of {lasting.at}; unknown while nothing is drawn{cited}.",
         f"part = {number}",
-        f"if {before} == {UNKNOWN}:",
+        f"if {before} == {code.unknown()}:",
         f"    part = value * {SMOOTH_STEPS}",
         f"part += (value * {SMOOTH_STEPS} - part) // {lasting.readings}",
         f"{mean} = part",
         f"part = part // {SMOOTH_STEPS}",
-        f"if part <= 0 or {code.number_of(left)} == {UNKNOWN}:",
+        f"if part <= 0 or {left} == {code.unknown()}:",
         f"    {word} = {UNKNOWN}",
         "else:",
         *indented(found),
