@@ -1,6 +1,6 @@
 # Generated from templates/tests/amounts/amounts_run.py: do not edit.
-# Inputs: 9eb611bf5f667404
-"""Cases about amounts: what a device shows, what a curve gives, what sums up and how fast something changes.
+# Inputs: 99ad3075aa742584
+"""Cases about amounts: what a device shows, what curves, sums and trends give, and what is true beyond a limit.
 
 The true drivers are run here, against models of their devices. As a program it prints one JSON object: what went wrong
 in each case, or null. Its argument is the file of the cases.
@@ -177,7 +177,24 @@ def trend(case):
         expect(value_of(state, case), expected, "group", number)
 
 
-KINDS = {"sum": summed, "curve": curve, "trend": trend}
+def side(case):
+    """A boolean that follows a number is true on one side of its limit, or between two; not while that is unknown."""
+    state = SystemState(log=Texts())
+    for steps, expected in case["sides"]:
+        setattr(getattr(state, case["component"])[case["instance"]], case["of"], steps)
+        expect(value_of(state, case), expected, case["of"], steps)
+
+
+def shown(case):
+    """What is kept in steps is shown in the unit of people, as near as a float is."""
+    state = SystemState(log=Texts())
+    for steps, numerator, denominator in case["shown"]:
+        setattr(getattr(state, case["component"])[case["instance"]], case["attribute"], steps)
+        found, exact = value_of(state, case, case["view"]), numerator / denominator
+        assert abs(found - exact) <= abs(exact) / 1000000, f"{found}, not {exact}, of {steps} steps"
+
+
+KINDS = {"sum": summed, "curve": curve, "trend": trend, "side": side, "shown": shown}
 
 
 def outcome(call, *arguments):
