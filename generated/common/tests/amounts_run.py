@@ -1,5 +1,5 @@
 # Generated from templates/tests/amounts/amounts_run.py: do not edit.
-# Inputs: 99ad3075aa742584
+# Inputs: 223b94ed22812890
 """Cases about amounts: what a device shows, what curves, sums and trends give, and what is true beyond a limit.
 
 The true drivers are run here, against models of their devices. As a program it prints one JSON object: what went wrong
@@ -186,7 +186,7 @@ def side(case):
 
 
 def shown(case):
-    """What is kept in steps is shown in the unit of people, as near as a float is."""
+    """The unit of people shows what is kept in steps, as near as a float is."""
     state = SystemState(log=Texts())
     for steps, numerator, denominator in case["shown"]:
         setattr(getattr(state, case["component"])[case["instance"]], case["attribute"], steps)

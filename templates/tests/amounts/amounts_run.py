@@ -184,7 +184,7 @@ def side(case):
 
 
 def shown(case):
-    """What is kept in steps is shown in the unit of people, as near as a float is."""
+    """The unit of people shows what is kept in steps, as near as a float is."""
     state = SystemState(log=Texts())
     for steps, numerator, denominator in case["shown"]:
         setattr(getattr(state, case["component"])[case["instance"]], case["attribute"], steps)
