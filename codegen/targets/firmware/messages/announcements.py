@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.firmware.messages.sending import SentView, WayView, ways, word
+from codegen.targets.firmware.words import word_layout
 
 _LINE = 105
 """Characters that a condition may have."""
@@ -96,7 +97,7 @@ def _watches(
             WatchView(
                 path=path,
                 instances=component.instances,
-                expression=word(component, quantity),
+                expression=word(component, quantity, word_layout(system)),
                 indent="    " if several else "",
                 place=f"{f'{first} + ' if first else ''}instance" if several else str(first),
                 instance="instance" if several else "0",
@@ -104,6 +105,6 @@ def _watches(
                 citation=str(populated[messages[0][1]].citation),
             )
         )
-        read = word(component, quantity)
+        read = word(component, quantity, word_layout(system))
         seen += [read.replace("[instance]", f"[{instance}]") for instance in range(component.instances)]
     return tuple(watches), tuple(seen)
