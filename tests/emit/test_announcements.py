@@ -37,7 +37,7 @@ def announced(*messages: tuple[str, WayView, int, int, bool, Any]) -> Any:
         )
         for name, _, _, _, on_connection, watched in messages
     ]
-    system: Any = SimpleNamespace(messages=populated, components=COMPONENTS)
+    system: Any = SimpleNamespace(messages=populated, components=COMPONENTS, parameters={})
     return announcements(tuple(sent), system)  # type: ignore[arg-type]
 
 
