@@ -151,6 +151,15 @@ FAULTS = [
         "speed: aged_number 8 0 60000 speed 10",
         ("path.speed",),
     ),
+    ("mean-over-less", "sources", "(value * 64 - part) // 10", "(value * 64 - part) // 5", ("pack.consumed-1",)),
+    ("sum-rounded-down", "sources", "[_PATH_DISTANCE_REST] = 50000", "[_PATH_DISTANCE_REST] = 0", ("path.distance",)),
+    (
+        "age-of-what-is-left",
+        "sources",
+        "words[_PACK_LEFT_MAH_EXPIRES_MS_1] = now_ms - 1073740824",
+        "words[_PACK_LEFT_MAH_EXPIRES_MS_1] = now_ms - 1073640824",
+        ("pack.consumed-1",),
+    ),
     ("uart", "sources", "machine.UART(1,", "machine.UART(0,", ("path.lat", "path.speed")),
 ]
 """The name of a case, and what is replaced by what in which module."""

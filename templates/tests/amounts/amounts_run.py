@@ -135,8 +135,30 @@ def summed(case):
             mock_time.advance_us(phase["every_ms"] * 1000)
             for poller in pollers:
                 poller.turn()
-        for attribute, expected in phase["kept"]:
-            expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
+        tells(state, case, number, texts)
+    grows_old(state, case)
+
+
+def tells(state, case, number, texts):
+    """What is told after a phase is what the tables make of it: exactly, but for the mean, which is rounded itself."""
+    phase = case["phases"][number]
+    for attribute, expected in phase["kept"]:
+        expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
+    for attribute, least, most in phase["about"]:
+        found = value_of(state, case, attribute)
+        assert least <= (-1 if found is None else found) <= most, f"{attribute} {found}, not {least} to {most}"
+
+
+def grows_old(state, case):
+    """What is left is known as long as a value is believed, and no longer."""
+    old = case["old"]
+    known = [name for name in old["attributes"] if value_of(state, case, name) is not None]
+    mock_time.advance_us(old["after_ms"] * 1000)
+    for attribute in known:
+        assert value_of(state, case, attribute) is not None, f"{attribute} is unknown too early"
+    mock_time.advance_us(1000)
+    for attribute in known:
+        expect(value_of(state, case, attribute), None, attribute, "too old")
 
 
 def read_of(case):
