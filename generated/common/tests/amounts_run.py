@@ -1,5 +1,5 @@
 # Generated from templates/tests/amounts/amounts_run.py: do not edit.
-# Inputs: 1161699908b27204
+# Inputs: e3ec062c17ace37e
 """Cases about amounts: what a device shows, what curves, sums and trends give, and what is true beyond a limit.
 
 The true drivers are run here, against models of their devices. As a program it prints one JSON object: what went wrong
@@ -142,7 +142,7 @@ def summed(case):
 
 
 def tells(state, case, number, texts):
-    """What is told after a phase is what the tables make of it: exactly, but for the mean, which is rounded itself."""
+    """The state tells after a phase what the tables make of it: exactly, but for the mean, which is rounded itself."""
     phase = case["phases"][number]
     for attribute, expected in phase["kept"]:
         expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
@@ -152,7 +152,7 @@ def tells(state, case, number, texts):
 
 
 def grows_old(state, case):
-    """What is left is known as long as a value is believed, and no longer."""
+    """The rest of a store is known as long as a value is believed, and no longer."""
     old = case["old"]
     known = [name for name in old["attributes"] if value_of(state, case, name) is not None]
     mock_time.advance_us(old["after_ms"] * 1000)

@@ -140,7 +140,7 @@ def summed(case):
 
 
 def tells(state, case, number, texts):
-    """What is told after a phase is what the tables make of it: exactly, but for the mean, which is rounded itself."""
+    """The state tells after a phase what the tables make of it: exactly, but for the mean, which is rounded itself."""
     phase = case["phases"][number]
     for attribute, expected in phase["kept"]:
         expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
@@ -150,7 +150,7 @@ def tells(state, case, number, texts):
 
 
 def grows_old(state, case):
-    """What is left is known as long as a value is believed, and no longer."""
+    """The rest of a store is known as long as a value is believed, and no longer."""
     old = case["old"]
     known = [name for name in old["attributes"] if value_of(state, case, name) is not None]
     mock_time.advance_us(old["after_ms"] * 1000)
