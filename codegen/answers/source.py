@@ -145,7 +145,8 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
         if not unit.name:
             hint = f"a correction can say that {covers.field.name} is in {kept.name}: units: {kept.name}"
         elif not kept.name:
-            hint = f"state.yaml can say what the numbers are: unit: {unit.name}"
+            file = "parameters.yaml" if isinstance(source, Parameter) else "state.yaml"
+            hint = f"{file} can say what the numbers are: unit: {unit.name}"
     report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, covers.written.at(key), message, hint, related)
     return None
 

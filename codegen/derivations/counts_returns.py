@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from codegen.derivations.follows import steps_of
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
@@ -101,14 +100,14 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
 def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, ...]:
     """Return the values from which on a reading is a return, by instance; none without them, or after a finding."""
     follows = around.others[written.counts_returns_of].written(FollowsSpec)
-    followed = around.others.get((follows.follows if follows else None) or "")
-    if written.back_from is None or follows is None or followed is None:
+    followed = (follows.follows if follows else None) or ""
+    if written.back_from is None or follows is None or followed not in around.others:
         return ()
     if follows.below is None or not isinstance(follows.below, Fraction) or written.back_from <= follows.below:
         message = f"{written.counts_returns_of} is not below a smaller number, so nothing lies between both"
         around.bad("back_from", message, BAD_RETURN, "make it more than the number at below, or leave it out")
         return ()
-    steps, per = steps_of(followed), around.others[written.counts_returns_of].per
+    steps, per = around.steps_of(followed), around.others[written.counts_returns_of].per
     counts = (1,) * len(around.parts) if per is None else around.counted(per, "back_from", BAD_RETURN)
     if steps is None or counts is None:
         return ()  # that was reported

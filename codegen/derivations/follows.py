@@ -13,7 +13,7 @@ from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.spec.derivation import FollowsSpec
 from codegen.model.spec.state import QuantitySpec
-from codegen.model.units.unit import NUMBER, Unit, decimal, ratio, read_measure
+from codegen.model.units.unit import Unit, decimal, read_measure
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
         hint = "write at_least: 2, or below: 2"
         around.bad("follows", f"no limit given for {written.follows}", BAD_FOLLOWING, hint)
         return None
-    found = _in_steps(limits, followed, around)
+    found = _in_steps(limits, written.follows, around)
     if found is None:
         return None
     floors = found["at_least"] if len(found) == 2 else ()
@@ -178,10 +178,10 @@ def _followed(name: str, around: Surroundings) -> QuantitySpec | None:
 
 
 def _in_steps(
-    limits: Mapping[str, Fraction | str], followed: QuantitySpec, around: Surroundings
+    limits: Mapping[str, Fraction | str], name: str, around: Surroundings
 ) -> dict[str, tuple[int, ...]] | None:
     """The limits in stored units, by instance; None after a finding."""
-    steps = steps_of(followed)
+    followed, steps = around.others[name], around.steps_of(name)
     counts: tuple[int, ...] | None = (1,) * len(around.parts)
     if around.spec.per is not None and steps is not None:
         counts = around.counted(around.spec.per, "per", BAD_FOLLOWING)
@@ -214,10 +214,3 @@ def _amounts(key: str, limit: Fraction | str, unit: str, around: Surroundings) -
             return None
         found.append(amount)
     return tuple(found)
-
-
-def steps_of(followed: QuantitySpec) -> Fraction | None:
-    """Return how many stored units of a quantity make one unit; None for units that do not exist or convert."""
-    names = (followed.unit, followed.stored or followed.unit)
-    unit, stored = (NUMBER if name is None else Unit.parse(name) for name in names)
-    return None if unit is None or stored is None else ratio(unit, stored)

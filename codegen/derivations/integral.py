@@ -10,7 +10,7 @@ from codegen.model.answers.step import Step
 from codegen.model.quantities.derivation import Derivation, DerivationFact
 from codegen.model.quantities.summed import RADIX, Sum, whole
 from codegen.model.spec.derivation import IntegralSpec, MeasuredSpec, SourcedSpec
-from codegen.model.units.unit import Unit, ratio
+from codegen.model.units.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
@@ -74,12 +74,12 @@ def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) ->
             hint="name what is summed: integral_of: NAME, or leave times out",
         )
         return None
-    product, names = Unit.parse("ms"), [written.integral_of, *([written.times] if written.times else [])]
+    product, names = unit_named("ms"), [written.integral_of, *([written.times] if written.times else [])]
     for key, name in zip(("integral_of", "times"), names, strict=False):
         unit = measured_unit(key, name, around)
-        if unit is None or product is None:
+        if unit is None:
             return None
-        product = Unit.parse(f"{unit.name}*{product.name}") if unit.name else product
+        product = unit.times(product)
     if len({is_sensed(name, around) for name in names}) > 1:
         message = f"an ADC measures one of {names[0]} and {names[1]}, and another sensor gives the other"
         around.bad("times", message, BAD_INTEGRAL, "both have to be measured in the same way")
@@ -87,9 +87,9 @@ def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) ->
     if around.others[names[0]].stale_after is None:
         message = f"{names[0]} has no stale_after, so nothing says which pause is a gap"
         around.bad("integral_of", message, BAD_INTEGRAL, f"write stale_after at {names[0]}")
-    ways = None if product is None else ratio(kept.stored, product)
+    ways = ratio(kept.stored, product)
     parts = whole(ways)
-    if product is None or ways is None:
+    if ways is None:
         around.bad(
             "integral_of",
             f"{' * '.join(names)} over time makes no {kept.stored.kind}",
@@ -119,19 +119,9 @@ def measured_unit(key: str, name: str, around: Surroundings) -> Unit | None:
             hint=f"write adc and multiplier, or source, at {name}",
         )
         return None
-    return Unit.parse(kept_unit(name, around))
+    return around.unit_of(name)
 
 
 def is_sensed(name: str, around: Surroundings) -> bool:
     """Return whether a sensor other than an ADC gives a quantity of the component."""
     return around.others[name].written(SourcedSpec) is not None
-
-
-def kept_unit(name: str, around: Surroundings) -> str | None:
-    """The unit in which a measured quantity is kept: the one that is written, or the steps of its sensor."""
-    followed = around.others[name]
-    unit = Unit.parse(followed.unit)
-    given = () if followed.stored or unit is None else around.given_to(name)
-    if unit and given and ratio(unit, given[0][1].unit):
-        return given[0][1].unit.name
-    return followed.stored or followed.unit

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from codegen.derivations.integral import is_sensed, kept_unit
+from codegen.derivations.integral import is_sensed
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
@@ -183,7 +183,8 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
             hint = f"readings are {decimal(period_ms)} ms apart: write a multiple of that"
         around.bad("over", f"{written.over} is not 1 to 1000 readings", BAD_REMAINDER, hint)
         return None
-    product = Unit.parse(f"{kept.stored.name or 1}*{kept_unit(at, around)}")
+    of = around.unit_of(at)
+    product = None if of is None else kept.stored.times(of)
     unit = Unit.parse(left.stored or left.unit)
     factor = None if product is None or unit is None else whole(ratio(unit, product))
     if factor is None:

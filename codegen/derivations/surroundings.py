@@ -14,7 +14,7 @@ from codegen.model.spec.derivation import SourcedSpec
 from codegen.model.spec.receive import ReceiveSpec
 from codegen.model.spec.spec import Spec
 from codegen.model.spec.state import QuantitySpec
-from codegen.model.units.unit import Unit, unit_named
+from codegen.model.units.unit import NUMBER, Unit, ratio, unit_named
 from codegen.model.vehicle import AdcChannel, Instance, Parameter, QuantityKind
 from codegen.source import Place
 
@@ -201,6 +201,24 @@ class Surroundings:
             if source is not None and output is not None:
                 given.append((source, output))
         return tuple(given)
+
+    def unit_of(self, name: str) -> Unit | None:
+        """Return the unit in which another number of the component is kept that something looks at.
+
+        It is the one that is written, or that of its sensor's steps; None for one that does not exist, which is
+        reported there.
+        """
+        written = self.others[name]
+        spelt = written.stored or written.unit
+        unit = NUMBER if spelt is None else Unit.parse(spelt)
+        given = () if written.stored or unit is None else self.given_to(name)
+        return given[0][1].unit if given and unit and ratio(unit, given[0][1].unit) is not None else unit
+
+    def steps_of(self, name: str) -> Fraction | None:
+        """Return how many steps of what is kept make one unit of another number; None for units that do not exist."""
+        written, kept = self.others[name].unit, self.unit_of(name)
+        unit = NUMBER if written is None else Unit.parse(written)
+        return None if unit is None or kept is None else ratio(unit, kept)
 
     def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
         """A fact of board.yaml that counts something, by instance; None after a finding."""

@@ -1,5 +1,5 @@
 # Generated from templates/tests/amounts/test_amounts.py: do not edit.
-# Inputs: 64f6eade59e6c592
+# Inputs: 4eeaf87cdfc82247
 """The cases of amounts.json, in one run of each interpreter; a test is named by what it is about."""
 
 import json
@@ -19,7 +19,7 @@ def _cases():
 
 @pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
 def test_amount(interpreter, name, once):
-    """A sensor, a curve, a sum or a trend tells what the tables and the data sheet say, exactly."""
+    """A sensor, a curve, a sum, a trend or a limit tells what the tables and the data sheet say, exactly."""
     found = once(f"{interpreter}-amounts", lambda: json.loads(run_under(interpreter, "amounts_run.py", str(FILE))))
     assert "" not in found, found[""]
     assert found[name] is None, found[name]

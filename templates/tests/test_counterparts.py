@@ -85,13 +85,17 @@ def test_places():
 def test_parts():
     """Each word of the state belongs to one component, and none of its names stands for the place of another."""
     text = path_of("firmware", "state.py").read_text("utf-8")
-    places = {name: int(number) for name, number in re.findall(r"^(_[A-Z]\w*) = const\((\d+)\)", text, re.MULTILINE)}
+    constants = [(name, int(at)) for name, at in re.findall(r"^(_[A-Z]\w*) = const\((\d+)\)", text, re.MULTILINE)]
+    places = dict(constants)
+    assert len(places) == len(constants), "a name stands for two places"
     parts = re.findall(r"together\(\w+, self\.words, (\w+), (\w+), (\d+), log\)", text)
-    named = {begin: [] for begin, _, _ in parts}
-    for name in places.keys() - {each for part in parts for each in part}:
-        begins = [begin for begin in named if name.startswith(begin + "_")]
-        if begins:
-            named[max(begins, key=len)].append(places[name])
+    sizes = {size for _, size, _ in parts}
+    named, begin = {each: [] for each, _, _ in parts}, None
+    for name, at in constants:  # the words of each stand below where it begins
+        if name in named:
+            begin = name
+        elif begin is not None and name not in sizes:
+            named[begin].append(at)
     end = 0
     for begin, size, instances in parts:
         assert places[begin] == end, begin

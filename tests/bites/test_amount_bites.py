@@ -1,4 +1,4 @@
-"""The generated suite notices a sensor, a curve, a sum or a trend that is wrong: each change below fails some cases.
+"""The generated suite notices a sensor, a curve, a sum, a trend or a limit that is wrong: each change fails some cases.
 
 The project beside this has monitors of both kinds as instances of one component, a receiver of satellites, pulses, and
 curves that fall and rise. The cases that fail are named by their beginning.
@@ -71,9 +71,15 @@ FAULTS = [
         "ina226",
         "values[0] = volts\n",
         "values[0] = volts + 7\n",
-        ("pack.voltage-1", "pack.voltage-3"),
+        ("pack.voltage-1", "pack.voltage-3", "load.volts"),
     ),
-    ("sign-of-an-ina226", "ina226", "read_signed(_SHUNT)", "read(_SHUNT)", ("pack.current-1", "pack.current-3")),
+    (
+        "sign-of-an-ina226",
+        "ina226",
+        "read_signed(_SHUNT)",
+        "read(_SHUNT)",
+        ("pack.current-1", "pack.current-3", "load.amps"),
+    ),
     ("shift-of-an-ina219", "ina219", "volts >>= 3", "volts >>= 2", ("pack.voltage-2",)),
     ("sign-of-an-ina219", "ina219", "read_signed(_SHUNT)", "read(_SHUNT)", ("pack.current-2",)),
     (
@@ -133,6 +139,27 @@ FAULTS = [
     ("speed", "sources", "value = values[6]  # speed", "value = values[7]  # speed", ("path.speed",)),
     ("course", "sources", "value = values[7]  # course", "value = values[8]  # course", ("path.course",)),
     ("dilution", "sources", "value = values[8]  # hdop", "value = values[9]  # hdop", ("path.hdop",)),
+    ("limit-in-whole-units", "state", " under_way: at_least 8 25", " under_way: at_least 8 0", ("path.under_way",)),
+    ("other-limit-of-two", "state", " None -12500", " None -12", ("path.low",)),
+    ("limit-of-steps", "state", " heavy: at_least 2 1000", " heavy: at_least 2 1", ("load.heavy",)),
+    ("energy-of-steps", "sources", "+ part // 640000\n", "+ part // 64000\n", ("load.spent",)),
+    ("charge-of-steps", "sources", "part // 2880000", "part // 2304000", ("load.used",)),
+    (
+        "shown",
+        "state",
+        "speed: aged_number 8 0 60000 speed 100",
+        "speed: aged_number 8 0 60000 speed 10",
+        ("path.speed",),
+    ),
+    ("mean-over-less", "sources", "(value * 64 - part) // 10", "(value * 64 - part) // 5", ("pack.consumed-1",)),
+    ("sum-rounded-down", "sources", "[_PATH_DISTANCE_REST] = 50000", "[_PATH_DISTANCE_REST] = 0", ("path.distance",)),
+    (
+        "age-of-what-is-left",
+        "sources",
+        "words[_PACK_LEFT_MAH_EXPIRES_MS_1] = now_ms - 1073740824",
+        "words[_PACK_LEFT_MAH_EXPIRES_MS_1] = now_ms - 1073640824",
+        ("pack.consumed-1",),
+    ),
     ("uart", "sources", "machine.UART(1,", "machine.UART(0,", ("path.lat", "path.speed")),
 ]
 """The name of a case, and what is replaced by what in which module."""
@@ -177,7 +204,7 @@ def test_a_case_that_fails_is_a_failed_test(output: Path, tmp_path: Path) -> Non
     driver.write_text(driver.read_text().replace("values[0] = volts\n", "values[0] = volts + 7\n"))
     done = run_suite(changed, "tests/test_amounts.py")
     assert done.returncode == 1, done.stdout[-2000:]
-    assert "4 failed" in done.stdout, done.stdout[-2000:]  # two of three monitors, on both interpreters
+    assert "6 failed" in done.stdout, done.stdout[-2000:]  # two of three monitors, one twice, on both interpreters
 
 
 @pytest.mark.parametrize(("module", "old", "new", "cases"), [pytest.param(*case[1:], id=case[0]) for case in FAULTS])

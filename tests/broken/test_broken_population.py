@@ -130,6 +130,9 @@ CASES = [
     Case("bad-representation", SYS, "{battery: {parameter", "{batery: §{parameter", "mean battery", is_alone=False),
     Case("one-of-keys", SYS, "{parameter: BATT_SYS_STATUS}", "{first: true, §lowest: remaining}"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {board: §unique_id}", "a text"),
+    Case(
+        "unit-mismatch", SYS, "{state: vehicle.load}", "{parameter: §BATT_SYS_STATUS}", "hint: parameters.yaml can say"
+    ),
 ]
 
 

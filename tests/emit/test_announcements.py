@@ -18,6 +18,12 @@ COMPONENTS = {
     "pack": SimpleNamespace(name="pack", instances=2),
     "boat": SimpleNamespace(name="boat", instances=1),
 }
+LAYOUT: Any = SimpleNamespace(
+    blocks={
+        "pack": SimpleNamespace(constant=lambda word: f"_PACK_{word.upper()}"),
+        "boat": SimpleNamespace(constant=lambda word: f"_BOAT_{word.upper()}"),
+    }
+)
 
 
 def announced(*messages: tuple[str, WayView, int, int, bool, Any]) -> Any:
@@ -38,7 +44,7 @@ def announced(*messages: tuple[str, WayView, int, int, bool, Any]) -> Any:
         for name, _, _, _, on_connection, watched in messages
     ]
     system: Any = SimpleNamespace(messages=populated, components=COMPONENTS)
-    return announcements(tuple(sent), system)  # type: ignore[arg-type]
+    return announcements(tuple(sent), system, LAYOUT)  # type: ignore[arg-type]
 
 
 def test_what_is_only_streamed_is_not_announced() -> None:

@@ -20,6 +20,7 @@ from in_process import build, codegen
 
 from codegen.diagnostics import Report
 from codegen.project.systems import read_system
+from codegen.rules.source_beyond import check
 
 MINIMAL = Path(__file__).resolve().parent / "minimal" / "specs"
 READINGS = Path(__file__).resolve().parents[2] / "templates" / "receiver" / "readings.py"
@@ -201,3 +202,26 @@ def test_what_is_rounded_to_a_number_that_the_field_does_not_have_is_an_error(tm
         done = codegen(tmp_path, "check")
         assert done.returncode == code, done.stdout
         assert ("error beyond-field: it.cold goes up to 127.5 degC, and cold (int8_t)" in done.stdout) == bool(code)
+
+
+def test_limits_of_a_sensor_may_lie_between_two_steps_as_well(tmp_path: Path) -> None:
+    """Whatever the field rounds to: only what it cannot carry is beyond it."""
+    specs = specs_in(tmp_path)
+    state = (specs / "state.yaml").read_text()
+    for name, unit, stored, low, high in (
+        ("cold", "degC", "ddegC", -50.6, 50.4),
+        ("floor", "degC", "ddegC", -20.4, 50.4),
+    ):
+        written = f"{name}: {{doc: d, unit: {unit}, stored: {stored}, min: {low}, max: {high}}}"
+        assert written in state
+        state = state.replace(written, f"{name}: {{doc: d, unit: {unit}, source: probe.{name}, invalid_after: 2}}")
+    (specs / "state.yaml").write_text(state)
+    kept = "unit: degC, stored: ddegC"
+    outputs = f"cold: {{{kept}, min: -50.6, max: 50.4}}, floor: {{{kept}, min: LOW, max: 50.4}}"
+    board = f"board: odd\nsources:\n  probe: {{driver: user, class: probe.Probe, outputs: {{{outputs}}}}}\n"
+    for low, expected in (("-20.4", []), ("-128.5", ["source-beyond-limits"])):
+        (specs / "board.yaml").write_text(board.replace("LOW", low))
+        report = Report()
+        system = read_system(str(specs / "codegen.yaml"), report)
+        assert system is not None
+        assert [found.rule.id for found in check(system)] == expected

@@ -72,15 +72,17 @@ def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
 def _whole(answer: Answer, quantity: Quantity, scaling: Scaling) -> tuple[int, int]:
     """The stored steps that go out as they are, but for the rounding of an integer field in coarser steps.
 
-    Where the table of the quantity says where it ends, that is its limit, also between two steps of the field: what is
-    rounded to the last one is not beyond. Where only the field ends, it does so at its last step. A field that says
-    unknown by 0 carries a real 0 as 1, which is the dialect's way to tell it.
+    Where the table of the quantity, or its sensor, says where it ends, that is its limit, also between two steps of
+    the field: what is rounded to the last one is not beyond. Where only the field ends, it does so at its last step. A
+    field that says unknown by 0 carries a real 0 as 1, which is the dialect's way to tell it.
     """
     is_integer = answer.covers.field.type.is_integer
     low, high = scaling.steps
     smallest, largest = scaling.carried if is_integer else (low, high)
-    low = low if quantity.spec.min is None else smallest
-    high = high if quantity.spec.max is None else largest
+    is_given = bool(quantity.derivation.gives)
+    ends = (quantity.spec.min is not None, quantity.spec.max is not None)
+    low = smallest if ends[0] or (is_given and smallest <= quantity.minimum) else low
+    high = largest if ends[1] or (is_given and largest >= quantity.maximum) else high
     sentinel = answer.covers.field.sentinel
     is_next_to_zero = scaling.low > 0 and scaling.low == (1 if is_integer else scaling.factor)
     return (0 if is_next_to_zero and sentinel and 0 in sentinel.values else low), high

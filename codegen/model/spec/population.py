@@ -159,7 +159,8 @@ class PopulationSpec(Written):
         default=False,
     )
     on_change: str | None = described(
-        "Quantity, component.quantity, whose change sends the message at once: that of the instance that changed.",
+        "Quantity, component.quantity, whose change sends the message: that of the instance that changed. It is looked "
+        "at every 100 ms: a change that is taken back until then is told by no message, and of several the last is.",
         default=None,
     )
     pages: str | None = described(

@@ -51,6 +51,15 @@ class Unit:
         """Return the kind with its article: "a length", "an angle"."""
         return f"{'an' if self.kind[:1] in 'aeio' else 'a'} {self.kind}"
 
+    def times(self, other: "Unit") -> "Unit":
+        """Return the product with another unit, whether the names of both can be parsed or not: steps of a sensor's."""
+        powers = dict(self.dimension)
+        for base, power in other.dimension:
+            powers[base] = powers.get(base, 0) + power
+        dimension = tuple(sorted((base, power) for base, power in powers.items() if power))
+        name = "*".join(each.name for each in (self, other) if each.name)
+        return Unit(name, dimension, self.scale * other.scale, self.pi + other.pi)
+
 
 NUMBER = Unit("", (), Fraction(1))
 """The unit of pure numbers, in fields and quantities that state none."""

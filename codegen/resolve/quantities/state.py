@@ -80,6 +80,7 @@ def resolve_components(
                 report=report,
             )
             quantity = resolve_quantity(around, index)
+            assert quantity is not None or report.has_errors, f"{path} is left out, and nobody is told why"
             if quantity is not None:
                 quantities[quantity_name] = quantity
         _check_names(quantities, report)

@@ -13,34 +13,30 @@ from codegen.model.quantities.conversion import Factor
 from codegen.model.quantities.set_together import set_together
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading
+from codegen.once import once
 from codegen.targets.firmware.readings.sum_words import sum_words
+from codegen.targets.naming import family_constant
 
 
 @dataclass(frozen=True, slots=True)
 class Block:
     """The words of one component: the first instance from ``base`` on, each of them takes ``size``.
 
-    ``offsets`` has the place of each word in the block of an instance, by name.
+    ``offsets`` has the place of each word in the block of an instance, by name. ``base_constant`` is ``_BATTERY``,
+    where the words of the first instance begin in the array, and ``size_constant`` ``_BATTERY_SIZE``, what one takes.
     """
 
     component: Component
     base: int
     size: int
     offsets: Mapping[str, int]
-
-    @property
-    def base_constant(self) -> str:
-        """``_BATTERY``, where the words of the first instance begin in the array."""
-        return f"_{self.component.name.upper()}"
-
-    @property
-    def size_constant(self) -> str:
-        """``_BATTERY_SIZE``, what one instance takes."""
-        return f"{self.base_constant}_SIZE"
+    base_constant: str
+    size_constant: str
+    constants: Mapping[str, str]
 
     def constant(self, word: str) -> str:
         """``_BATTERY_VOLTAGE_MV``, the place of a word in the block of an instance."""
-        return f"{self.base_constant}_{word.upper()}"
+        return self.constants.get(word, f"{self.base_constant}_{word.upper()}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,19 +72,61 @@ class Layout:
         return (ConstantView(block.base_constant, block.base), *several, *placed)
 
 
+@once
 def word_layout(system: System) -> Layout:
     """The layout of a system's state."""
     blocks: dict[str, Block] = {}
     base = 0
+    names = _Names(system)
     for component in system.components.values():
         offsets: dict[str, int] = {}
         size = 0
         for name, width in _words(component):
             offsets[name] = size
             size += width
-        blocks[component.name] = Block(component, base, size, offsets)
+        own = names.free(f"_{component.name}"), names.free(f"_{component.name}_size")
+        constants = {word: names.free(f"_{component.name}_{word}", component.instances) for word in offsets}
+        blocks[component.name] = Block(component, base, size, offsets, *own, constants)
         base += size * component.instances
     return Layout(blocks, base)
+
+
+OWN_CONSTANTS = frozenset(
+    (
+        *("_SIZE", "_AGED", "_UNKNOWN", "_FAILURES", "_LONGEST_US", "_TOTAL_US", "_READINGS", "_LONG"),
+        *("_LENGTHS", "_LOOK_MS", "_WITHHELD", "_FURTHEST_MS", "_TICKS", "_DUE_MS", "_LATE_BY", "_PERIOD", "_PARTS"),
+        *("_STEP", "_IDS", "_STREAMS", "_SHORTEST_US", "_GENERATIONS", "_NUMBER_AT", "_DATA_STREAMS", "_FASTEST_HZ"),
+        *("_ENCODERS", "_SENDERS", "_TELLS", "_ANNOUNCED", "_MESSAGES", "_ON_CONNECTION", "_JOBS", "_SAVE_MS"),
+        *("_UNSETTLED_MS", "_COST_MS", "_CREDIT_MS", "_LEAVE_MS", "_REMIND_S", "_FAREWELL_MS"),
+    )
+)
+"""The constants that the modules have beside those of words, as their templates are written."""
+
+
+class _Names:
+    """The names of constants, each of which is taken once: MicroPython refuses a second one, and CPython takes it."""
+
+    def __init__(self, system: System) -> None:
+        self._taken = set(OWN_CONSTANTS)
+        self._taken |= {family_constant(each) for each in system.parameters.values() if each.siblings}
+        for component in system.components.values():
+            for quantity in component.quantities.values():
+                if quantity.derivation.curves_by_instance:
+                    self._taken.add(curve_constant(quantity, component))
+
+    def free(self, name: str, instances: int = 1) -> str:
+        """Return a name for a constant, with underscores behind it until it, and those by instance, are free."""
+        name = name.upper()
+        of_each = range(1, instances + 1) if instances > 1 else ()
+        while (own := {name, *(f"{name}_{number}" for number in of_each)}) & self._taken:
+            name += "_"
+        self._taken |= own
+        return name
+
+
+def curve_constant(quantity: Quantity, component: Component) -> str:
+    """``_BATTERY_REMAINING_CURVE``, or ``CURVES``: the points of an estimate."""
+    return f"_{component.name}_{quantity.name}_curve{'s' if component.instances > 1 else ''}".upper()
 
 
 def _words(component: Component) -> Iterator[tuple[str, int]]:

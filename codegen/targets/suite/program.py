@@ -221,7 +221,7 @@ def _withheld_lines(system: System) -> dict[int, tuple[str, ...]]:
     """Return by message the quantities that withhold it, as lines of a table."""
     return {
         each.id: tuple(
-            one_by_one(f"    {each.id}: ", (f'("{owner}", "{name}")' for owner, name in each.quantities), ",", "[]")
+            one_by_one(f"    {each.id}: ", (f'("{owner}", "{name}")' for owner, name in each.causes), ",", "[]")
         )
         for each in withheld_messages(system)
         if each.is_alone and each.is_on

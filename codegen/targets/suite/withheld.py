@@ -27,8 +27,10 @@ class KnownWord(NamedTuple):
 
 
 class WithheldMessage(NamedTuple):
-    """A message with the quantities, (component, attribute), that withhold it; ``about`` are arguments of the first.
+    """A message with the quantities that withhold it; ``about`` are arguments of the first.
 
+    These are ``causes``, (component, attribute). ``quantities`` has for each the instances whose values may go out,
+    such as ``battery[0]``, and the attribute: of a message that reports one of several instances these are all of them.
     ``is_on``: the first instance is reported by default. ``is_alone``: no other table is of the same message.
     """
 
@@ -38,7 +40,8 @@ class WithheldMessage(NamedTuple):
     builder: str
     encoder: str
     about: str
-    quantities: tuple[tuple[str, str], ...]
+    causes: tuple[tuple[str, str], ...]
+    quantities: tuple[tuple[tuple[str, ...], str], ...]
     instances: int
     is_on: bool
     is_alone: bool
@@ -51,6 +54,7 @@ def withheld_messages(system: System) -> tuple[WithheldMessage, ...]:
 
 def _withheld(message: PopulatedMessage, system: System) -> WithheldMessage:
     causes = dict.fromkeys((quantity.component, quantity.attribute) for _, quantity in message.withheld_for)
+    counts = {name: each.component.instances for name, each in message.represents.items()}
     return WithheldMessage(
         identifier=message.name.lower(),
         criterion=str(message.citation),
@@ -58,7 +62,11 @@ def _withheld(message: PopulatedMessage, system: System) -> WithheldMessage:
         builder=builder_name(message),
         encoder=encoder_name(message),
         about=", 0" * len(message_about(message)),
-        quantities=tuple(causes),
+        causes=tuple(causes),
+        quantities=tuple(
+            (tuple(f"{name}[{instance}]" for instance in range(counts.get(name, 1))), attribute)
+            for name, attribute in causes
+        ),
         instances=message.instances,
         is_on=on_by_default(message.component, system)[0],
         is_alone=len(system.tables(message.wire.name)) == 1,

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: fddac9a6ec58a2b4
+# Inputs: bb2d5652cd81d9fe
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, id_of, main, messages, needs, new_craft, run, run_passes
@@ -7,7 +7,7 @@ from program_facts import GENERATIONS, LINKS_US, MESSAGES, SENT, SHORTEST_US
 
 import dialect
 
-STEP_US = 10000  # between passes while frames are counted: more often than any stream
+STEP_US = min(10000, LINKS_US)  # between passes while frames are counted: as often as any stream can go
 SECONDS = 60
 
 

@@ -1,9 +1,10 @@
 # Generated from templates/tests/program/reply_checks.py: do not edit.
-# Inputs: 4c7f4928e652e609
+# Inputs: 649c12902d6a7910
 """Replies of a link: to old stations, to whoever asks, about what is not here; it rests where nothing is left."""
 
 from program_bench import (
     GOES_OUT,
+    OTHER_SYSTEM,
     SECOND_US,
     GroundStation,
     id_of,
@@ -167,7 +168,7 @@ def answers_are_for_who_asks():
     """A reply with a target has the ids of who asked, of whatever system and component that is."""
     craft = new_craft()
     run_passes(craft, 20)
-    for system, component in ((201, 45), (255, 190), (7, 1)):
+    for system, component in ((201, 45), (255, 190), (OTHER_SYSTEM, 1)):
         station = GroundStation(craft.port, VERSION, system, component)
         station.command(410)
         station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, 1000000)

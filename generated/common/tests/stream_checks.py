@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 8db15d9c6355484d
+# Inputs: e46e963d9b8d5864
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -33,7 +33,7 @@ from program_facts import (
 
 import dialect
 
-STEP_US = 10000  # between passes while frames are counted: more often than any stream
+STEP_US = min(10000, LINKS_US)  # between passes while frames are counted: as often as any stream can go
 
 
 class Counter(Sink):

@@ -1,4 +1,4 @@
-"""Cases about amounts: what a device shows, what a curve gives, what sums up and how fast something changes.
+"""Cases about amounts: what a device shows, what curves, sums and trends give, and what is true beyond a limit.
 
 The true drivers are run here, against models of their devices. As a program it prints one JSON object: what went wrong
 in each case, or null. Its argument is the file of the cases.
@@ -135,8 +135,30 @@ def summed(case):
             mock_time.advance_us(phase["every_ms"] * 1000)
             for poller in pollers:
                 poller.turn()
-        for attribute, expected in phase["kept"]:
-            expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
+        tells(state, case, number, texts)
+    grows_old(state, case)
+
+
+def tells(state, case, number, texts):
+    """The state tells after a phase what the tables make of it: exactly, but for the mean, which is rounded itself."""
+    phase = case["phases"][number]
+    for attribute, expected in phase["kept"]:
+        expect(value_of(state, case, attribute), expected, attribute, "phase", number, texts.lines)
+    for attribute, least, most in phase["about"]:
+        found = value_of(state, case, attribute)
+        assert least <= (-1 if found is None else found) <= most, f"{attribute} {found}, not {least} to {most}"
+
+
+def grows_old(state, case):
+    """The rest of a store is known as long as a value is believed, and no longer."""
+    old = case["old"]
+    known = [name for name in old["attributes"] if value_of(state, case, name) is not None]
+    mock_time.advance_us(old["after_ms"] * 1000)
+    for attribute in known:
+        assert value_of(state, case, attribute) is not None, f"{attribute} is unknown too early"
+    mock_time.advance_us(1000)
+    for attribute in known:
+        expect(value_of(state, case, attribute), None, attribute, "too old")
 
 
 def read_of(case):
@@ -175,7 +197,24 @@ def trend(case):
         expect(value_of(state, case), expected, "group", number)
 
 
-KINDS = {"sum": summed, "curve": curve, "trend": trend}
+def side(case):
+    """A boolean that follows a number is true on one side of its limit, or between two; not while that is unknown."""
+    state = SystemState(log=Texts())
+    for steps, expected in case["sides"]:
+        setattr(getattr(state, case["component"])[case["instance"]], case["of"], steps)
+        expect(value_of(state, case), expected, case["of"], steps)
+
+
+def shown(case):
+    """The unit of people shows what is kept in steps, as near as a float is."""
+    state = SystemState(log=Texts())
+    for steps, numerator, denominator in case["shown"]:
+        setattr(getattr(state, case["component"])[case["instance"]], case["attribute"], steps)
+        found, exact = value_of(state, case, case["view"]), numerator / denominator
+        assert abs(found - exact) <= abs(exact) / 1000000, f"{found}, not {exact}, of {steps} steps"
+
+
+KINDS = {"sum": summed, "curve": curve, "trend": trend, "side": side, "shown": shown}
 
 
 def outcome(call, *arguments):

@@ -17,7 +17,7 @@ def _cases():
 
 @pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
 def test_amount(interpreter, name, once):
-    """A sensor, a curve, a sum or a trend tells what the tables and the data sheet say, exactly."""
+    """A sensor, a curve, a sum, a trend or a limit tells what the tables and the data sheet say, exactly."""
     found = once(f"{interpreter}-amounts", lambda: json.loads(run_under(interpreter, "amounts_run.py", str(FILE))))
     assert "" not in found, found[""]
     assert found[name] is None, found[name]

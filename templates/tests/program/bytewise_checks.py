@@ -1,6 +1,7 @@
 """Parameters as the bytes of their types: what PARAM_SET carries otherwise is refused, and never taken for a number."""
 
 from program_bench import (
+    SECOND_US,
     SETTABLE,
     WHOLE,
     main,
@@ -8,6 +9,7 @@ from program_bench import (
     new_craft,
     number_of,
     put_number,
+    run,
     run_turns,
 )
 from program_facts import BYTEWISE, COMPONENT_ID, PARAMETERS, SYSTEM_ID, VERSION
@@ -15,6 +17,16 @@ from program_facts import BYTEWISE, COMPONENT_ID, PARAMETERS, SYSTEM_ID, VERSION
 import dialect
 
 OTHER_TYPES = [0, dialect.MAV_PARAM_TYPE_REAL32 + 1, 255, dialect.MAV_PARAM_TYPE_REAL32] + list(WHOLE)  # noqa: RUF005
+
+
+def _met():
+    """Return a vehicle that has said what it says at its start, and its ground station."""
+    craft = new_craft()
+    run(craft, SECOND_US)
+    run_turns(craft, craft.texts.last)
+    station = craft.ground_station()
+    station.received()
+    return craft, station
 
 
 def _message(facts, kind):
@@ -42,8 +54,7 @@ def _is_refused(craft, station, facts, message):
 
 def another_type_is_refused():
     """The same bytes are another number as another type, so that nobody knows which is meant."""
-    craft = new_craft()
-    station = craft.ground_station()
+    craft, station = _met()
     for facts in SETTABLE:
         for kind in OTHER_TYPES:
             if kind != facts["type"]:
@@ -54,8 +65,7 @@ def another_type_is_refused():
 
 def numbers_as_floats_are_refused():
     """A C cast has something behind the bytes of a small integer, and is not taken for the 0 in them."""
-    craft = new_craft()
-    station = craft.ground_station()
+    craft, station = _met()
     for facts in PARAMETERS:
         size = WHOLE[facts["type"]][0] if facts["type"] in WHOLE else 4
         for cast in (1, 2, 5, -1, 100) if size < 4 else ():

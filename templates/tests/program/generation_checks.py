@@ -5,7 +5,7 @@ from program_facts import GENERATIONS, LINKS_US, MESSAGES, SENT, SHORTEST_US
 
 import dialect
 
-STEP_US = 10000  # between passes while frames are counted: more often than any stream
+STEP_US = min(10000, LINKS_US)  # between passes while frames are counted: as often as any stream can go
 SECONDS = 60
 
 

@@ -2,6 +2,7 @@
 
 from program_bench import (
     GOES_OUT,
+    OTHER_SYSTEM,
     SECOND_US,
     GroundStation,
     id_of,
@@ -165,7 +166,7 @@ def answers_are_for_who_asks():
     """A reply with a target has the ids of who asked, of whatever system and component that is."""
     craft = new_craft()
     run_passes(craft, 20)
-    for system, component in ((201, 45), (255, 190), (7, 1)):
+    for system, component in ((201, 45), (255, 190), (OTHER_SYSTEM, 1)):
         station = GroundStation(craft.port, VERSION, system, component)
         station.command(410)
         station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, 1000000)

@@ -16,6 +16,7 @@ from program_bench import (
     needs_arming,
     new_craft,
     payload_of,
+    quieted,
     ready_craft,
     run,
     run_passes,
@@ -149,6 +150,7 @@ def message_follows_the_acknowledgement():
 def full_port_delays_but_does_not_reorder():
     """While the port takes nothing the answers wait; then they come in their order."""
     craft, station = _met()
+    quieted(craft)
     craft.port.room = 0
     asked = [410, 411, 412]
     for number in asked:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.firmware.messages.sending import SentView, WayView, ways, word
+from codegen.targets.firmware.words import Layout
 
 _LINE = 105
 """Characters that a condition may have."""
@@ -55,7 +56,7 @@ class AnnouncementView:
         return compared if len(compared) <= _LINE else ""
 
 
-def announcements(messages: tuple[SentView, ...], system: System) -> AnnouncementView | None:
+def announcements(messages: tuple[SentView, ...], system: System, layout: Layout) -> AnnouncementView | None:
     """The view of all that is announced; None where nothing is. ``messages`` are those of the streams."""
     populated = {message.name: message for message in system.messages}
     announced = [(place, view) for place, view in enumerate(messages) if populated[view.name].is_announced]
@@ -68,7 +69,7 @@ def announcements(messages: tuple[SentView, ...], system: System) -> Announcemen
         for instance in range(view.instances)
         for page in range(view.pages)
     ]
-    watches, seen = _watches(announced, populated, system)
+    watches, seen = _watches(announced, populated, system, layout)
     return AnnouncementView(
         frames=tuple(text for _, text in frames),
         on_connection=sum(is_first for is_first, _ in frames),
@@ -80,7 +81,7 @@ def announcements(messages: tuple[SentView, ...], system: System) -> Announcemen
 
 
 def _watches(
-    announced: list[tuple[int, SentView]], populated: Mapping[str, PopulatedMessage], system: System
+    announced: list[tuple[int, SentView]], populated: Mapping[str, PopulatedMessage], system: System, layout: Layout
 ) -> tuple[tuple[WatchView, ...], tuple[str, ...]]:
     """The watched quantities, and what each of their instances is at the start."""
     watches: list[WatchView] = []
@@ -96,7 +97,7 @@ def _watches(
             WatchView(
                 path=path,
                 instances=component.instances,
-                expression=word(component, quantity),
+                expression=word(component, quantity, layout),
                 indent="    " if several else "",
                 place=f"{f'{first} + ' if first else ''}instance" if several else str(first),
                 instance="instance" if several else "0",
@@ -104,6 +105,6 @@ def _watches(
                 citation=str(populated[messages[0][1]].citation),
             )
         )
-        read = word(component, quantity)
+        read = word(component, quantity, layout)
         seen += [read.replace("[instance]", f"[{instance}]") for instance in range(component.instances)]
     return tuple(watches), tuple(seen)

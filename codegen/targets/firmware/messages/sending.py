@@ -7,7 +7,7 @@ from codegen.frozen import dataclass
 from codegen.model.price import HEAD_V1, HEAD_V2, frame_size
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import SLOWEST_ASKED, Component, Quantity
-from codegen.targets.firmware.words import Layout
+from codegen.targets.firmware.words import Layout, word_layout
 from codegen.targets.naming import builder_name, frame_name, message_about
 
 
@@ -59,7 +59,7 @@ def sent_view(message: PopulatedMessage, system: System, *, never: bool) -> Sent
     if component is not None and component.enabled is not None:
         of_each = "[instance]" if component.instances > 1 else ""
         enabled = f"state.{component.name}{of_each}.{component.enabled.name}"
-        is_measured = [f"if {word(component, component.enabled)}:"]
+        is_measured = [f"if {word(component, component.enabled, word_layout(system))}:"]
     counts = {"instance": message.instances, "page": message.pages}
     arguments = ["state", *(name if counts[name] > 1 else "0" for name in message_about(message))]
     return SentView(
@@ -116,14 +116,14 @@ def ways(messages: Iterable[SentView]) -> tuple[WayView, ...]:
     return tuple(dict.fromkeys(message.way for message in messages))
 
 
-def _place(component: Component, quantity: Quantity) -> str:
+def _place(component: Component, quantity: Quantity, layout: Layout) -> str:
     """The constant with the places of a quantity's words: a tuple by instance, or the only one's number."""
-    return f"_{component.name}_{quantity.attribute}".upper()
+    return layout.blocks[component.name].constant(quantity.attribute)
 
 
-def word(component: Component, quantity: Quantity) -> str:
+def word(component: Component, quantity: Quantity, layout: Layout) -> str:
     """Return what the state keeps of a quantity, of several instances that of ``instance``."""
-    place = _place(component, quantity)
+    place = _place(component, quantity, layout)
     return f"state.words[{place}[instance]]" if component.instances > 1 else f"state.words[{place}]"
 
 
@@ -138,7 +138,7 @@ def read_places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[s
             read.append((layout.blocks[watched.component].component, watched))
         for component, quantity in read:
             found = layout.places(component.name, quantity.attribute)
-            name = _place(component, quantity)
+            name = _place(component, quantity, layout)
             lines[name] = f"{name} = {found if len(found) > 1 else found[0]}"
     return tuple(lines.values())
 

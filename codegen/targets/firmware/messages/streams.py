@@ -155,7 +155,7 @@ def streams_view(system: System) -> StreamsView:
         chosen=_chosen(system),
         choosing=_choosing_lines(system),
         or_not_chosen=" or not self._is_chosen(index)" if system.generations else "",
-        announced=announcements(messages, system),
+        announced=announcements(messages, system, word_layout(system)),
         has_program=system.program is not None,
         signs=system.signs,
         places=read_places(system.messages, word_layout(system)),

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.frozen import dataclass
 from codegen.model.vehicle import Reading
-from codegen.targets.firmware.words import Block
+from codegen.targets.firmware.words import Block, curve_constant
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ def estimate_views(reading: Reading, block: Block) -> Iterator[EstimateView]:
             name=quantity.name,
             word=block.constant(quantity.attribute),
             gone=block.constant("gone") if quantity.spec.restarts_with else None,
-            constant=f"_{component.name.upper()}_{quantity.name.upper()}_CURVE{'S' if several else ''}",
+            constant=curve_constant(quantity, component),
             text=repr(curves if several else curves[0]),
             several=several,
         )

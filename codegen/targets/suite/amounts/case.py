@@ -11,7 +11,7 @@ from codegen.model.spec.population import Rounding
 from codegen.model.units.unit import conversion
 from codegen.model.vehicle import Component, Quantity
 
-ARRIVES, CURVE, SUM, TREND = "arrives", "curve", "sum", "trend"
+ARRIVES, CURVE, SHOWN, SIDE, SUM, TREND = "arrives", "curve", "shown", "side", "sum", "trend"
 """The kinds of cases, by the functions that run them."""
 
 

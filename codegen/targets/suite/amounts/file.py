@@ -9,6 +9,7 @@ from codegen.targets.origin import copied_files, origin_of
 from codegen.targets.suite.amounts.case import AmountCase
 from codegen.targets.suite.amounts.curves import curve_cases
 from codegen.targets.suite.amounts.devices import arriving_cases, devices_of
+from codegen.targets.suite.amounts.limits import limit_cases, shown_cases
 from codegen.targets.suite.amounts.sums import sum_cases
 from codegen.targets.suite.amounts.trends import trend_cases
 from codegen.targets.suite.cases.file import json_line
@@ -19,7 +20,8 @@ _FOLDER = "tests/amounts"
 @once
 def amount_cases(system: System) -> tuple[AmountCase, ...]:
     """All cases about amounts, in the order in which they run."""
-    return (*arriving_cases(system), *sum_cases(system), *curve_cases(system), *trend_cases(system))
+    found = (arriving_cases, shown_cases, sum_cases, curve_cases, trend_cases, limit_cases)
+    return tuple(case for cases in found for case in cases(system))
 
 
 def amount_tests(system: System) -> Iterator[tuple[str, str]]:

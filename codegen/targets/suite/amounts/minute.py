@@ -1,5 +1,6 @@
 """The simulated minute of a sum: what sensors hand over when, and what that makes, by units and the tables alone."""
 
+import math
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from codegen.model.vehicle import Quantity
 _MINUTE_MS = 60000
 _MOST_TURNS = 1000
 """In one phase: what is told less often takes no longer."""
+_MOST_TO_ROUND = 40
 _LONGEST_MS = 500
 """Between two turns, so that a minute takes few."""
 _ENOUGH = 3
@@ -85,10 +87,22 @@ def phases_of(quantity: Quantity, of: Given, times: Given | None) -> tuple[Phase
                 break
             found = tried
             if totals[1] >= _ENOUGH:
-                return found
+                return _rounded_up(found, quantity, of, times)
         if found:
-            return found
+            return _rounded_up(found, quantity, of, times)
     return found
+
+
+def _rounded_up(phases: tuple[Phase, ...], quantity: Quantity, of: Given, times: Given | None) -> tuple[Phase, ...]:
+    """The phases with one more turn or some, until half a step or more is left, which a sum rounds up."""
+    last = phases[-1]
+    total = _totals(phases, quantity, of, times)[-1]
+    for turns in range(1, _MOST_TO_ROUND):
+        more = Phase(turns, last.every_ms, max(1, last.of // 2), last.times)
+        after = total + added(more, quantity, of, times)
+        if Fraction(1, 2) <= after - math.floor(after) and after <= quantity.maximum:
+            return (*phases, more)
+    return phases
 
 
 def most_of(phases: tuple[Phase, ...], quantity: Quantity, of: Given, times: Given | None) -> Fraction:

@@ -40,18 +40,25 @@ def _cases(quantity: Quantity, basis: Basis, instance: int, system: System) -> I
     if not phases:
         return
     settings, stores = _stores(quantity, basis, instance, most_of(phases, quantity, of, times), system)
+    if any(each.lasting for each in stores):  # one reading of less, which the mean hardly follows
+        phases = (*phases[:2], phases[1]._replace(turns=1, of=max(1, phases[1].of // 3)), *phases[2:])
     told: list[dict[str, object]] = []
     total = Fraction(0)
     for number, phase in enumerate(phases):
         total += added(phase, quantity, of, times)
         kept: list[list[object]] = [[quantity.attribute, nearest(total)]]
         kept += [[each.left.attribute, _left(each, nearest(total))] for each in stores]
+        about: list[list[object]] = []
         if number < 2:  # the mean is what is drawn, as long as that is always the same
             kept += [line for each in stores for line in _lasting(each, nearest(total), of.amount(phase.of), quantity)]
-        told.append(
-            {"turns": phase.turns, "every_ms": phase.every_ms, "hands": _handed(phase, of, times), "kept": kept}
-        )
-    facts = {"parameters": settings, "masks": _masks(of, times, system), "phases": told}
+        elif number == 2:
+            drawn = of.amount(phases[1].of), of.amount(phase.of)
+            about = [line for each in stores for line in _lasting_about(each, nearest(total), drawn, quantity, of)]
+        hands = _handed(phase, of, times)
+        told.append({"turns": phase.turns, "every_ms": phase.every_ms, "hands": hands, "kept": kept, "about": about})
+    aging = [each.attribute for store in stores for each in (store.left, *store.lasting)]
+    old = {"after_ms": of.gap_ms, "attributes": aging}
+    facts = {"parameters": settings, "masks": _masks(of, times, system), "phases": told, "old": old}
     name, owner = f"{name_of(quantity, component, instance)}-is_summed_up", owner_of(quantity, instance)
     yield AmountCase(name, criterion_of(quantity, component), SUM, {**owner, **facts})
 
@@ -112,3 +119,19 @@ def _lasting(store: _Store, after: int, drawn: Fraction, quantity: Quantity) -> 
     for each in store.lasting:
         lasts = min(int(left / drawn / each.stored.scale), int(each.maximum)) if drawn > 0 and store.size else None
         yield [each.attribute, lasts]
+
+
+def _lasting_about(
+    store: _Store, after: int, drawn: tuple[Fraction, Fraction], quantity: Quantity, of: Given
+) -> Iterator[list[object]]:
+    """Yield the least and the most that it lasts after one reading of less: the mean goes one part of so many to it."""
+    left = min(max(store.size - after, Fraction(0)), store.size) * quantity.stored.scale
+    for each in store.lasting:
+        lasting = each.derivation.lasts
+        assert lasting is not None
+        mean = drawn[0] + (drawn[1] - drawn[0]) / lasting.readings
+        step = of.quantity.stored.scale
+        if mean > 2 * step and store.size:
+            ends = (int(left / most / each.stored.scale) for most in (mean + step, mean - 2 * step))
+            least, most = (min(end, int(each.maximum)) for end in ends)
+            yield [each.attribute, least - 1, most + 1]
