@@ -140,7 +140,7 @@ def _number(text: str, field: WireField, wire: WireMessage, place: Place, values
         return None
     if not field.type.is_integer:
         most = Fraction(Storage(field.type.code).limits[1])
-        if abs(value) <= most:
+        if -most <= value <= most:
             return float(value)
         message = f"{wire.name}.{field.name} carries up to {float(most):.7g}, not {text}"
         values.say(SCENARIO_SEND, place, message, "write a number that a float of its size has")
