@@ -9,7 +9,7 @@ from codegen.targets.suite.making import call_literal
 
 SUITE = Path(__file__).resolve().parents[2] / "templates" / "tests"
 OF_MODULES = {"machine_code_run.py"}
-"""Run whole modules of the firmware on a host."""
+"""Tries a text of its own: whether the interpreter has machine code."""
 
 
 @pytest.mark.parametrize(
@@ -39,7 +39,7 @@ def test_what_is_not_a_literal_is_no_part() -> None:
 
 
 def test_no_check_of_the_generated_suite_evaluates_text() -> None:
-    """Names and texts of a specification are data there; only modules of the firmware are run."""
+    """Names and texts of a specification are data there; one check runs a text of its own."""
     found = [
         path.name
         for path in SUITE.rglob("*.py*")
