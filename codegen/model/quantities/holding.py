@@ -1,4 +1,4 @@
-"""Where the conditions of a failsafe hold within the reach of their quantity: nowhere, somewhere, or everywhere."""
+"""The values at which conditions of a failsafe hold, within the reach of their quantity: none, some, or all."""
 
 from fractions import Fraction
 
