@@ -94,3 +94,19 @@ def test_a_limit_is_named_where_it_is_of_use(field: tuple[str, str], quantity: s
     """No course ends before a whole turn."""
     _, report = received(tmp_path, *field, quantity)
     assert [each.hint for each in report if each.rule.id == "cannot-receive"] == [hint]
+
+
+def test_what_code_sets_is_kept_in_units_though_a_field_is_coarser(tmp_path: Path) -> None:
+    """A whole degree is one, and not the nearest 360/255 of a turn."""
+    specs = Path(shutil.copytree(SPECS, tmp_path / "specs"))
+    state = specs / "state.yaml"
+    state.write_text(state.read_text().replace(FIRST, f"      near: {{doc: d, unit: deg, initial: 0}}\n{FIRST}"))
+    fields = {f"satellite_azimuth[{at}]": "{state: wheels.near}" for at in range(20)}
+    lines = "".join(f"  {name}: {answer}\n" for name, answer in fields.items())
+    text = "message: GPS_STATUS\nrequirement: FR-1.8\nothers: unknown\nfields:\n  satellites_visible: {constant: 1}\n"
+    for name in ("prn", "used", "elevation", "snr"):
+        text += f"  satellite_{name}: {{constant: 0}}\n"
+    (specs / "messages" / "more.yaml").write_text(text.replace("others: unknown\n", "") + lines)
+    report = Report()
+    system = read_systems(str(specs / "codegen.yaml"), report)[0]
+    assert system.components["wheels"].quantities["near"].stored.name == "deg"

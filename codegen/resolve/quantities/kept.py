@@ -153,10 +153,14 @@ def _stored(around: Surroundings, kind: QuantityKind, unit: Unit) -> Unit | None
 
 
 def _is_between_units(around: Surroundings, steps: Fraction) -> bool:
-    """Return whether the steps of fields lie between whole units, and what the table states is a number of them."""
+    """Return whether the steps of fields lie between whole units, and what the table states is a number of them.
+
+    Only of what is received: code sets whole units, which these steps would round.
+    """
     stated = (getattr(around.spec, key) for key in ("min", "max", "initial"))
     ends = [number * steps for number in stated if isinstance(number, Fraction)]
-    return (1 / steps).denominator != 1 and all(end.denominator == 1 for end in ends)
+    is_between = (1 / steps).denominator != 1 and all(end.denominator == 1 for end in ends)
+    return is_between and bool(around.received)
 
 
 def _is_in(field: WireField, stored: Unit) -> bool:
