@@ -21,8 +21,8 @@ from pathlib import Path
 from typing import Any
 
 from claims_phrasings import ASIDES, phrasings, twins
-from claims_phrasings import reference as common
 from claims_score import documents, is_about, judged, reference, rules_find
+from phrasing.filling import reference as common
 
 from codegen.claims.reading import read_document
 from codegen.claims.weighed.candidates import Candidate, candidates

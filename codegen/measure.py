@@ -8,7 +8,7 @@ from codegen.model.dialect.dialect import WireField
 from codegen.model.units.affine import AffineMap
 from codegen.model.units.finer_unit import as_fine_as
 from codegen.model.units.nearest_unit import nearest_unit
-from codegen.model.units.unit import NUMBER, Measure, Unit, conversion, map_words, read_measure, unit_named
+from codegen.model.units.unit import NUMBER, Measure, Unit, conversion, decimal, map_words, read_measure, unit_named
 from codegen.source import Place
 
 UNKNOWN_UNIT = Rule(
@@ -34,9 +34,14 @@ BAD_AMOUNT = Rule("bad-amount", "An amount is a number followed by a unit, such 
 BAD_TIME = Rule(
     "bad-time",
     "A rate is above 0 and at most 1000 Hz, and a time is at most a day: the firmware counts whole milliseconds on a "
-    "clock that wraps after 12 days.",
+    "clock that wraps after 12 days. Readings of a component are whole milliseconds apart, so that of what is counted "
+    "in readings everybody knows the time.",
 )
 DAY_S = 86400
+_WHOLE_MS = sorted(
+    2**twos * 5**fives for twos in range(27) for fives in range(12) if 2**twos * 5**fives <= DAY_S * 1000
+)
+"""The ms between readings of which the rate in Hz is a decimal number."""
 
 
 def find_unit(name: str | None, place: Place, report: Report) -> Unit | None:
@@ -139,6 +144,20 @@ def read_rate(text: str, place: Place, report: Report) -> Fraction | None:
         report.add(BAD_TIME, place, f"{text} is not a rate from once a day to 1000 Hz", "such as 10 Hz")
         return None
     return rate
+
+
+def read_period_ms(text: str, place: Place, report: Report) -> int | None:
+    """The whole ms between two readings at a rate in Hz; None after a finding for which nobody knows them."""
+    rate = read_rate(text, place, report)
+    if rate is None:
+        return None
+    period = 1000 / rate
+    nearest = round(period)
+    if period != nearest:
+        whole = min(_WHOLE_MS, key=lambda each: abs(each - nearest))
+        hint = f"{decimal(Fraction(1000, whole))} Hz is once in {whole} ms"
+        report.add(BAD_TIME, place, f"{text} is once in {float(period):.5g} ms, and readings are whole ms apart", hint)
+    return nearest
 
 
 def read_time(text: str, unit: Unit, place: Place, report: Report) -> int | None:

@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         port = find_port(arguments.port)
         connection = Connection(port)
         try:
-            record = _bench(connection, system, arguments.seconds, report)
+            record = _bench(connection, system, arguments, report)
             connection.restart()
         finally:
             connection.close()
@@ -75,16 +75,18 @@ def run(arguments: argparse.Namespace) -> int:
     return report.exit_code
 
 
-def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
+def _bench(
+    connection: "Connection", system: "System", arguments: argparse.Namespace, report: "Report"
+) -> "BenchRecord | None":
     """Say what is done meanwhile, and return what was measured; None after a finding."""
     from codegen.cli.progress import working
     from codegen.commands.bench import is_deployed, measure
 
-    board, prepared = looked_at(connection, system, report)
+    board, prepared = looked_at(connection, system, report, is_forced=arguments.force)
     if prepared is None or not is_deployed(prepared, connection.port, report):
         return None
     with working("measuring on the board") as now:
-        return measure(connection, board, system, prepared, seconds, now)
+        return measure(connection, board, system, prepared, arguments.seconds, now)
 
 
 def _show(record: "BenchRecord", path: str) -> None:

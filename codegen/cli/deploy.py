@@ -54,6 +54,9 @@ def add_board_options(parser: argparse.ArgumentParser) -> None:
         "--port", metavar="P", help="serial port, such as /dev/ttyACM0 or COM3 (default: the only board)"
     )
     parser.add_argument("--program", metavar="NAME", default="", help="a further program of the project")
+    parser.add_argument(
+        "--force", action="store_true", help="also where the board has another chip than that of board.yaml"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -126,7 +129,7 @@ def _deploy(
     from codegen.cli.progress import working
     from codegen.deploy.transfer import put, transfer
 
-    board, prepared = looked_at(connection, system, report)
+    board, prepared = looked_at(connection, system, report, is_forced=arguments.force)
     if prepared is None:
         connection.restart()  # the board goes on with the program that it has
         return
@@ -152,7 +155,9 @@ def _deploy(
     _show_log(connection, system, arguments.log, board, prepared.short_names, report)
 
 
-def looked_at(connection: "Connection", system: "System", report: "Report") -> "tuple[Board, Prepared | None]":
+def looked_at(
+    connection: "Connection", system: "System", report: "Report", *, is_forced: bool
+) -> "tuple[Board, Prepared | None]":
     """Say which board it is; return it with what a deploy would do there, None after a finding."""
     from codegen.cli.progress import working
     from codegen.commands.deploy import prepared_for
@@ -163,7 +168,7 @@ def looked_at(connection: "Connection", system: "System", report: "Report") -> "
     if board.roms:
         print("it has a ROMFS, from which the program takes less heap: codegen deploy --image FILE", file=sys.stderr)
     with working("compiling, and looking what the board has"):
-        return board, prepared_for(connection, board, system, report)
+        return board, prepared_for(connection, board, system, report, is_forced=is_forced)
 
 
 def _would_do(todo: "Plan", wifi: tuple[str, bytes] | None) -> list[str]:

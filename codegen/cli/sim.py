@@ -123,13 +123,16 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         known = read_project(wanted.scenario, project, report)
     if known is None:
         return None
-    systems, scenarios = known
+    if known.faulty is not None:
+        from codegen.source import shown_path
+
+        print(f"codegen sim: warning: {shown_path(known.faulty)} has faults in other scenarios", file=sys.stderr)
     if arguments.list:
-        width = max(map(len, scenarios), default=0)
-        return [f"{name:{width}}  {scenario.doc}" for name, scenario in scenarios.items()]
+        width = max(map(len, known.scenarios), default=0)
+        return [f"{name:{width}}  {scenario.doc}" for name, scenario in known.scenarios.items()]
     _check_files(arguments)
     with working("comparing the firmware with the specification"):
-        prepared = prepare(wanted, systems, scenarios)
+        prepared = prepare(wanted, known.systems, known.scenarios)
     if isinstance(prepared, Unusable):
         raise UsageError(prepared.why)
     _warn_of_stale(prepared.stale)

@@ -22,7 +22,9 @@ def wifi_of(path: str, system: "System", report: "Report") -> tuple[str, bytes] 
     return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
 
 
-def prepared_for(connection: "Connection", board: "Board", system: "System", report: "Report") -> "Prepared | None":
+def prepared_for(
+    connection: "Connection", board: "Board", system: "System", report: "Report", *, is_forced: bool
+) -> "Prepared | None":
     """Return what a deploy would do on a board; None after a finding that stops it."""
     from codegen.commands.build import as_compiled_for
     from codegen.deploy.prepared import architecture_for, prepare
@@ -32,7 +34,7 @@ def prepared_for(connection: "Connection", board: "Board", system: "System", rep
     if architecture is None or contents is None:
         return None
     deployed = as_compiled_for(system, architecture)
-    return prepare(connection, board, deployed, contents, shipped_boards(), report)
+    return prepare(connection, board, deployed, contents, shipped_boards(), report, is_forced=is_forced)
 
 
 def shipped_boards() -> "list[BoardModelSpec]":

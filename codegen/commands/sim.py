@@ -53,16 +53,32 @@ class Prepared:
     without: str | None
 
 
-def read_project(given: str, project: str, report: "Report") -> "tuple[tuple[System, ...], dict[str, Scenario]] | None":
-    """Return the programs of a project and its scenarios, or those of the file ``given``; None after findings."""
-    from codegen.project.systems import read_own_scenarios, read_scenarios, read_systems
+@dataclass(frozen=True, slots=True)
+class Known:
+    """The programs of a project and the scenarios that can be run; ``faulty`` is a file with others that cannot."""
+
+    systems: "tuple[System, ...]"
+    scenarios: "dict[str, Scenario]"
+    faulty: str | None
+
+
+def read_project(given: str, project: str, report: "Report") -> Known | None:
+    """Return the programs of a project and its scenarios, or those of the file ``given``; None after findings.
+
+    Where one is meant by its name, what is wrong with others of its file is no finding.
+    """
+    from codegen.diagnostics import Report
+    from codegen.project.systems import read_own_scenarios, read_scenarios, read_systems, scenarios_path
 
     systems = read_systems(project, report)
     if not systems or report.has_errors:
         return None
-    path, _ = _file_and_name(given)
-    scenarios = read_own_scenarios(project, systems, report) if path is None else read_scenarios(path, systems, report)
-    return None if scenarios is None or report.has_errors else (systems, scenarios)
+    (path, name), found = _file_and_name(given), Report()
+    scenarios = read_own_scenarios(project, systems, found) if path is None else read_scenarios(path, systems, found)
+    if scenarios is not None and name in scenarios and found.has_errors:
+        return Known(systems, scenarios, path or scenarios_path(project))
+    report.extend(found)
+    return None if scenarios is None or report.has_errors else Known(systems, scenarios, None)
 
 
 def prepare(wanted: Wanted, systems: "Sequence[System]", scenarios: "dict[str, Scenario]") -> Prepared | Unusable:

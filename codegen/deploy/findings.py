@@ -68,12 +68,19 @@ OTHER_ARCHITECTURE = Rule(
     "mpy-cross makes no machine code for the processor of this board. Bytecode runs on every board, but slower.",
     Severity.WARNING,
 )
+OTHER_CHIP = Rule(
+    "other-chip",
+    "The board that is connected says that it has another chip than that of the program's board.yaml: pins and "
+    "converters would be other ones, and a pin that is an output there may be what another board drives. Nothing was "
+    "copied. --force copies the program all the same, and it is the warning other-board then.",
+    remedy="connect the board that board.yaml names, or name the one that is connected there",
+)
 OTHER_BOARD = Rule(
     "other-board",
-    "The board that is connected is another one than the program's board.yaml names: it has another chip, or is "
-    "another one of the boards that codegen knows, as a Pico without W; or its MicroPython lacks a module that the "
-    "firmware imports. One of another vendor with the same chip is no other board. Pins may be other ones, and Wi-Fi "
-    "may be missing.",
+    "The board that is connected is another one than the program's board.yaml names: it is another one of the boards "
+    "that codegen knows, as a Pico without W, or does not say which chip it has, or has another one and --force is "
+    "written; or its MicroPython lacks a module that the firmware imports. One of another vendor with the same chip is "
+    "no other board. Pins may be other ones, and Wi-Fi may be missing.",
     Severity.WARNING,
 )
 HIDDEN_MODULE = Rule(

@@ -27,6 +27,16 @@ def is_other_board(known: BoardModelSpec, machine: str, shipped: Iterable[BoardM
     return known.wifi and not told.wifi
 
 
+def is_other_chip(known: BoardModelSpec, machine: str) -> bool:
+    """Return whether a board that calls itself ``machine`` says that its chip is not that of the kind ``known``.
+
+    A board file in which no chip is named, which would have a number, says nothing of it.
+    """
+    _, told, chip = machine.rpartition(" with ")
+    is_named = any(each.isdigit() for each in known.mcu)
+    return bool(told) and is_named and not is_same_chip(known.mcu, chip)
+
+
 def is_same_chip(written: str, told: str) -> bool:
     """Return whether two names mean the same chip: one may have more to say of its package than the other."""
     ours, theirs = _ESP32.match(written.strip()), _ESP32.match(told.strip())

@@ -12,8 +12,9 @@ from codegen.deploy.findings import (
     HIDDEN_MODULE,
     OTHER_ARCHITECTURE,
     OTHER_BOARD,
+    OTHER_CHIP,
 )
-from codegen.deploy.machine import is_other_board
+from codegen.deploy.machine import is_other_board, is_other_chip
 from codegen.deploy.missing import report_missing
 from codegen.deploy.plan import Owned, Plan, plan, room_of
 from codegen.deploy.transfer import digests_of, found_files, importable, owned_files
@@ -70,16 +71,23 @@ def prepare(
     contents: Contents,
     shipped: Collection[BoardModelSpec],
     report: Report,
+    *,
+    is_forced: bool,
 ) -> Prepared | None:
     """Return what brings the ``contents`` to the board; None after a finding that stops it.
 
-    ``shipped`` are the boards that come with codegen.
+    ``shipped`` are the boards that come with codegen; what ``is_forced`` goes to a board with another chip, too.
     """
     place = Place(connection.port)
     known = system.spec.board_model
     if known is not None and is_other_board(known, board.machine, shipped):
         file = shown_path(system.spec.board.at("board").file)
         message = f"the board is {board.machine}, and {file} names {known.name} ({known.mcu})"
+        if is_other_chip(known, board.machine) and not is_forced:
+            report.add(
+                OTHER_CHIP, place, message, "--port chooses another one; --force copies to this one all the same"
+            )
+            return None
         report.add(OTHER_BOARD, place, message, "is it the one that you mean?")
     content = {path: text.encode() if isinstance(text, str) else text for path, text in contents.files.items()}
     owned = owned_files(connection)

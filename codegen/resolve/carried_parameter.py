@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.model.code.storage import Storage
+from codegen.model.dialect.literals import exact_number
 from codegen.model.units.unit import decimal
 from codegen.resolve.families import Member
 
@@ -38,7 +39,7 @@ def check_carried(member: Member, report: Report) -> None:
         return
     largest = most_steps(spec.step) * spec.step
     if spec.values:
-        lost = [(f"values.{written}", Fraction(written)) for written in spec.values]
+        lost = [(f"values.{written}", exact_number(written) or Fraction(0)) for written in spec.values]
         lost = [(key, value) for key, value in lost if abs(value) > largest and not _is_float(value)]
     else:
         lost = [(key, value) for key, value in (("min", spec.min), ("max", spec.max)) if abs(value) > largest]

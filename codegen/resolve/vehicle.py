@@ -7,6 +7,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import find_unit, read_amount, read_time
 from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.code.storage import SMALL_INT_MAX
+from codegen.model.dialect.literals import exact_number
 from codegen.model.spec.board import AdcSpec, BoardSpec
 from codegen.model.spec.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement
 from codegen.model.units.unit import NUMBER, decimal, unit_named
@@ -319,9 +320,8 @@ def _type_problems(name: str, spec: ParameterSpec) -> list[_Fault]:
 def _choices(name: str, spec: ParameterSpec, problems: list[_Fault]) -> dict[Fraction, str]:
     choices: dict[Fraction, str] = {}
     for written, meaning in spec.values.items():
-        try:
-            value = Fraction(written)
-        except (ValueError, ZeroDivisionError):
+        value = exact_number(written)
+        if value is None:
             problems.append((f"values.{written}", f"{written!r} is not a number", "values: {0: what it means}"))
             continue
         if not spec.min <= value <= spec.max or spec.step <= 0 or (value / spec.step).denominator != 1:

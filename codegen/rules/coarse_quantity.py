@@ -11,6 +11,7 @@ from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.quantities.attainable import unrounded
 from codegen.model.quantities.reach import Reach
 from codegen.model.quantities.source_kind import Output
+from codegen.model.reception import ReceivedField
 from codegen.model.spec.driver import OutputSpec
 from codegen.model.spec.population import Rounding
 from codegen.model.system import System
@@ -21,8 +22,9 @@ from codegen.source import Place
 
 RULE = Rule(
     "coarse-quantity",
-    "A quantity is kept in whole units, since the table says no other 'stored' unit, and a field carries finer steps: "
-    "what lies between is rounded away. Write 'stored' to say how finely it is kept, even where whole units are meant. "
+    "A quantity is kept in whole units, since the table says no other 'stored' unit, and a field carries finer steps, "
+    "or is received in steps between them: what lies between is rounded away. Write 'stored' to say how finely it is "
+    "kept, even where whole units are meant. "
     "A quantity that goes out in float fields alone, and that nothing compares, is kept as a float. What a class of "
     "the project's gives (driver user) is no float: it is rounded to whole units of its output in board.yaml before it "
     "is kept, so that 'stored' has to stand there.",
@@ -44,6 +46,9 @@ def check(system: System) -> Iterator[Diagnostic]:
     for message in system.messages:
         for answer in message.answers:
             yield from _in_field(answer, message.name, system)
+    for table in system.receptions:
+        for taken in table.fields:
+            yield from _of_received(taken, table.wire.name)
     ends = unrounded(system)
     for component in system.components.values():
         for quantity in component.quantities.values():
@@ -54,6 +59,13 @@ def check(system: System) -> Iterator[Diagnostic]:
             for given in _in_whole_units(basis.quantity, system):
                 for counted in basis.sums:
                     yield _rounded(given, f"{counted.path} is summed up of it", counted.spec.place, "here")
+
+
+def _of_received(taken: ReceivedField, message: str) -> Iterator[Diagnostic]:
+    """Yield the field of which each number is rounded to whole units, being so many of them and a part."""
+    if _is_in_whole_units(taken.quantity) and (not taken.field.type.is_integer or taken.factor.denominator != 1):
+        finer = f"{message}.{taken.label} comes as {taken.field.type.name} in {taken.field.unit_text or 'no unit'}"
+        yield _kept_coarsely(taken.quantity, finer, taken.spec.place, f"{taken.label} sets it here")
 
 
 def _of_one_step(quantity: Quantity, ends: Reach | None) -> Iterator[Diagnostic]:
@@ -93,11 +105,8 @@ def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnost
     place, units, takes = covers.written.place, covers.field.definition.units, f"{covers.label} takes it here"
     finer = f"{message}.{covers.label} is a {covers.field.type.name}{f' in {units}' if units else ''}"
     for quantity in answer.carried:
-        if _is_coarse(answer, quantity):
-            whole = f"whole {quantity.stored.name}" if quantity.stored.name else "whole numbers"
-            hint = f"stored: {quantity.unit.name}, if whole units are meant" if quantity.unit.name else None
-            text = f"{quantity.path} is kept in {whole}, and {finer}"
-            yield Diagnostic(quantity.spec.place, RULE, text, hint, ((place, takes),))
+        if _is_in_whole_units(quantity) and _carries_finer(answer, Fraction(1)):
+            yield _kept_coarsely(quantity, finer, place, takes)
         for given in _in_whole_units(quantity, system):
             if _carries_finer(answer, given[2]):
                 steps = (
@@ -126,12 +135,21 @@ def _estimated(component: Component) -> Iterator[Diagnostic]:
             )
 
 
-def _is_coarse(answer: Answer, quantity: Quantity) -> bool:
+def _kept_coarsely(quantity: Quantity, finer: str, place: Place, use: str) -> Diagnostic:
+    """Return the finding that a quantity is kept more coarsely than a field has it, which uses it at a place."""
+    whole = f"whole {quantity.stored.name}" if quantity.stored.name else "whole numbers"
+    hint = f"stored: {quantity.unit.name}, if whole units are meant" if quantity.unit.name else None
+    return Diagnostic(
+        quantity.spec.place, RULE, f"{quantity.path} is kept in {whole}, and {finer}", hint, ((place, use),)
+    )
+
+
+def _is_in_whole_units(quantity: Quantity) -> bool:
+    """Return whether it is kept in whole units that no table has asked for."""
     if quantity.kind is not QuantityKind.NUMBER or quantity.spec.stored is not None or quantity.storage.is_float:
         return False
-    if quantity.derivation is not None and quantity.derivation.gives:
-        return False  # a sensor gives these steps: nothing lies between them, or its output is in whole units
-    return _carries_finer(answer, Fraction(1))
+    # a sensor gives these steps: nothing lies between them, or its output is in whole units
+    return not (quantity.derivation is not None and quantity.derivation.gives)
 
 
 def _carries_finer(answer: Answer, step: Fraction) -> bool:

@@ -1,17 +1,15 @@
 """Rule for failsafes that are up at every value, or that no value ends."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from fractions import Fraction
 from functools import partial
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.frozen import dataclass
 from codegen.model.failsafe import Condition, Failsafe, Sense
 from codegen.model.quantities.attainable import attainable
+from codegen.model.quantities.holding import Bounds, Held, by_default, in_units, mildest, place_of
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity
-from codegen.source import Place
 
 RULE = Rule(
     "no-good-value",
@@ -33,37 +31,13 @@ BY_DEFAULT = Rule(
 _ALWAYS_UP, _UNARMED, _NEVER_OVER = "is always up", "never lets the vehicle be armed", "is never over"
 Limits = Callable[[Condition], int | None]
 """The threshold of a condition in stored units, None for one that is switched off."""
-Held = tuple[int, Condition]
-"""A condition, with the threshold up to which, or from which on, it holds."""
-
-
-@dataclass(frozen=True, slots=True)
-class Bounds:
-    """The conditions on a quantity that decide: what is below one of them or above the other is bad."""
-
-    ends: Reach
-    is_doubted: bool
-    below: Held | None
-    above: Held | None
-
-    @property
-    def everywhere(self) -> tuple[Held, ...]:
-        """The conditions that hold everywhere: one that does so alone, or both, or none."""
-        (low, high), below, above = self.ends, self.below, self.above
-        if low > high:
-            return ()  # nothing is believed: another rule says so
-        if below and below[0] > high:
-            return (below,)
-        if above and above[0] < low:
-            return (above,)
-        return (below, above) if below and above and below[0] > above[0] else ()
 
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every failsafe: its levels, what has to be better before each is over, and what is looked at for arming."""
     found = attainable(system)
     for failsafe in system.program.failsafes if system.program else ():
-        for rule, limits in ((RULE, _mildest), (BY_DEFAULT, _by_default)):
+        for rule, limits in ((RULE, mildest), (BY_DEFAULT, by_default)):
             told = list(_of_failsafe(failsafe, found, rule, limits))
             yield from told
             if told:
@@ -91,18 +65,6 @@ def _ended(condition: Condition, limits: Limits, up: tuple[Condition, ...]) -> i
     if limit is None or not any(condition is each for each in up):
         return limit
     return limit + condition.hysteresis * (1 if condition.sense is Sense.BELOW else -1)
-
-
-def _mildest(condition: Condition) -> int | None:
-    """Return the threshold at which it holds at the fewest values."""
-    if condition.limit is None:
-        return None
-    least, most = condition.limit.ends
-    return least if condition.sense is Sense.BELOW else most
-
-
-def _by_default(condition: Condition) -> int | None:
-    return condition.limit.by_default if condition.limit else None
 
 
 def _held(
@@ -133,18 +95,18 @@ def _held(
 def _told(rule: Rule, who: str, what: str, quantity: Quantity, bounds: Bounds) -> Diagnostic:
     held, unit = bounds.everywhere, quantity.unit.name
     words = " or ".join(_words(limit, condition, quantity, is_up=what == _NEVER_OVER) for limit, condition in held)
-    low, high = (_number(end, quantity) for end in bounds.ends)
+    low, high = (in_units(end, quantity) for end in bounds.ends)
     reach = f"{'what is believed of it' if bounds.is_doubted else 'it'} goes from {low} to {high} {unit}".rstrip()
     message = f"{who} {what}: {quantity.path} is always {words}, as {reach}"
-    last = max((condition for _, condition in held), key=lambda each: _place(each).line or 0)
-    others = [(_place(each), f"{each.words} is here") for _, each in held if each is not last]
+    last = max((condition for _, condition in held), key=lambda each: place_of(each).line or 0)
+    others = [(place_of(each), f"{each.words} is here") for _, each in held if each is not last]
     hint = "leave values between what is too little and what is too much, with the hysteresis"
     if len(held) == 1:
         most = f"at most {high}" if last.sense is Sense.BELOW else f"at least {low}"
         slack = "and the hysteresis " if last.hysteresis and what == _NEVER_OVER else ""
         hint = f"take a threshold {slack}of {most} {unit}".rstrip()
     declared = (quantity.spec.place, f"{quantity.path} is declared here")
-    return Diagnostic(_place(last), rule, message, hint, (*others, declared))
+    return Diagnostic(place_of(last), rule, message, hint, (*others, declared))
 
 
 def _words(limit: int, condition: Condition, quantity: Quantity, *, is_up: bool) -> str:
@@ -152,15 +114,7 @@ def _words(limit: int, condition: Condition, quantity: Quantity, *, is_up: bool)
     unit = quantity.unit.name
     why = [condition.limit.words] if condition.limit and condition.limit.parameter else []
     if is_up and condition.hysteresis:
-        slack = f"with a hysteresis of {_number(condition.hysteresis, quantity)} {unit}".rstrip()
+        slack = f"with a hysteresis of {in_units(condition.hysteresis, quantity)} {unit}".rstrip()
         why = [condition.spec.below or condition.spec.above or "", slack]
-    at = f"{condition.sense.value} {_number(limit, quantity)} {unit}".rstrip()
+    at = f"{condition.sense.value} {in_units(limit, quantity)} {unit}".rstrip()
     return f"{at} ({' '.join(why)})" if why else at
-
-
-def _number(steps: int | Fraction, quantity: Quantity) -> str:
-    return f"{float(steps / quantity.steps):.7g}"
-
-
-def _place(condition: Condition) -> Place:
-    return condition.spec.at(condition.sense.value)

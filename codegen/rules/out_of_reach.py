@@ -6,6 +6,7 @@ from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.failsafe import Condition, Failsafe, Sense
 from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
 from codegen.model.quantities.attainable import attainable
+from codegen.model.quantities.holding import easiest, in_units, is_reached, place_of
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
 from codegen.model.units.unit import decimal
@@ -62,21 +63,20 @@ def _of_condition(
         if condition.sense is Sense.UNKNOWN and _is_kept(quantity, system):
             message = f"{quantity.path} is never unknown: the program keeps it from the start on"
             yield Diagnostic(
-                _place(condition), KNOWN_FOR_EVER, message, f"leave {failsafe.name} out", _declared(quantity)
+                place_of(condition), KNOWN_FOR_EVER, message, f"leave {failsafe.name} out", _declared(quantity)
             )
         elif condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
             message = f"{quantity.path} is never unknown again once a message has set it"
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
-            yield Diagnostic(_place(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
+            yield Diagnostic(place_of(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
         return
-    least, most = limit.ends
-    written = _written(condition)
+    widest, written = easiest(condition), _written(condition)
     is_below = condition.sense is Sense.BELOW
-    if not _is_reached(most if is_below else least, found[quantity.path], is_below=is_below):
-        yield _found(RULE, _place(condition), quantity, found[quantity.path], written, is_below=is_below)
-    elif limit.by_default is not None and not _is_reached(limit.by_default, found[quantity.path], is_below=is_below):
+    if widest is not None and not is_reached(widest, found[quantity.path], is_below=is_below):
+        yield _found(RULE, place_of(condition), quantity, found[quantity.path], written, is_below=is_below)
+    elif limit.by_default is not None and not is_reached(limit.by_default, found[quantity.path], is_below=is_below):
         words = limit.default_words
-        yield _found(BY_DEFAULT, _place(condition), quantity, found[quantity.path], words, is_below=is_below)
+        yield _found(BY_DEFAULT, place_of(condition), quantity, found[quantity.path], words, is_below=is_below)
 
 
 def _of_belief(failsafe: Failsafe, condition: Condition, found: Mapping[str, Reach]) -> Iterator[Diagnostic]:
@@ -91,7 +91,7 @@ def _of_belief(failsafe: Failsafe, condition: Condition, found: Mapping[str, Rea
         message = f"{quantity.path} below {written} never holds: {unknown}"
         doubted = failsafe.spec.at("believed_above"), "what is believed is said here"
         hint = "leave out believed_above, or give it an amount that only a broken sensor tells, below the threshold"
-        yield Diagnostic(_place(condition), RULE, message, hint, (doubted, *_declared(quantity)))
+        yield Diagnostic(place_of(condition), RULE, message, hint, (doubted, *_declared(quantity)))
 
 
 def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator[Diagnostic]:
@@ -100,14 +100,9 @@ def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator
     for limits, is_below in ((derivation.own_limits, derivation.is_true_below), (derivation.own_floors, False)):
         # At least is as good as above the number before.
         wanted = max(limits, default=None) if is_below else min(limits, default=None)
-        if wanted is not None and not _is_reached(wanted if is_below else wanted - 1, ends, is_below=is_below):
+        if wanted is not None and not is_reached(wanted if is_below else wanted - 1, ends, is_below=is_below):
             words = f"{decimal(wanted / steps)} {unit}".rstrip()
             yield _found(RULE, place, followed, ends, words, is_below=is_below)
-
-
-def _is_reached(threshold: int, ends: Reach, *, is_below: bool) -> bool:
-    low, high = ends
-    return low < threshold if is_below else high > threshold
 
 
 def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
@@ -135,7 +130,7 @@ def _is_kept(quantity: Quantity, system: System) -> bool:
 
 
 def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str, *, is_below: bool) -> Diagnostic:
-    low, high = (f"{float(end / quantity.steps):.7g}" for end in ends)
+    low, high = (in_units(end, quantity) for end in ends)
     side = f"below {words}" if is_below else f"above {words}"
     message = f"{quantity.path} is never {side}: it goes from {low} to {high} {quantity.unit.name}".rstrip()
     hint = f"take a threshold {'above ' + low if is_below else 'below ' + high}, or widen where it comes from"
@@ -144,10 +139,6 @@ def _found(rule: Rule, place: Place, quantity: Quantity, ends: Reach, words: str
 
 def _written(condition: Condition) -> str:
     return condition.spec.below or condition.spec.above or ""
-
-
-def _place(condition: Condition) -> Place:
-    return condition.spec.at(condition.sense.value)
 
 
 def _declared(quantity: Quantity) -> tuple[tuple[Place, str], ...]:

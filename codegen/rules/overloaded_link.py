@@ -9,9 +9,9 @@ from codegen.model.system import System
 RULE = Rule(
     "overloaded-link",
     "At the default rates more bytes may be streamed than a serial link carries: a tenth of its baud rate each second, "
-    "of which a signature takes 13 of each frame. What has no room is left out, and what goes out less often than its "
-    "stream says is nowhere told. Lower default rates, or raise the baud rate; the page about bandwidth has the share "
-    "of each message.",
+    "of which a signature takes 13 of each frame. What has no room is left out, of what is due at once the last "
+    "streams of streams.yaml first, and what goes out less often than its stream says is nowhere told. Lower default "
+    "rates, or raise the baud rate; the page about bandwidth has the share of each message.",
     Severity.WARNING,
 )
 _USUAL = (9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600)

@@ -94,7 +94,8 @@ MAY_IMPORT: dict[str, set[str]] = {
 KNOW_KINDS = {
     "resolve.population.population": {"answers", "answers.kind", "answers.pages", "answers.scope"},
     "resolve.scope": {"answers.scope"},
-    "resolve.receptions.taken_field": {"answers.fitting", "answers.halves", "answers.limits"},
+    "resolve.receptions.taken_field": {"answers.fitting"},
+    "resolve.receptions.taken_range": {"answers.halves", "answers.limits"},
 }
 """The imports from ``answers`` outside of it: the stages ask ``model.answer.Answer`` and know no kind."""
 

@@ -96,6 +96,15 @@ CASES = [
     ("scenario-send", PACK + "    events: [{at: 1 s, send: HEARTBEAT, fields: {system_status: §MAV_STATE_ACTIV}}]\n", "did you mean MAV_STATE_ACTIVE"),
     ("scenario-send", PACK + "    events: [{at: 1 s, send: PARAM_REQUEST_READ, fields: {param_id: §ABCDEFGHIJKLMNOPQ}}]\n", "more than the 16 bytes"),
     ("unit-mismatch", PACK + "    events: [{at: 1 s, send: BATTERY_STATUS, fields: {temperature: §2 V}}]\n", "2 V"),
+    # digits of other scripts, and numbers that no float has
+    ("scenario-course", "    courses: {§\"battery[\u0661].voltage\": {value: 12 V}}\n", "write component.quantity"),
+    ("scenario-points", PACK + "    expect: [{state: vehicle.mode, is: §\u0663}]\n", "is a number without a unit"),
+    ("scenario-points", PACK + "    expect: [{state: vehicle.mode, is: §1e400}]\n", "is a number without a unit"),
+    ("scenario-points", PACK + "    expect: [{state: vehicle.mode, is: §1e999999999}]\n", "is a number without a unit"),
+    ("scenario-send", PACK + "    events: [{at: 1 s, send: HEARTBEAT, fields: {system_status: §\u0663}}]\n", "has no entry"),
+    ("bad-amount", PACK + "    events: [{at: 1 s, send: HEARTBEAT, fields: {custom_mode: §\u0663}}]\n", ""),
+    ("scenario-send", PACK + "    events: [{at: 1 s, send: BATTERY_STATUS, fields: {\"voltages[\u0661]\": §1}}]\n", "has no field"),
+    ("scenario-send", PACK + "    events: [{at: 1 s, send: ATTITUDE, fields: {roll: §1e39}}]\n", "up to 3.402823e+38"),
 ]  # fmt: skip
 
 # What is at its limit, and a part of what comes of it.

@@ -724,6 +724,14 @@ CASES = [
         "use it in 'flags'",
     ),
     Case("wrong-type", "streams.yaml", "rate: 1 Hz", "rate: §1_0 Hz", "a number with its unit"),
+    Case(
+        "bad-time",
+        "state.yaml",
+        "update_rate: 10 Hz",
+        "update_rate: §60 Hz",
+        "62.5 Hz is once in 16 ms",
+        is_alone=False,
+    ),
 ]
 
 ESTIMATE = "state.yaml:80:16"

@@ -180,7 +180,9 @@ def test_wifi_file_is_copied_when_it_is_named(board: Board, run: Any, tmp_path: 
         ({"version": [1, 19, 1], "_mpy": 6 | 2 << 10}, "other-architecture", "bytecode is copied", 0),
         ({"version": [1, 18, 0], "_mpy": 5}, "board-too-old", "MicroPython 1.18.0 reads .mpy 5.0, mpy-cross", 1),
         ({"_mpy": 6 | 3 << 8 | 31 << 10}, "other-architecture", "(number 31, .mpy 6.3): bytecode is copied", 0),
-        ({"_machine": "Raspberry Pi Pico with RP2040"}, "other-board", "names Raspberry Pi Pico 2 W (RP2350)", 0),
+        ({"_machine": "Raspberry Pi Pico with RP2040"}, "other-chip", "names Raspberry Pi Pico 2 W (RP2350)", 1),
+        ({"_machine": "Raspberry Pi Pico 2 with RP2350"}, "other-board", "names Raspberry Pi Pico 2 W (RP2350)", 0),
+        ({"_machine": "of somebody"}, "other-board", "names Raspberry Pi Pico 2 W (RP2350)", 0),
     ],
 )
 def test_other_boards(
@@ -193,6 +195,18 @@ def test_other_boards(
     assert words in said
     if rule == "other-architecture":
         assert "remove telemetry_viper.mpy: it belongs no more" in said
+
+
+def test_a_board_with_another_chip_is_left_alone(deployed: tuple[Path, str], tmp_path: Path, run: Any) -> None:
+    """Its pins are others: nothing is copied, unless somebody says so."""
+    told = {**PICO, "_machine": "Raspberry Pi Pico with RP2040"}
+    with powered(Path(shutil.copy(deployed[0], tmp_path / "flash")), told=told) as other:
+        exit_code, said = run("--port", other.port)
+        assert (exit_code, "error other-chip: the board is" in said) == (1, True)
+        assert "files copied" not in said
+        assert "up to date" not in said
+        exit_code, said = run("--port", other.port, "--dry-run", "--force")
+        assert (exit_code, "warning other-board: the board is" in said) == (0, True)
 
 
 @pytest.mark.parametrize(("heap", "code"), [(40_000, 1), (400_000, 0)])

@@ -1,12 +1,13 @@
 """Whether a board is the one that board.yaml names, by what MicroPythons say of themselves."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import yaml
 
 from codegen.commands.deploy import shipped_boards
-from codegen.deploy.machine import is_other_board
+from codegen.deploy.machine import is_other_board, is_other_chip
 from codegen.model.board_model import BoardModelSpec
 
 BOARDS = Path(__file__).resolve().parents[2] / "codegen" / "boards"
@@ -118,3 +119,18 @@ def test_boards_that_a_project_describes(mcu: str, wifi: bool, said: str, is_oth
         **{name: value for name, value in keys.items() if name not in ("place", "places", "unread")},
     )
     assert is_other_board(own, said, shipped_boards()) == is_other
+
+
+@pytest.mark.parametrize(
+    ("mcu", "machine", "is_other"),
+    [
+        ("RP2350", "Raspberry Pi Pico with RP2040", True),
+        ("RP2350", "Raspberry Pi Pico 2 with RP2350", False),
+        ("ESP32", "LOLIN_S3 with ESP32-S3-WROOM-1", True),
+        ("RP2350", "linux [GCC 14.2.1] version", False),
+        ("none", "Raspberry Pi Pico with RP2040", False),
+    ],
+)
+def test_another_chip_is_one_that_both_name(mcu: str, machine: str, is_other: bool) -> None:
+    """A MicroPython that names none, and a board file without one, contradict nothing."""
+    assert is_other_chip(replace(model_of("pico"), mcu=mcu), machine) is is_other

@@ -17,6 +17,7 @@ XML = """<mavlink>
 <enums>
 <enum name="STATE"><entry name="STATE_A" value="1"/><entry name="STATE_B" value="2"/></enum>
 <enum name="FLAGS" bitmask="true"><entry name="FLAG_A" value="1"/></enum>
+<enum name="MAV_CMD"><entry name="DO" value="9"><param index="1" minValue="1">p</param></entry></enum>
 </enums>
 <messages>
 <message id="1" name="M">
@@ -24,9 +25,13 @@ XML = """<mavlink>
 <field type="uint8_t[3]" name="cells"/>
 <field type="uint8_t" name="flags" enum="FLAGS"/>
 <field type="uint8_t" name="state" instance="true" display="bitmask"/>
+<field type="char[4]" name="name"/>
 </message>
 </messages>
 </mavlink>"""
+
+
+PARAM: dict[str, object] = {"enum": "MAV_CMD", "entry": "DO", "param": "1"}
 
 
 def correction(**keys: object) -> Correction:
@@ -202,6 +207,26 @@ def test_corrections_are_applied_in_their_order(read: Read) -> None:
         ({"enum": "STATE", "entry": "STATE_A", "set": {"name": "X"}}, "correction-attribute", "value"),
         ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "-1"}}, "correction-value", ""),
         ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "2"}}, "correction-value", ""),
+        ({"enum": "FLAGS", "entry": "FLAG_A", "set": {"value": "256"}}, "correction-value", "a number up to 255"),
+        (PARAM | {"set": {"minValue": "5", "maxValue": "3"}}, "correction-value", "swap them"),
+        (PARAM | {"set": {"maxValue": "0"}}, "correction-value", "swap them"),
+        (PARAM | {"set": {"increment": "0"}}, "correction-value", "above 0"),
+        (PARAM | {"set": {"increment": "-1"}}, "correction-value", "above 0"),
+        ({"message": "M", "field": "volts", "set": {"minValue": "50", "maxValue": "3"}}, "field-number", "minValue"),
+        ({"message": "M", "field": "volts", "set": {"minValue": "10"}}, "field-number", "minValue"),
+        ({"message": "M", "field": "volts", "set": {"maxValue": "0.5"}}, "field-number", "minValue"),
+        ({"message": "M", "field": "volts", "set": {"multiplier": "0"}}, "field-number", "above 0"),
+        ({"message": "M", "field": "volts", "set": {"multiplier": "-1"}}, "field-number", "above 0"),
+        ({"message": "M", "field": "volts", "set": {"multiplier": "abc"}}, "field-number", "above 0"),
+        ({"message": "M", "field": "volts", "set": {"increment": "abc"}}, "field-number", "a decimal number"),
+        ({"message": "M", "field": "volts", "set": {"default": "abc"}}, "field-number", "a number, or NaN"),
+        ({"message": "M", "field": "flags", "set": {"minValue": "300"}}, "field-number", "from 0 to 255"),
+        ({"message": "M", "field": "flags", "set": {"maxValue": "-1"}}, "field-number", "from 0 to 255"),
+        ({"message": "M", "field": "flags", "set": {"minValue": "1.2", "maxValue": "1.8"}}, "field-number", "whole"),
+        ({"message": "M", "field": "volts", "set": {"unknown": "5-3"}}, "special-value", "UINT16_MAX"),
+        ({"message": "M", "field": "volts", "set": {"unchanged": "1, 1.5"}}, "special-value", "whole numbers"),
+        ({"message": "M", "field": "flags", "set": {"unknown": "256"}}, "special-value", "from 0 to 255"),
+        ({"message": "M", "field": "name", "set": {"unknown": "0"}}, "special-value", "leave it out"),
         ({"set": {"units": "mV"}}, "correction-target", ""),
         ({"message": "M", "set": {"units": "mV"}}, "correction-attribute", "description"),
         ({"message": "M", "set": {"id": "2"}}, "correction-attribute", "receivers know"),
@@ -259,3 +284,25 @@ def test_findings_point_at_the_key_where_its_place_is_known(read: Read) -> None:
         ("correction-unknown", 13),
         ("correction-attribute", 14),
     ]
+
+
+def test_a_parameter_keeps_what_a_refused_correction_would_have_set(read: Read) -> None:
+    """Neither its attributes change, nor what is said to be corrected."""
+    result = read(XML, corrections=(correction(**PARAM, set={"minValue": "5", "maxValue": "3"}),))
+    (parameter,) = result.dialect.enums["MAV_CMD"].entries[0].parameters
+    assert (
+        dict(parameter.attributes) == {"index": "1", "minValue": "1"} or dict(parameter.attributes)["minValue"] == "1"
+    )
+    assert result.dialect.corrections == ()
+
+
+def test_an_entry_is_carried_where_one_field_carries_it(read: Read) -> None:
+    """By a wider one, by a float, or by the parameter of a command; an enum without fields is not looked at."""
+    value = correction(enum="FLAGS", entry="FLAG_A", set={"value": "256"})
+    flags = '<field type="uint8_t" name="flags" enum="FLAGS"/>'
+    wider = XML.replace(flags, flags + '<field type="uint16_t" name="wide" enum="FLAGS"/>')
+    real = XML.replace(flags, flags + '<field type="float" name="wide" enum="FLAGS"/>')
+    parameter = XML.replace('index="1" ', 'index="1" enum="FLAGS" ')
+    for xml in (wider, real, parameter, XML.replace(flags, "")):
+        assert read(xml, corrections=(value,)).found == []
+    assert read(XML, corrections=(value,)).found == ["12:5 correction-value"]

@@ -12,7 +12,7 @@ XML = '<mavlink><messages><message id="9" name="M"><field type="uint8_t" name="a
     "attribute",
     [
         *('multiplier="0"', 'multiplier="-1"', 'multiplier="x"', 'minValue="low"', 'maxValue="1/0"'),
-        *('increment="?"', 'default="none"', 'default="2**65"'),
+        *('increment="?"', 'default="none"', 'default="2**65"', 'minValue="300"', 'maxValue="-1"'),
     ],
 )
 def test_an_attribute_that_is_no_number_is_an_error_at_the_field(attribute: str, read: Callable) -> None:

@@ -14,7 +14,7 @@ from codegen.load.files import DISK
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.model.dialect.dialect import Dialect, KnownMessage
 from codegen.model.system import System
-from codegen.rules import overlay_flag, overlay_id, overlay_text
+from codegen.rules import overlay_entry, overlay_flag, overlay_id, overlay_text
 from codegen.source import Place
 
 Read = Callable[..., SimpleNamespace]
@@ -124,3 +124,25 @@ def test_a_file_of_the_dialect_is_no_other_dialect() -> None:
     files = decode_dialect_files(path, DISK, Report())
     assert taken_elsewhere(files[-1].messages, [file.path for file in files], (), DISK) == ()
     assert taken_elsewhere((), (), [KnownMessage(1, "A", Place("/x"))], DISK) == ()
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "enum", "hints"),
+    [
+        ("300", "uint8_t", "E", ["take a number up to 255"]),
+        ("255", "uint8_t", "E", []),
+        ("300", "uint16_t", "E", []),
+        ("300", "float", "E", []),
+        ("300", "uint8_t", "OTHER", []),
+    ],
+)
+def test_an_entry_that_no_field_carries(value: str, kind: str, enum: str, hints: list[str], read_overlay: Read) -> None:
+    """It is found where an overlay adds it: entry-beyond-fields."""
+    base = f"""<mavlink><enums><enum name="E"><entry name="E_A" value="1"/></enum>
+    <enum name="OTHER"><entry name="O_A" value="1"/></enum></enums>
+    <messages><message id="9" name="M"><field type="{kind}" name="f" enum="{enum}"/></message></messages></mavlink>"""
+    overlay = f'<mavlink><enums><enum name="E"><entry name="E_B" value="{value}"/></enum></enums></mavlink>'
+    dialect = read_overlay(base, overlay).dialect
+    found = list(overlay_entry.check(system(dialect)))
+    assert [one.hint for one in found] == hints
+    assert {one.rule.id for one in found} <= {"entry-beyond-fields"}

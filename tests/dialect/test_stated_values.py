@@ -41,6 +41,7 @@ PLAIN = (
     "1 for pressed, 0 for released",
     "0 for all components, 1 to 6 for others",
     "Values: [1-100].",
+    "-100 to 100 //Zooming step value to offset zoom from the current position.",
     "Output value: 1 means maximum positive output, 0 to center servos, -1 for maximum negative",
     "Use UTC where known; ignored by vehicles without GPS.",
     "Bitmap. Value of 0: not present. Value of 1: present.",

@@ -91,6 +91,19 @@ def test_a_broken_scenario_file_is_reported_with_all_its_places(project: Path, r
     ]
 
 
+def test_faults_of_other_scenarios_do_not_stop_the_one_that_is_named(project: Path, run: Any) -> None:
+    """Without a name, and for the one that has them, they do."""
+    good = "    doc: d\n    duration: 1 s\n    courses: {battery.voltage: {value: 12 V}}\n"
+    (project / "own.yaml").write_text(f"scenarios:\n  a:\n{good.replace('12 V', '12 A')}  b:\n{good}")
+    code, out, err = run("own.yaml:b")
+    assert code == 0, out + err
+    assert "b: 1.0 s" in out
+    assert "codegen sim: warning: own.yaml has faults in other scenarios\n" in err
+    for given in ("own.yaml", "own.yaml:a", "own.yaml:c"):
+        code, out, _ = run(given)
+        assert (code, "own.yaml:5:40: error unit-mismatch" in out) == (1, True), given
+
+
 @pytest.mark.parametrize("content", [None, b"\xff\xfe\x00", b"scenarios: [", b"\x00", b"- 1\n"])
 def test_an_unreadable_scenario_file_is_a_finding(project: Path, run: Any, content: bytes | None) -> None:
     if content is not None:

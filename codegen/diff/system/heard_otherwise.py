@@ -8,7 +8,7 @@ from codegen.diff.change import Change, ChangeRule
 from codegen.diff.system import acted_otherwise, commanded_otherwise, kept_otherwise, told_otherwise
 from codegen.diff.system import behaviour_rules as rules
 from codegen.diff.system.carrying import carried_on, fields_by_source, scaling_parameters, told_of_fact
-from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower
+from codegen.diff.system.judged import Sides, breaking, doubtful, is_narrower, table_of
 from codegen.model.price import default_rate
 from codegen.model.reception import ReceivedField
 from codegen.model.spec.receive import Sender as TakenFrom
@@ -31,7 +31,7 @@ def heard_otherwise(changes: Iterable[Change], old: System, new: System) -> Iter
 
 def _schedule(change: Change, sides: Sides) -> Change:
     """A message on another stream, or on none: nothing is heard, or less."""
-    old, new = (_table(side, change.subject) for side in (sides.old, sides.new))
+    old, new = (table_of(side, change.subject) for side in (sides.old, sides.new))
     if old is None or new is None:
         return change
     before, after = default_rate(old), default_rate(new)
@@ -55,10 +55,6 @@ def _told_of_change(change: Change, old: PopulatedMessage, new: PopulatedMessage
     if not is_sent and new.on_change is None:
         return breaking(change, f"who does not ask for it hears of no change of {path}")
     return doubtful(change, f"whether it is heard soon enough that {path} has changed")
-
-
-def _table(system: System, name: str) -> PopulatedMessage | None:
-    return next((message for message in system.messages if message.name == name), None)
 
 
 def _stream_rate(change: Change, sides: Sides) -> Change:

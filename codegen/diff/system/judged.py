@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diff.change import Change, Notice, Victim
 from codegen.frozen import dataclass
-from codegen.model.system import System
+from codegen.model.system import PopulatedMessage, System
 
 Range = tuple[Fraction | int | None, Fraction | int | None]
 """The smallest and the largest value, in one unit."""
@@ -21,6 +21,11 @@ class Sides:
     old: System
     new: System
     fields: Mapping[str, tuple[str, ...]]
+
+
+def table_of(system: System, name: str) -> PopulatedMessage | None:
+    """Return the table of a message that is sent, by its name; None where a version has none."""
+    return next((message for message in system.messages if message.name == name), None)
 
 
 def breaking(change: Change, effect: str) -> Change:

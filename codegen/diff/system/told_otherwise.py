@@ -3,14 +3,14 @@
 from dataclasses import replace
 
 from codegen.diff.change import Change, Notice
-from codegen.diff.system.judged import Sides, breaking, doubtful
-from codegen.model.system import PopulatedMessage, System
+from codegen.diff.system.judged import Sides, breaking, doubtful, table_of
+from codegen.model.system import PopulatedMessage
 from codegen.model.units.unit import decimal
 
 
 def instances(change: Change, sides: Sides) -> Change:
     """A message that is no longer sent for each instance, or begins to be, or for those of something else."""
-    old, new = (_table(side, change.subject) for side in (sides.old, sides.new))
+    old, new = (table_of(side, change.subject) for side in (sides.old, sides.new))
     if old is None or new is None or old.component is new.component:
         return change
     if old.component is None:
@@ -22,10 +22,6 @@ def instances(change: Change, sides: Sides) -> Change:
         what = f"the same numbers stand for {new.component.name} and no longer for {old.component.name}"
         return doubtful(change, f"whether {what}")
     return change
-
-
-def _table(system: System, name: str) -> PopulatedMessage | None:
-    return next((message for message in system.messages if message.name == name), None)
 
 
 def _several(message: PopulatedMessage) -> bool:

@@ -21,7 +21,7 @@ _HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
 _BINARY = re.compile(r"0[bB][01]{1,64}")
 _POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
 _ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
-_EXACT = re.compile(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?")
+_EXACT = re.compile(r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?")
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 

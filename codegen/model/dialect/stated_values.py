@@ -44,7 +44,7 @@ _LIMIT = r"U?INT(?:8|16|32|64)_M(?:AX|IN)(?: ?- ?\d{1,3})?"
 _NUMBER = rf"(?:-?\d{{1,10}}(?:\.\d{{1,6}})?|{_LIMIT}|zero)"
 _APART = r"(?<![\w.,+/*^\[<>-])"
 _END = r"(?![\w%°/^*\]])(?!\.\d)"
-_MEANS = r"(?:is|are)(?= ignored)|means?|indicates?|implies|signifies|denotes|if|for|when|to"
+_MEANS = r"(?:is|are)(?= ignored)|means?|indicates?|implies|signifies|denotes|if|for|when|to(?! ?-?\d)"
 _LINK = rf"\)? ?[:=]|\)?,? (?:or NaN )?(?:{_MEANS})\b"
 _AHEAD = (
     rf"{_APART}(?P<text>{_NUMBER}){_END}(?: or (?P<other>{_NUMBER}){_END})?(?P<link>{_LINK}) ?"

@@ -157,7 +157,10 @@ class ParametersSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StreamSpec(Written):
-    """A group of messages that are sent at one rate: a fixed one, or one that a parameter sets."""
+    """A group of messages that are sent at one rate: a fixed one, or one that a parameter sets.
+
+    Of what is due at once streams that are written first go first, and messages with smaller numbers.
+    """
 
     doc: str = described("What the stream is for, for people.")
     rate: Amount | None = described("Fixed rate, such as 1 Hz.", default=None)

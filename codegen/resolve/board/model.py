@@ -38,7 +38,7 @@ BAD_BOARD = Rule(
     "machine.reset_cause().",
     remedy="write Python as the board's MicroPython runs it",
 )
-_RUN = pattern(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
+_RUN = pattern(r"([0-9]{1,9})(?:\.\.([0-9]{1,9}))?")
 
 
 def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardModel | None:

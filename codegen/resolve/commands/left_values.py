@@ -8,7 +8,7 @@ from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.spec.command import CommandParamSpec
 from codegen.model.units.unit import decimal
 from codegen.resolve.dialect.sentinel import Problem, number_on_wire
-from codegen.resolve.receptions.special_values import SPECIAL_VALUE
+from codegen.resolve.dialect.special_numbers import SPECIAL_VALUE
 
 
 def left_values(label: str, spec: CommandParamSpec, report: Report) -> tuple[tuple[Fraction, ...], bool]:

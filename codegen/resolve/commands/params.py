@@ -10,6 +10,7 @@ from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH, find_unit
 from codegen.model.command import WHOLE_IN_INT, Axis, CommandParam
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
+from codegen.model.dialect.literals import exact_number
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
 from codegen.model.spec.described import Nothing
 from codegen.model.units.affine import AffineMap
@@ -92,10 +93,7 @@ def _stated(entry: EnumEntry, key: str) -> _Stated:
 
 def _number(text: str | None) -> Fraction | None:
     """A number as the dialect writes it; None where it writes none that can be read."""
-    try:
-        return None if text is None else Fraction(text.strip())
-    except (ValueError, ZeroDivisionError):
-        return None
+    return None if text is None else exact_number(text)
 
 
 def _param(

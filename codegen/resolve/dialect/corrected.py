@@ -43,7 +43,8 @@ CORRECTION_VALUE = Rule(
     "correction-value",
     "The attribute cannot have this value: an id is a number of 24 bits, a type one of the wire's, instance is true or "
     "false, display is bitmask or empty, wip is empty, an enum is one of the dialect, an entry's value is a number "
-    "that no other entry has.",
+    "that no other entry has and that a field with the enum carries; minValue of a parameter is not above its "
+    "maxValue, and its increment is above 0.",
     remedy="write an enum that the dialect has, or add it with an overlay",
 )
 OBSOLETE_CORRECTION = Rule(
@@ -58,7 +59,7 @@ OBSOLETE_CORRECTION = Rule(
 class Corrected:
     """Definitions while corrections are applied to them, and after that.
 
-    ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated;
+    ``added`` names the messages of overlays; ``places``: by message and field, where new attributes of it are stated;
     ``of_attributes``: what the corrections changed in messages, fields, entries and parameters of commands;
     ``moving``: the enums and entries that corrections give another value which has not been applied yet.
     """
@@ -66,7 +67,7 @@ class Corrected:
     messages: dict[str, MessageDefinition]
     enums: dict[str, EnumDefinition]
     added: Set[str]
-    sentinel_places: dict[tuple[str, str], Place] = field(default_factory=dict)
+    places: dict[tuple[str, str], dict[str, Place]] = field(default_factory=dict)
     of_attributes: list[AttributeCorrection] = field(default_factory=list)
     moving: set[tuple[str, str]] = field(default_factory=set)
 
@@ -106,8 +107,9 @@ def correct_field(correction: "Correction", result: Corrected, report: Report) -
         before = attribute_text(new, attribute)
         result.of_attributes.append(as_stated(correction, (name, new.name), attribute, written, before))
         new = new._replace(**change)
-        if attribute == "invalid":
-            result.sentinel_places[name, new.name] = correction.place
+        result.places.setdefault((name, new.name), {})[attribute] = (
+            correction.place if attribute == "invalid" else correction.at("set")
+        )
     fields = (*message.fields[:index], new, *message.fields[index + 1 :])
     result.messages[name] = replace(message, fields=fields)
 
@@ -133,8 +135,7 @@ def correct_as_shipped(shipped: AttributeCorrection, result: Corrected) -> None:
     key, read = _READ[shipped.attribute]
     change = {key: read(shipped.text)}
     fields = (each._replace(**change) if each.name == shipped.part else each for each in message.fields)
-    if shipped.attribute == "invalid":
-        result.sentinel_places[shipped.owner, shipped.part] = shipped.place
+    result.places.setdefault((shipped.owner, shipped.part), {})[shipped.attribute] = shipped.place
     result.messages[shipped.owner] = replace(message, fields=tuple(fields))
 
 

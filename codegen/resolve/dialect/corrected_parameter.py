@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, did_you_mean
 from codegen.measure import UNKNOWN_UNIT
-from codegen.model.dialect.dialect import CommandParameter
+from codegen.model.dialect.dialect import AttributeCorrection, CommandParameter
 from codegen.model.dialect.literals import exact_number
 from codegen.model.units.nearest_unit import nearest_unit
-from codegen.model.units.unit import Unit
+from codegen.model.units.unit import Unit, decimal
 from codegen.resolve.dialect.corrected import (
     CORRECTION_ATTRIBUTE,
     CORRECTION_UNKNOWN,
@@ -38,14 +38,17 @@ def correct_parameter(correction: "Correction", result: Corrected, report: Repor
         message = f"{entry.name} has no parameter {correction.param}"
         report.add(CORRECTION_UNKNOWN, correction.at("param"), message, f"it has {known}" if known else None)
         return
-    new = parameter
+    new, stated = parameter, list[AttributeCorrection]()
     for attribute, text in correction.set.items():
         written, before = " ".join(text.split()), _text(new, attribute)
         changed = _corrected(correction, new, attribute, written, result, report)
         if changed is not new:
             target = entry.name, parameter.number
-            result.of_attributes.append(as_stated(correction, target, attribute, written, before or None))
+            stated.append(as_stated(correction, target, attribute, written, before or None))
         new = changed
+    if new is parameter or _is_refused(correction, new, report):
+        return
+    result.of_attributes.extend(stated)
     parameters = tuple(new if each is parameter else each for each in entry.parameters)
     corrected = entry._replace(parameters=parameters)
     entries = tuple(corrected if other is entry else other for other in enum.entries)
@@ -84,6 +87,22 @@ def _corrected(
         more = {attribute: text} if text else {}
         return parameter._replace(attributes=tuple((stated | more).items()))
     return parameter
+
+
+def _is_refused(correction: "Correction", parameter: CommandParameter, report: Report) -> bool:
+    """Return whether numbers that a correction sets leave no value, or no step; a finding then."""
+    stated = {key: exact_number(text) for key, text in parameter.attributes if key in _NUMBERS}
+    low, high, step = (stated.get(key) for key in _NUMBERS)
+    message = ""
+    if low is not None and high is not None and low > high and not correction.set.keys().isdisjoint(_NUMBERS[:2]):
+        message = f"minValue {decimal(low)} is above maxValue {decimal(high)}, so that no value is left"
+        hint = "swap them, or set one of them to ''"
+    elif step is not None and step <= 0 and "increment" in correction.set:
+        message, hint = f"increment cannot be {decimal(step)}", "a step is a number above 0"
+    if message:
+        target = f"{correction.entry} {parameter.number}"
+        report.add(CORRECTION_VALUE, correction.at("set"), f"{target}: {message}", hint)
+    return bool(message)
 
 
 def _text(parameter: CommandParameter, attribute: str) -> str:

@@ -4,9 +4,11 @@ from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule
+from codegen.model.dialect.carried_entries import too_narrow, words
 from codegen.model.dialect.dialect import EnumDefinition, MessageDefinition, Standing
 from codegen.resolve.dialect.corrected import (
     CORRECTION_ATTRIBUTE,
+    CORRECTION_VALUE,
     Corrected,
     correct_as_shipped,
     correct_entry,
@@ -79,6 +81,8 @@ def apply_corrections(
             case _:
                 hint = "write message, message and field or fields, or enum and entry, and param for one of a command"
                 report.add(CORRECTION_TARGET, correction.place, "it is not clear what is to be corrected", hint)
+    for correction in corrections:
+        _check_carried(correction, result, report)
     return result
 
 
@@ -93,6 +97,20 @@ def _check_unique(corrections: "tuple[Correction, ...]", report: Report) -> None
             if first is not correction.place:
                 related = [(first, "the first correction is here")]
                 report.add(CORRECTED_TWICE, correction.place, f"{attribute} is corrected twice", None, related)
+
+
+def _check_carried(correction: "Correction", result: Corrected, report: Report) -> None:
+    """Report the number of an entry that no field carries, once all types are corrected."""
+    enum = result.enums.get(correction.enum or "")
+    entry = enum.entry(correction.entry or "") if enum else None
+    if enum is None or entry is None or correction.param is not None or "value" not in correction.set:
+        return
+    carrier = too_narrow(entry, enum.name, result.messages.values(), result.enums)
+    if carrier is not None:
+        text, hint = words(entry, enum.name, carrier)
+        message, field = carrier
+        related = [(field.place, f"{message.name}.{field.name} is declared here")]
+        report.add(CORRECTION_VALUE, correction.at("set"), f"{entry.name}: {text}", hint, related)
 
 
 def _check_grounds(correction: "Correction", report: Report) -> None:

@@ -8,6 +8,7 @@ from codegen.model.dialect.dialect import EnumDefinition, FieldDefinition, Messa
 from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.resolve.dialect.field_numbers import field_multiplier
 from codegen.resolve.dialect.sentinel import sentinel_of
+from codegen.resolve.dialect.special_numbers import check_special
 from codegen.source import Place
 
 __all__ = ["MAX_PAYLOAD", "PAYLOAD_TOO_LONG", "WIRE_TYPES", "crc_extra", "crc_mcrf4xx", "wire_message", "wire_order"]
@@ -21,6 +22,7 @@ PAYLOAD_TOO_LONG = Rule(
 )
 
 
+_NOWHERE: Mapping[str, Place] = {}
 _REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 """Each byte with its bits in the other order."""
 
@@ -65,13 +67,13 @@ def wire_order(fields: Iterable[FieldDefinition]) -> tuple[list[FieldDefinition]
 def wire_message(
     definition: MessageDefinition,
     enums: Mapping[str, EnumDefinition],
-    sentinel_places: Mapping[tuple[str, str], Place],
+    places: Mapping[tuple[str, str], Mapping[str, Place]],
     report: Report,
 ) -> WireMessage:
     """The message with every field's place in the payload and its sentinel.
 
-    ``sentinel_places`` has, by message and field, the places of sentinels that a correction states. A payload of more
-    than 255 bytes is reported and computed all the same.
+    ``places`` has, by message and field, the places of attributes that corrections state. A payload of more than 255
+    bytes is reported and computed all the same.
     """
     base, extensions = wire_order(definition.fields)
     fields: list[WireField] = []
@@ -80,10 +82,13 @@ def wire_message(
         wire_type = WIRE_TYPES[field.type]
         count = 1 if field.length is None else field.length
         sentinel = None
+        stated = places.get((definition.name, field.name), _NOWHERE)
         if field.invalid:
-            place = sentinel_places.get((definition.name, field.name), field.place)
+            place = stated.get("invalid", field.place)
             sentinel = sentinel_of(field, wire_type, enums.get(field.enum or ""), place, report)
-        multiplier = field_multiplier(field, report)
+        if field.unchanged or field.unknown:
+            check_special(field, wire_type, enums.get(field.enum or ""), stated, report)
+        multiplier = field_multiplier(field, stated, report)
         fields.append(WireField(field, wire_type, offset, count, sentinel, multiplier))
         offset += wire_type.size * count
         if not field.is_extension:

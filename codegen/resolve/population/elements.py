@@ -29,7 +29,7 @@ UNANSWERED_FIELD = Rule(
     "Answer 'unknown' where nothing measures the value, or say 'others: unknown' for all that is not listed.",
 )
 
-_KEY = pattern(r"([A-Za-z_]\w*)(?:\[(\d{1,3})(?:\.\.(\d{1,3}))?\])?")
+_KEY = pattern(r"([A-Za-z_]\w*)(?:\[([0-9]{1,3})(?:\.\.([0-9]{1,3}))?\])?")
 
 
 def answered_elements(

@@ -131,8 +131,8 @@ def _float(around: Surroundings, kind: QuantityKind) -> Storage | None:
 def _stored(around: Surroundings, kind: QuantityKind, unit: Unit) -> Unit | None:
     """The unit of what is kept: the one that is written, or that of the fields, or the quantity's own.
 
-    That of the fields is taken where they all have the same one, and whole numbers of it are no coarser. What a sensor
-    gives is kept in its steps.
+    That of the fields is taken where they all have the same one, and whole numbers of it are no coarser, or lie between
+    whole units, such as steps of 360/255 degrees. What a sensor gives is kept in its steps.
     """
     spec = around.spec
     if spec.stored is not None:
@@ -145,10 +145,22 @@ def _stored(around: Surroundings, kind: QuantityKind, unit: Unit) -> Unit | None
     steps = None if one is None else ratio(unit, one)
     if one is None or steps is None or any(other is None or ratio(other, one) != 1 for other in others):
         return unit
-    if _float(around, kind) is None and (steps < 1 or not all(field.type.is_integer for field in around.carriers)):
+    is_own = steps < 1 and not _is_between_units(around, steps)
+    if _float(around, kind) is None and (is_own or not all(field.type.is_integer for field in around.carriers)):
         return unit
     field = around.carriers[0]
     return one if field.multiplier == 1 else replace(one, name=field.unit_text)
+
+
+def _is_between_units(around: Surroundings, steps: Fraction) -> bool:
+    """Return whether the steps of fields lie between whole units, and what the table states is a number of them.
+
+    Only of what is received: code sets whole units, which these steps would round.
+    """
+    stated = (getattr(around.spec, key) for key in ("min", "max", "initial"))
+    ends = [number * steps for number in stated if isinstance(number, Fraction)]
+    is_between = (1 / steps).denominator != 1 and all(end.denominator == 1 for end in ends)
+    return is_between and bool(around.received)
 
 
 def _is_in(field: WireField, stored: Unit) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from codegen.derivations import clock_component
 from codegen.derivations.surroundings import BAD_QUANTITY, UNKNOWN_QUANTITY, Surroundings
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.measure import read_rate
+from codegen.measure import read_period_ms
 from codegen.model.code.clock import CLOCK
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.quantities.source_kind import Source
@@ -58,8 +58,7 @@ def resolve_components(
         _check_component(name, written, report)
         period = None
         if written.update_rate is not None:
-            rate = read_rate(written.update_rate, written.at("update_rate"), report)
-            period = None if rate is None else round(1000 / rate)
+            period = read_period_ms(written.update_rate, written.at("update_rate"), report)
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
             path = f"{name}.{quantity_name}"

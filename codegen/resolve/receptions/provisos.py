@@ -20,7 +20,7 @@ BAD_PROVISO = Rule(
     "bit 2) or with numbers or entries that these have, of 16 bits at most. What the two ask for has to be possible, "
     "also beside 'where' of the table, and 'otherwise' says what becomes of the quantity where they do not hold.",
 )
-_BIT = pattern(r"bit (\d{1,2})")
+_BIT = pattern(r"bit ([0-9]{1,2})")
 _WIDEST = 2
 """The bytes of a field of which whole numbers are compared; of wider ones flags can be asked for."""
 

@@ -1,37 +1,25 @@
 """One field of a received message: the quantity that it sets, what converts it, and which numbers are taken."""
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 
 from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_unit
-from codegen.answers.halves import float_within
-from codegen.answers.limits import EMPTY_LIMITS, LIMIT_BEYOND_FIELD, Bounds, dialect_bounds
 from codegen.derivations.surroundings import SET_TWICE
-from codegen.diagnostics import Report, Rule
-from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle, read_number
-from codegen.model.answers.scaling import Scaling, rounded
-from codegen.model.code.storage import SMALL_INT_MAX, Storage
+from codegen.diagnostics import Report
+from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
+from codegen.model.code.storage import Storage
 from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.reception import ReceivedField
 from codegen.model.spec.population import Rounding
 from codegen.model.spec.receive import ReceivedFieldSpec
 from codegen.model.units.affine import AffineMap
-from codegen.model.units.unit import conversion, unit_named
+from codegen.model.units.unit import conversion
 from codegen.model.vehicle import Citation, Quantity, QuantityKind
 from codegen.resolve.population.population import Parts
 from codegen.resolve.quantities.state import find_quantity
 from codegen.resolve.receptions.special_values import special_values
-from codegen.source import Place
+from codegen.resolve.receptions.taken_range import NOT_RECEIVED, nothing_left, taken_range
 
-NOT_RECEIVED = Rule(
-    "cannot-receive",
-    "A quantity cannot keep what a field carries. A whole number goes into any quantity of one word, converted to its "
-    "unit, or unconverted into one of more; a float into a quantity that is kept as a float of its size in the field's "
-    "unit, or one of 32 bits into one of one word, rounded to the nearest; a text into a text of at least its length. "
-    "The quantity belongs to a component of which there is one, and is no list.",
-    remedy="take a quantity that is kept as the field is: a number, a float, or a text of its length",
-)
 _ONE_FOR_EACH = (
     "declare a quantity for each value that arrives, in a component of which there is one, such as "
     "far: {quantities: {level_1: ..., level_2: ...}}, and write state: far.level_2"
@@ -65,13 +53,13 @@ def resolve_taken(
     factor = _factor(field, quantity, written, report)
     if factor is None or not _is_kept(field, quantity, factor, written, report):
         return None
-    bounds = _bounds(field, quantity, factor, written, report)
+    bounds = taken_range(field, quantity, factor, written, report)
     special = special_values(field, written, parts.dialect.enums.get(field.definition.enum or ""), report)
     if bounds is None or citation is None:
         return None
     taken = ReceivedField(field, element, quantity, factor, *bounds, written, citation, *special)
     if taken.low == taken.high and taken.low in taken.special:
-        _nothing_left(taken.low, taken.high, field, quantity, written, report)
+        nothing_left(taken.low, taken.high, field, quantity, written, report)
         return None
     return taken
 
@@ -204,158 +192,3 @@ def _is_rounded(
     if problem:
         report.add(NOT_RECEIVED, written.at(key), problem, hint)
     return not problem
-
-
-def _limits_place(written: ReceivedFieldSpec) -> Place:
-    return written.at("min" if written.min is not None else "max" if written.max is not None else "state")
-
-
-def _nothing_left(
-    low: Fraction, high: Fraction, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report
-) -> None:
-    message = f"nothing of {field.name} is left that {quantity.path} takes: {low} to {high}"
-    report.add(EMPTY_LIMITS, _limits_place(written), message)
-
-
-def _bounds(
-    field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
-) -> tuple[Fraction, Fraction] | None:
-    """The smallest and the largest number on the wire that is taken; None after a finding."""
-    in_wire = Fraction(1)
-    if quantity.kind is QuantityKind.NUMBER:
-        in_wire = quantity.steps / factor
-    stated: list[Fraction | None] = []
-    for key in ("min", "max"):
-        limit = getattr(written, key)
-        if limit is not None and quantity.kind is not QuantityKind.NUMBER:
-            report.add(
-                NOT_RECEIVED,
-                written.at(key),
-                f"{quantity.path} is no number, so {key} says nothing of it",
-                hint=f"leave {key} out",
-            )
-            limit = None
-        value = None if limit is None else read_number(limit, quantity.unit, written.at(key), report)
-        stated.append(None if value is None else value * in_wire)
-    natural = _natural(field, quantity, factor, written).within(dialect_bounds(field))
-    low, high = _ends(natural.within(Bounds(*stated)), field, quantity, factor)
-    at = _limits_place(written)
-    if low > high:
-        _nothing_left(low, high, field, quantity, written, report)
-        return None
-    for key, end, natural_end, sign in (("min", stated[0], natural.low, 1), ("max", stated[1], natural.high, -1)):
-        assert natural_end is not None
-        if end is not None and sign * (natural_end - end) >= 1:
-            message = f"{key} has no effect: {quantity.path} takes {field.name} from {_shown(natural.low)}"
-            coarser = "keep it in coarser steps: stored, or leave it out"
-            hint = coarser if getattr(quantity.spec, key) is None and quantity.storage is Storage.SMALL else None
-            told = f"{message} to {_shown(natural.high)} on the wire anyway"
-            report.add(LIMIT_BEYOND_FIELD, written.at(key), told, hint)
-    if field.type.is_integer and quantity.storage is Storage.SMALL and factor != 1:
-        worst = max(abs(low), abs(high)) * factor.numerator + factor.denominator
-        if worst > SMALL_INT_MAX:
-            most = math.floor(Fraction(SMALL_INT_MAX - factor.denominator) / factor.numerator / in_wire)
-            wanted = quantity.stored.name or "a number"
-            message = f"{field.name} is too wide to be converted to {wanted}: boards count to {SMALL_INT_MAX}"
-            kept = field.unit_text or "numbers"
-            hint = f"a max (and a min) of up to {most} {quantity.unit.name}, or keep it in {kept}"
-            report.add(NOT_RECEIVED, at, message, hint)
-            return None
-        return None if _is_cut(natural, field, quantity, written, report) else (low, high)
-    return None if _is_no_turn(field, quantity, written, report) else (low, high)
-
-
-def _is_no_turn(field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report) -> bool:
-    """Return whether a word ends before a whole turn, and nobody says that an angle ends there; a finding then."""
-    turn = conversion(unit_named("deg"), quantity.unit)
-    if turn is None or field.type.is_integer or quantity.storage is not Storage.SMALL:
-        return False
-    for key, end in (("max", quantity.maximum), ("min", quantity.minimum)):
-        last = float(end / quantity.steps)
-        if not _is_stated(key, quantity, written) and abs(last) < turn.settled(Fraction(360), float):
-            return _report_cut(key, last, field, quantity, written, report)
-    return False
-
-
-def _is_cut(natural: Bounds, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report) -> bool:
-    """Return whether numbers of the field are left out because a word ends, and nobody says that none of them come.
-
-    It is a finding then: the quantity would stay as it was from some number on, such as a time after 18 minutes.
-    """
-    stated = dialect_bounds(field)
-    special = set(field.sentinel.values) if field.sentinel else set()
-    for key, end, wire_end in (
-        ("max", natural.high, field.type.maximum if stated.high is None else stated.high),
-        ("min", natural.low, field.type.minimum if stated.low is None else stated.low),
-    ):
-        assert end is not None
-        if _is_stated(key, quantity, written) or end == wire_end or (abs(wire_end - end) == 1 and wire_end in special):
-            continue
-        last = float((quantity.maximum if key == "max" else quantity.minimum) / quantity.steps)
-        return _report_cut(key, last, field, quantity, written, report)
-    return False
-
-
-def _is_stated(key: str, quantity: Quantity, written: ReceivedFieldSpec) -> bool:
-    """Return whether the table or the quantity says where its values end."""
-    return getattr(written, key) is not None or getattr(quantity.spec, key) is not None
-
-
-def _report_cut(
-    key: str, last: float, field: WireField, quantity: Quantity, written: ReceivedFieldSpec, report: Report
-) -> bool:
-    """Report a number that the quantity ends with though the field goes on, and return True."""
-    most = f"{last:.7g} {quantity.unit.name}".rstrip()
-    message = f"{field.name} has numbers that {quantity.path} cannot keep: a word in {quantity.stored.name} ends at"
-    hint = f"say how far it comes, {key}: up to {most}, or keep it in coarser steps: stored"
-    report.add(NOT_RECEIVED, written.at("state"), f"{message} {most}", hint)
-    return True
-
-
-def _shown(number: Fraction | None) -> str:
-    return "" if number is None else f"{float(number):.10g}"
-
-
-def _natural(field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec) -> Bounds:
-    """The numbers that the type carries and that the quantity takes, in wire units."""
-    least, most = Fraction(field.type.minimum), Fraction(field.type.maximum)
-    if not field.type.is_integer:
-        ends = quantity.minimum / factor, quantity.maximum / factor
-        if quantity.storage is Storage.SMALL:  # the firmware looks at whole parts of 30 bits
-            return Bounds(max(ends[0], Fraction(-SMALL_INT_MAX)), min(ends[1], Fraction(SMALL_INT_MAX)))
-        return Bounds(*ends)
-    if quantity.kind is QuantityKind.BOOLEAN:
-        return Bounds(least, most)
-
-    def kept(number: int) -> int:
-        return rounded(number * factor, written.rounding)
-
-    low = _first(int(least), int(most) + 1, lambda number: kept(number) >= quantity.minimum)
-    high = _first(int(least), int(most) + 1, lambda number: kept(number) > quantity.maximum) - 1
-    return Bounds(Fraction(low), Fraction(high))
-
-
-def _first(low: int, end: int, holds: Callable[[int], bool]) -> int:
-    """The first number from ``low`` on that a rising condition holds for; ``end`` for none."""
-    while low < end:
-        middle = (low + end) // 2
-        low, end = (low, middle) if holds(middle) else (middle + 1, end)
-    return low
-
-
-def _ends(bounds: Bounds, field: WireField, quantity: Quantity, factor: Fraction) -> tuple[Fraction, Fraction]:
-    """The ends as the field has them: floats that are nearest, as who sends 180 degrees in radians has them.
-
-    Only where the quantity does not take what becomes of that one it is the last that does not pass the end.
-    """
-    assert bounds.low is not None
-    assert bounds.high is not None
-    if field.type.is_integer:
-        return bounds.whole()
-    storage = Storage(field.type.code)
-    low, high = storage.nearest(bounds.low), storage.nearest(bounds.high)
-    least, most = (rounded(end * factor, Rounding.NEAREST) for end in (low, high))
-    if quantity.storage is storage or quantity.minimum <= least <= most <= quantity.maximum:
-        return low, high
-    within = float_within(Scaling(Fraction(1), Rounding.NEAREST, bounds.low, bounds.high), None, storage)
-    return within.low, within.high

@@ -22,7 +22,7 @@ SCENARIO_COURSE = Rule(
     "itself sets, follows by itself.",
     remedy="give a course to what is measured, or what code sets; the rest follows by itself",
 )
-_LABEL = pattern(r"(\w+)(?:\[(\d{1,3})\])?\.(\w+)")
+_LABEL = pattern(r"(\w+)(?:\[([0-9]{1,3})\])?\.(\w+)")
 _EVERY_MS = 100
 
 

@@ -6,8 +6,9 @@ from fractions import Fraction
 
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import find_unit, read_real
+from codegen.model.code.storage import Storage
 from codegen.model.dialect.dialect import Kind, WireField, WireMessage
-from codegen.model.dialect.literals import LIMITS
+from codegen.model.dialect.literals import LIMITS, exact_number
 from codegen.model.dialect.wire_types import WIRE_TYPES
 from codegen.model.listening import deaf_links
 from codegen.model.scenario import GROUND_STATION, Sending
@@ -25,7 +26,7 @@ SCENARIO_SEND = Rule(
     remedy="write values that the field has: a number, an amount in its unit, an entry of its enum",
 )
 _NO_NUMBERS = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
-_NAME = pattern(r"(\w+)(?:\[(\d{1,3})\])?")
+_NAME = pattern(r"(\w+)(?:\[([0-9]{1,3})\])?")
 
 
 def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues) -> Sending | None:
@@ -109,9 +110,8 @@ def _put_bytewise(
     text = event.fields.get("param_value", "0")
     if whole is None or not whole.is_integer or whole.size > carried.size:
         return
-    try:
-        number = Fraction(LIMITS.get(text, text))
-    except (ValueError, ZeroDivisionError):
+    number = _exact(text)
+    if number is None:
         return  # after a finding
     if number.denominator != 1 or not whole.minimum <= number <= whole.maximum:
         place, hint = event.at("fields.param_value"), f"write {whole.minimum} to {whole.maximum}, or another param_type"
@@ -131,14 +131,20 @@ def _number(text: str, field: WireField, wire: WireMessage, place: Place, values
         message = f"{wire.name}.{field.name} is {field.type.name}, which has whole numbers only"
         values.say(SCENARIO_SEND, place, message, "write a number, or the limit of its type that means as much")
         return None
-    try:
-        value = Fraction(LIMITS[text]) if text in LIMITS else Fraction(text) / field.multiplier
-    except (ValueError, ZeroDivisionError):
+    exact = _exact(text)
+    if exact is not None:
+        value = exact if text in LIMITS else exact / field.multiplier
+    else:
         value = _named(text, field, place, values)
     if value is None:
         return None
     if not field.type.is_integer:
-        return float(value)
+        most = Fraction(Storage(field.type.code).limits[1])
+        if -most <= value <= most:
+            return float(value)
+        message = f"{wire.name}.{field.name} carries up to {float(most):.7g}, not {text}"
+        values.say(SCENARIO_SEND, place, message, "write a number that a float of its size has")
+        return None
     number = round(value)
     if not field.type.minimum <= number <= field.type.maximum:
         low, high = field.type.minimum, field.type.maximum
@@ -150,6 +156,11 @@ def _number(text: str, field: WireField, wire: WireMessage, place: Place, values
         )
         return None
     return number
+
+
+def _exact(text: str) -> Fraction | None:
+    """Return the number that a text is, or the limit of a type; None where it is neither."""
+    return Fraction(LIMITS[text]) if text in LIMITS else exact_number(text)
 
 
 def _named(text: str, field: WireField, place: Place, values: ScenarioValues) -> Fraction | float | None:

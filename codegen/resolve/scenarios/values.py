@@ -1,11 +1,13 @@
 """The amounts of a scenario: times in whole milliseconds, and what is true of a quantity in its unit."""
 
+import sys
 from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import DAY_S, read_amount, read_exactly
 from codegen.model.dialect.dialect import EnumDefinition
+from codegen.model.dialect.literals import exact_number
 from codegen.model.scenario import Truth
 from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Quantity, QuantityKind
@@ -24,6 +26,7 @@ SCENARIO_TIME = Rule(
     "above 0. What happens after the end never happens.",
 )
 UNKNOWN = "unknown"
+_LARGEST = Fraction(sys.float_info.max)
 _WHOLE_FLOATS = 2**53
 """Up to which a float is any whole number."""
 
@@ -95,18 +98,12 @@ class ScenarioValues:
             value = read_exactly(text, quantity.unit, place, self.report)
             self.is_good = self.is_good and value is not None
             return value
-        try:
-            value = Fraction(text)
-            float(value)  # none that no float holds
+        value = exact_number(text)
+        if value is not None and abs(value) <= _LARGEST:
             return value
-        except (ValueError, ZeroDivisionError, OverflowError):
-            self.say(
-                SCENARIO_POINTS,
-                place,
-                f"{quantity.path} is a number without a unit, not {text!r}",
-                hint="write the number alone",
-            )
-            return None
+        message = f"{quantity.path} is a number without a unit, not {text!r}"
+        self.say(SCENARIO_POINTS, place, message, "write the number alone")
+        return None
 
     def say(self, rule: Rule, place: Place, message: str, hint: str | None = None) -> None:
         """Report an error."""

@@ -18,6 +18,7 @@ from codegen.targets.firmware.readings.sources import GivenView, given_by
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 from codegen.targets.source_files import source_files
+from codegen.targets.suite.making import call_literal
 from codegen.tool.template_files import copied
 
 _FOLDER = "tests/sources"
@@ -53,14 +54,13 @@ class SourceFacts:
     ``given`` has, for each number that read() of the user's code gives, the fewest and the most steps, and how many of
     them make one of its units, as numerator and denominator.
 
-    ``opened`` is the expression that makes its driver, as Python writes it in a text, and ``period_us`` how often it is
-    asked.
+    ``made`` is the call that makes its driver, as literals, and ``period_us`` how often it is asked.
 
     ``mask`` is the place of the bits of what is new, which are ``new`` where all is, or None.
     """
 
     name: str
-    opened: str
+    made: str
     period_us: int
     listens: bool
     values: int
@@ -123,7 +123,7 @@ def _facts(source: Source, system: System) -> SourceFacts:
     cited = {aspect: polling.cited(aspect) for aspect in SourceSpec.ASPECTS}
     return SourceFacts(
         name=source.name,
-        opened=f"'{source.opened}'" if '"' in source.opened else f'"{source.opened}"',
+        made=call_literal(source.opened),
         period_us=polling.period_us,
         listens=source.silence_ms is not None,
         values=values + source.tells_new,

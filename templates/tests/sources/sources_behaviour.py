@@ -125,6 +125,16 @@ def _text(value):
     return value.text if isinstance(value, Written) else repr(value)
 
 
+def _stated(value):
+    """Return what a fact states of a call: itself, unless it is a name, or a call, as Written has these."""
+    if not isinstance(value, dict):
+        return value
+    if "name" in value:
+        return Written(value["name"])
+    named = {name: _stated(each) for name, each in value["named"].items()}
+    return Written(value["call"])(*[_stated(each) for each in value["given"]], **named)
+
+
 def _made():
     """Return the sensors with stand-ins for their drivers, which know the text of what made them as `made`."""
 
@@ -136,7 +146,7 @@ def _made():
 
         return make
 
-    names = {facts["opened"].split("(")[0] for facts in SOURCES} | {"machine"}
+    names = {facts["made"]["call"] for facts in SOURCES} | {"machine"}
     before = [(name, getattr(sources, name, None)) for name in names]
     for name in names:
         setattr(sources, name, Written(name) if name == "machine" else maker(name))
@@ -153,9 +163,7 @@ def opened_and_asked(facts):
     mock_time.set_ticks_us(start_us)
     made = _made()
     driver = getattr(made, facts["name"]).driver
-    name = facts["opened"].split("(")[0]
-    opened = eval(facts["opened"], {"machine": Written("machine"), name: Written(name)})  # noqa: S307  of this suite
-    assert driver.made == opened.text, driver.made
+    assert driver.made == _stated(facts["made"]).text, driver.made
     times = []
     driver.poll = lambda _now_ms: times.append(mock_time.elapsed_us()) or True
     period_us = facts["period_us"]

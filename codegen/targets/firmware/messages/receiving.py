@@ -14,6 +14,7 @@ from codegen.model.code.halves import beyond, equal
 from codegen.model.code.payload_code import UNKNOWN, indented
 from codegen.model.code.statements import scaled, tested
 from codegen.model.code.storage import HALF, SMALL_INT_MAX, Storage
+from codegen.model.code.two_steps import in_one_step, in_two_steps
 from codegen.model.program import RECEIVED
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.spec.receive import Sender
@@ -319,10 +320,20 @@ class _Statements:
             value = f"({top}) << {HALF} | {halves[0]}".replace("(value)", "value")
         if taken.factor != 1:
             lines = [f"value = {value}"] if halves else []
-            converted = scaled(taken.factor, taken.spec.rounding)
-            lines += [converted[-1].strip()] if taken.low >= 0 else converted  # without what negative numbers need
+            lines += self._converted()
             value = "value"
         return [*lines, f"{self._word(word)} = {value}"]
+
+    def _converted(self) -> list[str]:
+        """Return what turns ``value`` into what is kept, without what negative numbers need where there are none."""
+        taken = self._taken
+        most, rounding = max(abs(taken.low), abs(taken.high)), taken.spec.rounding
+        if in_one_step(taken.factor, most):
+            lines = scaled(taken.factor, rounding)
+            return [lines[-1].strip()] if taken.low >= 0 else lines
+        steps = in_two_steps(taken.factor, most)
+        assert steps is not None, taken.label
+        return steps.lines(rounding, has_negative=taken.low < 0)
 
     def _extended(self, halves: list[str], count: int) -> Iterator[str]:
         """Yield as many halves as are kept, the sign in those that the wire does not have."""

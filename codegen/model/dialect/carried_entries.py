@@ -1,0 +1,32 @@
+"""The fields that carry the entries of an enum."""
+
+from collections.abc import Iterable, Mapping
+
+from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, FieldDefinition, MessageDefinition
+from codegen.model.dialect.wire_types import WIRE_TYPES
+
+Carrier = tuple[MessageDefinition, FieldDefinition]
+
+
+def too_narrow(
+    entry: EnumEntry, enum: str, messages: Iterable[MessageDefinition], enums: Mapping[str, EnumDefinition]
+) -> Carrier | None:
+    """Return the widest field that has an enum, where not even that one carries the value of an entry.
+
+    None where nothing has the enum, and where a float does: that carries any number, as parameters of commands do.
+    """
+    parameters = (each for other in enums.values() for command in other.entries for each in command.parameters)
+    if any(dict(parameter.attributes).get("enum") == enum for parameter in parameters):
+        return None
+    carriers = [(message, each) for message in messages for each in message.fields if each.enum == enum]
+    if not all(WIRE_TYPES[field.type].is_integer for _, field in carriers):
+        return None
+    widest = max(carriers, key=lambda each: WIRE_TYPES[each[1].type].maximum, default=None)
+    return None if widest is None or entry.value <= WIRE_TYPES[widest[1].type].maximum else widest
+
+
+def words(entry: EnumEntry, enum: str, carrier: Carrier) -> tuple[str, str]:
+    """Return that no field with the enum carries an entry, and what the widest one does."""
+    message, field = carrier
+    text = f"no field with {enum} carries {entry.value}: {message.name}.{field.name} is {field.type}"
+    return text, f"take a number up to {WIRE_TYPES[field.type].maximum}"
