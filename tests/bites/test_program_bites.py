@@ -9,6 +9,7 @@ SCRIPTS = scripts_of(Path(__file__).resolve().parents[2] / "generated" / "tests"
 INTERPRETERS = ("cpython", "micropython")
 
 EARLIER = "storage what_an_earlier_release_has_saved_is_read"
+INPUTS = "health faults_of_an_input_are_told_now_and_then"
 
 # A check, and changes of modules: what is replaced by what, both where a fault is made alike in two places.
 FAULTS = [
@@ -20,6 +21,15 @@ FAULTS = [
         "view-that-nobody-needs",
         "link views_are_kept_of_what_goes_out",
         [("streams", "_LENGTHS = ((0, 54)", "_LENGTHS = ((0, 55)")],
+    ),
+    ("ticks-that-start-again", INPUTS, [("adc_faults", "- told_ms & _TICKS <", "- told_ms <")]),
+    ("time-between-texts", INPUTS, [("adc_faults", "const(10000)", "const(10100)")]),
+    ("faults-counted-again", INPUTS, [("adc_faults", "self._untold[instance] = 0", "pass")]),
+    ("another-fault-that-waits", INPUTS, [("adc_faults", "and not is_first_late", "")]),
+    (
+        "converter-that-stays-away",
+        "health a_converter_that_comes_back_is_used",
+        [("adc_faults", "elif self._inputs.open(instance):", "elif False:")],
     ),
 ]
 
