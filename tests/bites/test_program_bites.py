@@ -31,6 +31,16 @@ FAULTS = [
         "health a_converter_that_comes_back_is_used",
         [("adc_faults", "elif self._inputs.open(instance):", "elif False:")],
     ),
+    (
+        "half-a-round-of-the-ticks",
+        "network a_try_waits_for_its_pause_and_no_longer",
+        [("network_port", "if 0 < ahead_ms <= self.period_ms:", "if 0 < ahead_ms:")],
+    ),
+    (
+        "password-of-another",
+        "network ports_share_a_network_that_is_the_same",
+        [("network_port", " and self._password == password", "")],
+    ),
 ]
 
 
