@@ -14,6 +14,7 @@ from program_bench import (
     turns,
 )
 from program_facts import COMPONENT_ID, SYSTEM_ID
+from station_checks import Scene as Stations
 
 import dialect
 
@@ -275,6 +276,27 @@ def progress_is_told():
             assert scene.station.received(messages.CommandAck) == []
 
 
+def progress_is_for_who_asked():
+    """Of two stations at one port, the one that asked is told how far it is, and the end; the other one nothing."""
+    needs(LONG, "a command that takes long")
+    for facts in LONG:
+        for asking, other in ((1, 2), (2, 1)):
+            scene = Stations()
+            if facts["armed"]:
+                assert scene.craft.arm(force=True) is None
+            Method(scene.craft, facts["method"])
+            progress = Method(scene.craft, facts["method"] + "_progress", 10)
+            scene.seconds(1, 1, 2)
+            scene.air.taken = {}
+            scene.station(asking).command(facts["number"], *facts["good"][0])
+            scene.seconds(2, 1, 2)
+            progress.says = None
+            scene.seconds(1, 1, 2)
+            told = [ack.result for ack in scene.station(asking).received(messages.CommandAck)]
+            assert told[:2] + told[-1:] == [IN_PROGRESS, IN_PROGRESS, ACCEPTED], (facts["name"], asking, told)
+            assert scene.station(other).received(messages.CommandAck) == [], (facts["name"], asking)
+
+
 def repeated_is_begun_once():
     """The same command with a confirmation is answered and not begun again; without one it is another, and rejected."""
     needs(LONG, "a command that takes long")
@@ -371,6 +393,7 @@ CHECKS = (
     (only_when_it_is_allowed, "command.allowed"),
     (only_who_is_heard, "command.from"),
     (progress_is_told, "command.progress"),
+    (progress_is_for_who_asked, "command.progress"),
     (repeated_is_begun_once, "command.progress"),
     (cancelled_ends, "command.cancel"),
     (modes_are_entered, "mode.change"),
