@@ -1,14 +1,21 @@
 """The checks of the program notice a fault that nothing else does: each of these makes the check beside it fail."""
 
+import shutil
+from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from generated_suite import scripts_of
+from in_process import build
 
-SCRIPTS = scripts_of(Path(__file__).resolve().parents[2] / "generated" / "tests")
+ROOT = Path(__file__).resolve().parents[2]
 INTERPRETERS = ("cpython", "micropython")
+Suites = Callable[[str], ModuleType]
 
 EARLIER = "storage what_an_earlier_release_has_saved_is_read"
+TURN = "        running.connection.turn_to(running.station)\n"
+OVER = "\n        self._reached = condition\n        self._follow()\n        if self._is_watching"
 INPUTS = "health faults_of_an_input_are_told_now_and_then"
 
 # A check, and changes of modules: what is replaced by what, both where a fault is made alike in two places.
@@ -41,30 +48,145 @@ FAULTS = [
         "network ports_share_a_network_that_is_the_same",
         [("network_port", " and self._password == password", "")],
     ),
+    (
+        "answer-that-overtakes",
+        "part answers_wait_for_room",
+        [("connection", "if self.station.waiting or not send(argument):", "if not send(argument):")],
+    ),
+    (
+        "number-told-again",
+        "part what_is_left_out_is_told_once",
+        [("connection", "            self._budget[1] = 0\n", "")],
+    ),
+    (
+        "rate-lost-with-any-parameter",
+        "part what_was_asked_for_holds_while_its_parameter_does",
+        [("streams", "        self._steps = steps\n", "")],
+    ),
+    (
+        "first-station-for-ever",
+        "service ground_stations_are_noted",
+        [("services", "self.ground_station = (name >> 8", "self.ground_station = self.ground_station or (name >> 8")],
+    ),
+]
+# The same of other projects.
+FAULTS_OF_BOATS = [
+    (
+        "progress-for-another-station",
+        "command progress_is_for_who_asked",
+        [("long_commands", f"{TURN}        self._send", "        self._send")],
+    ),
+    (
+        "end-for-another-station",
+        "command progress_is_for_who_asked",
+        [("long_commands", f"{TURN}        running.connection.deliver", "        running.connection.deliver")],
+    ),
+    (
+        "progress-of-what-is-over",
+        "command progress_is_told",
+        [("long_commands", f"        running.progress = 0\n{TURN}", TURN)],
+    ),
+    (
+        "level-that-is-not-over",
+        "watched a_level_stays_or_is_over",
+        [("failsafe", f"self._rows[_UP] = level{OVER}", f"level{OVER}")],
+    ),
+    (
+        "stations-of-the-first-link",
+        "watched a_station_on_any_link_is_heard",
+        [("failsafe", "for index in range(len(connections)):", "for index in range(1):")],
+    ),
+]
+FAULTS_OF_ACCESS = [
+    (
+        "timestamps-of-another-way",
+        "access each_sender_counts_for_itself",
+        [("signing", "stream = (frame[end], ", "stream = (0, ")],
+    ),
+    (
+        "timestamps-of-another-component",
+        "access each_sender_counts_for_itself",
+        [("signing", "frame[5], frame[6])", "frame[5], 0)")],
+    ),
+    (
+        "clock-that-is-behind",
+        "access who_is_ahead_is_followed",
+        [("signing", "        self.timestamp = max(self.timestamp, timestamp)\n", "")],
+    ),
+    (
+        "key-that-comes-again",
+        "access a_key_that_comes_again_takes_nothing_back",
+        [("signing", "max(self.timestamp, min(timestamp, LATEST))", "min(timestamp, LATEST)")],
+    ),
+    (
+        "start-without-a-gap",
+        "access timestamps_go_on_after_a_restart",
+        [("signing", '"little") + MINUTE', '"little")')],
+    ),
+    (
+        "heartbeats-without-a-key",
+        "access unsigned_frames_are_not_obeyed",
+        [("signing", "RADIO_STATUS = 109", "RADIO_STATUS = 0")],
+    ),
+]
+EVERY = [
+    *(("rover", *fault) for fault in FAULTS),
+    *(("boat", *fault) for fault in FAULTS_OF_BOATS),
+    *(("guarded", *fault) for fault in FAULTS_OF_ACCESS),
 ]
 
 
-def found(interpreter: str, check: str) -> str:
-    """Return what a check prints: its name, and what went wrong or null."""
-    return SCRIPTS.run_under(interpreter, "checks_run.py", "0", check).strip()
+@pytest.fixture(scope="module")
+def suites(tmp_path_factory: pytest.TempPathFactory) -> Suites:
+    """Return a call for what runs the scripts of a program's suite: the committed one, or that of a project."""
+    made = {"rover": scripts_of(ROOT / "generated" / "tests")}
+
+    def by(program: str) -> ModuleType:
+        if program not in made:
+            folder = ROOT / ("examples" if program == "boat" else "tests/projects") / program
+            copy = tmp_path_factory.mktemp("bites") / program
+            shutil.copytree(folder, copy, ignore=shutil.ignore_patterns("generated", "tests"))
+            build(copy)
+            made[program] = scripts_of(copy / "generated" / "tests")
+        return made[program]
+
+    return by
+
+
+def found(scripts: ModuleType, interpreter: str, *checks: str) -> list[str]:
+    """Return what checks print, in their order: a name each, and what went wrong or null."""
+    printed: str = scripts.run_under(interpreter, "checks_run.py", "0", *checks)
+    return printed.splitlines()
 
 
 @pytest.mark.parametrize("interpreter", INTERPRETERS)
-def test_none_fails_as_it_is(interpreter: str) -> None:
+@pytest.mark.parametrize("program", ["rover", "boat", "guarded"])
+def test_none_fails_as_it_is(program: str, interpreter: str, suites: Suites) -> None:
     """What fails below fails because of the fault."""
-    checks = sorted({fault[1] for fault in FAULTS})
-    assert [line for check in checks if not (line := found(interpreter, check)).endswith(", null]")] == []
+    checks = sorted({fault[2] for fault in EVERY if fault[0] == program})
+    said = found(suites(program), interpreter, *checks)
+    assert len(said) == len(checks)
+    assert [line for line in said if not line.endswith(", null]")] == []
 
 
-@pytest.mark.parametrize(("check", "changes"), [pytest.param(*fault[1:], id=fault[0]) for fault in FAULTS])
+@pytest.mark.parametrize(
+    ("program", "check", "changes"), [pytest.param(fault[0], *fault[2:], id=fault[1]) for fault in EVERY]
+)
 def test_fault_is_noticed(
-    check: str, changes: list[tuple[str, str, str]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    program: str,
+    check: str,
+    changes: list[tuple[str, str, str]],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    suites: Suites,
 ) -> None:
     """By the check that is about it."""
+    scripts = suites(program)
     for module, old, new in changes:
         changed = tmp_path / f"{module}.py"
-        text = (changed if changed.exists() else SCRIPTS.path_of("firmware", changed.name)).read_text()
+        text = (changed if changed.exists() else scripts.path_of("firmware", changed.name)).read_text()
         assert old in text, f"{old!r} is not in {module}"
         changed.write_text(text.replace(old, new, 1))
-    monkeypatch.setattr(SCRIPTS, "PATHS", [str(tmp_path), *SCRIPTS.PATHS])
-    assert "Error" in found("cpython", check)
+    monkeypatch.setattr(scripts, "PATHS", [str(tmp_path), *scripts.PATHS])
+    (said,) = found(scripts, "cpython", check)
+    assert "Error" in said
