@@ -129,10 +129,79 @@ FAULTS_OF_ACCESS = [
         [("signing", "RADIO_STATUS = 109", "RADIO_STATUS = 0")],
     ),
 ]
+FAULTS_OF_TCP = [
+    (
+        "end-of-another-frame",
+        "tcp frames_go_out_whole_and_in_turn",
+        [("tcp_peer", "self._unsent = bytes(frame[count:])", "self._unsent = frame[count:]")],
+    ),
+    (
+        "end-that-is-lost",
+        "tcp frames_go_out_whole_and_in_turn",
+        [("tcp_peer", "self._unsent = bytes(frame[count:])", "pass")],
+    ),
+    (
+        "time-that-nothing-was-taken",
+        "tcp what_lasts_too_long_ends_a_connection",
+        [("tcp_peer", "            self._full_ms = None\n", "            pass\n")],
+    ),
+    (
+        "silence",
+        "tcp what_lasts_too_long_ends_a_connection",
+        [("tcp_peer", "if ticks_diff(now_ms, self.heard_ms) >= timeout_ms:", "if False:")],
+    ),
+    (
+        "time-of-another-beginning",
+        "tcp a_beginning_is_given_up_once_its_end_does_not_come",
+        [("tcp_peer", "            self._kept_ms = None  # it is another one\n", "            pass\n")],
+    ),
+    (
+        "first-peer-alone",
+        "tcp who_was_read_waits_for_the_others",
+        [
+            (
+                "tcp_port",
+                "            self.peers.append(peer)\n            if",
+                "            self.peers.insert(0, peer)\n            if",
+            )
+        ],
+    ),
+    (
+        "station-that-is-told-nothing",
+        "tcp each_peer_is_a_station_of_its_own",
+        [("tcp_stations", "        station.streams.connect()\n", "")],
+    ),
+    (
+        "pauses-that-stay-short",
+        "tcp pauses_become_longer_until_somebody_is_heard",
+        [("tcp_client", "min(2 * self._retry.period_ms", "min(self._retry.period_ms")],
+    ),
+    (
+        "pauses-without-an-end",
+        "tcp pauses_become_longer_until_somebody_is_heard",
+        [("tcp_client", "_LONGEST_PAUSE = const(16)", "_LONGEST_PAUSE = const(64)")],
+    ),
+    (
+        "pauses-that-stay-long",
+        "tcp pauses_become_longer_until_somebody_is_heard",
+        [("tcp_client", "            self._retry.period_ms = self._retry_ms\n", "            pass\n")],
+    ),
+    (
+        "try-without-an-end",
+        "tcp a_try_without_an_answer_ends",
+        [("tcp_client", "if ticks_diff(now_ms, self._began_ms) >= self._timeout_ms:", "if False:")],
+    ),
+    (
+        "beginning-of-another-try",
+        "tcp a_try_without_an_answer_ends",
+        [("tcp_client", "            self._began_ms = now_ms\n", "")],
+    ),
+]
 EVERY = [
     *(("rover", *fault) for fault in FAULTS),
     *(("boat", *fault) for fault in FAULTS_OF_BOATS),
     *(("guarded", *fault) for fault in FAULTS_OF_ACCESS),
+    *(("networked", *fault) for fault in FAULTS_OF_TCP),
 ]
 
 
@@ -160,7 +229,7 @@ def found(scripts: ModuleType, interpreter: str, *checks: str) -> list[str]:
 
 
 @pytest.mark.parametrize("interpreter", INTERPRETERS)
-@pytest.mark.parametrize("program", ["rover", "boat", "guarded"])
+@pytest.mark.parametrize("program", ["rover", "boat", "guarded", "networked"])
 def test_none_fails_as_it_is(program: str, interpreter: str, suites: Suites) -> None:
     """What fails below fails because of the fault."""
     checks = sorted({fault[2] for fault in EVERY if fault[0] == program})
