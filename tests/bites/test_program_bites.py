@@ -31,6 +31,11 @@ FAULTS = [
     ),
     ("ticks-that-start-again", INPUTS, [("adc_faults", "- told_ms & _TICKS <", "- told_ms <")]),
     ("time-between-texts", INPUTS, [("adc_faults", "const(10000)", "const(10100)")]),
+    (
+        "warning-that-waits-for-days",
+        "health high_value_is_warned_about_at_intervals",
+        [("state_plain", "now_ms - since & 0x3FFFFFFF >= 10000", "now_ms - since >= 10000")],
+    ),
     ("faults-counted-again", INPUTS, [("adc_faults", "self._untold[instance] = 0", "pass")]),
     ("another-fault-that-waits", INPUTS, [("adc_faults", "and not is_first_late", "")]),
     (
@@ -129,6 +134,23 @@ FAULTS_OF_ACCESS = [
         [("signing", "RADIO_STATUS = 109", "RADIO_STATUS = 0")],
     ),
 ]
+FAULTS_OF_PACKS = [
+    (
+        "chip-that-is-cut",
+        "twin what_is_watched_is_what_goes_out",
+        [("vehicle", "((370, 21, 16, 18)", "((370, 21, 15, 18)")],
+    ),
+    (
+        "number-of-another",
+        "twin what_is_watched_is_what_goes_out",
+        [("vehicle", "self.parameters.batt_id + 1)", "self.parameters.batt_id + 2)")],
+    ),
+    (
+        "saves-without-a-limit",
+        "part a_minute_is_worth_a_save",
+        [("vehicle", "min(self._credit_ms + _SAVE_MS, _CREDIT_MS)", "self._credit_ms + _SAVE_MS")],
+    ),
+]
 FAULTS_OF_TCP = [
     (
         "end-of-another-frame",
@@ -201,6 +223,7 @@ EVERY = [
     *(("rover", *fault) for fault in FAULTS),
     *(("boat", *fault) for fault in FAULTS_OF_BOATS),
     *(("guarded", *fault) for fault in FAULTS_OF_ACCESS),
+    *(("smart_battery", *fault) for fault in FAULTS_OF_PACKS),
     *(("networked", *fault) for fault in FAULTS_OF_TCP),
 ]
 
@@ -208,7 +231,10 @@ EVERY = [
 @pytest.fixture(scope="module")
 def suites(tmp_path_factory: pytest.TempPathFactory) -> Suites:
     """Return a call for what runs the scripts of a program's suite: the committed one, or that of a project."""
-    made = {"rover": scripts_of(ROOT / "generated" / "tests")}
+    made = {
+        "rover": scripts_of(ROOT / "generated" / "tests"),
+        "smart_battery": scripts_of(ROOT / "generated" / "smart_battery" / "tests"),
+    }
 
     def by(program: str) -> ModuleType:
         if program not in made:
@@ -229,7 +255,7 @@ def found(scripts: ModuleType, interpreter: str, *checks: str) -> list[str]:
 
 
 @pytest.mark.parametrize("interpreter", INTERPRETERS)
-@pytest.mark.parametrize("program", ["rover", "boat", "guarded", "networked"])
+@pytest.mark.parametrize("program", ["rover", "smart_battery", "boat", "guarded", "networked"])
 def test_none_fails_as_it_is(program: str, interpreter: str, suites: Suites) -> None:
     """What fails below fails because of the fault."""
     checks = sorted({fault[2] for fault in EVERY if fault[0] == program})

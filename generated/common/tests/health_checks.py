@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 805995870b0439df
+# Inputs: ed53929b3274e2cc
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -367,7 +367,7 @@ def high_value_is_warned_about_at_intervals():
         period = measured["period_us"]
         first = measured["warning_counts"][0] << measured["spare_bits"]
         for swings in (False, True):
-            craft = new_craft()
+            craft = new_craft(at_us=TURN_MS_US - 3500 * measured["warn_every_ms"])  # the ticks start again meanwhile
             for index in range(6 * measured["warn_every_ms"] * 1000 // period):
                 analog(measured).source = first - (index % 2 << measured["spare_bits"] if swings else 0)
                 run(craft, period, period)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: d8ba8289630e4bf0
+# Inputs: edbfe5c1f806e586
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -403,6 +403,9 @@ def a_minute_is_worth_a_save():
         assert looks < 1000
     assert looks == 600, looks
     assert len(craft.said("parameters change so often")) == 1, craft.said()
+    for _ in range(10 * 600 + 1):
+        craft._is_due_to_save()
+    assert craft._credit_ms == 600000, "ten saves may come at once, however long none has come"
 
 
 def texts_from_before_the_link_are_sent():

@@ -401,6 +401,9 @@ def a_minute_is_worth_a_save():
         assert looks < 1000
     assert looks == 600, looks
     assert len(craft.said("parameters change so often")) == 1, craft.said()
+    for _ in range(10 * 600 + 1):
+        craft._is_due_to_save()
+    assert craft._credit_ms == 600000, "ten saves may come at once, however long none has come"
 
 
 def texts_from_before_the_link_are_sent():
