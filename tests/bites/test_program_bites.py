@@ -97,6 +97,11 @@ FAULTS_OF_BOATS = [
         [("failsafe", f"self._rows[_UP] = level{OVER}", f"level{OVER}")],
     ),
     (
+        "threshold-that-stays-away",
+        "watched a_level_stays_or_is_over",
+        [("failsafe", "        self._follow()\n        if self._is_watching", "        if self._is_watching")],
+    ),
+    (
         "stations-of-the-first-link",
         "watched a_station_on_any_link_is_heard",
         [("failsafe", "for index in range(len(connections)):", "for index in range(1):")],

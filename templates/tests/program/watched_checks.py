@@ -161,12 +161,19 @@ def a_level_stays_or_is_over():
             severity, _ = bench.craft.texts.get(said + 1)
             assert severity == dialect.MAV_SEVERITY_NOTICE
             _tells(bench, dialect.MAV_STATE_ACTIVE)
-        if due > 1 and not _leads_unknown(bench, condition, 3):  # what is over begins anew
-            for value, passes in ((beyond, 1), (None, 3)):
-                bench.values[condition[ATTRIBUTE]] = value
-                bench.run(passes=passes)
-                assert bench.failsafe.level < condition[LEVEL], (condition, value)
+        _begins_anew(bench, condition, at, beyond)
     needs(seen, ALONE)
+
+
+def _begins_anew(bench, condition, at, beyond):
+    """What is over has its own threshold again, and has not held for its time at once where a value becomes unknown."""
+    due = bench.due(condition)
+    steps = [(at, due + 2)] if condition[SLACK] else []
+    steps += [(beyond, 1), (None, 3)] if due > 1 and not _leads_unknown(bench, condition, 3) else []
+    for value, passes in steps:
+        bench.values[condition[ATTRIBUTE]] = value
+        bench.run(passes=passes)
+        assert bench.failsafe.level < condition[LEVEL], (condition, value)
 
 
 def _leads_further(bench, condition, beyond, passes):
