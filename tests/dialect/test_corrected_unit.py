@@ -83,7 +83,7 @@ def test_another_unit_is_told(tmp_path: Path, correction: str, words: str) -> No
     ],
 )
 def test_what_contradicts_nobody_is_not(tmp_path: Path, correction: str) -> None:
-    """A unit where there was none, another spelling of a number or unit, other attributes, and drafts of the project."""
+    """A unit where there was none, other spellings of numbers and units, other attributes, and drafts of a project."""
     assert told(tmp_path, correction) == []
 
 
