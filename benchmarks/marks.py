@@ -12,7 +12,7 @@ MODULE = "codegen_marks"
 VARIABLE = "CODEGEN_MARKS"
 """The environment variable that names the file of the bytes."""
 _NAME = "_marks_of_blocks"
-"""What marked modules call the bytes: none of them has a name like that."""
+"""The name of the bytes in marked modules: none of them has one like that."""
 _NESTED = ast.If | ast.For | ast.While | ast.With | ast.Try | ast.Match
 _DEFINED = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 

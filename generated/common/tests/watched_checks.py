@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 3516a843ca1b032d
+# Inputs: c0d6ba01665bfb4c
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import GroundStation, Port, main, mock_time, needs, needs_arming, new_craft
@@ -168,7 +168,7 @@ def a_level_stays_or_is_over():
 
 
 def _begins_anew(bench, condition, at, beyond):
-    """What is over has its own threshold again, and has not held for its time at once where a value becomes unknown."""
+    """A level that is over has its own threshold again, and does not come at once where a value becomes unknown."""
     due = bench.due(condition)
     steps = [(at, due + 2)] if condition[SLACK] else []
     steps += [(beyond, 1), (None, 3)] if due > 1 and not _leads_unknown(bench, condition, 3) else []

@@ -198,7 +198,7 @@ def timestamps_go_on_after_a_restart():
 
 
 def who_is_ahead_is_followed():
-    """What a vehicle signs is newer than all that it has accepted: a station whose clock is ahead understands it."""
+    """Each frame that goes out is newer than all that were accepted: a station whose clock is ahead understands it."""
     craft = _scene(_signed())
     station = SignedStation(craft.port, KEY)
     assert _is_obeyed(craft, station)

@@ -97,7 +97,7 @@ def frames_go_out_whole_and_in_turn():
 
 
 def what_lasts_too_long_ends_a_connection():
-    """That nobody is heard, or that nothing is taken: as long as it lasts without a break."""
+    """One over which nobody is heard, or that takes nothing, as long as that lasts without a break."""
     socket = Socket()
     peer = Peer(socket, None, 0)
     for now_ms in (1, TIMEOUT_MS - 1):
