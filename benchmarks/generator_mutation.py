@@ -74,6 +74,8 @@ def main() -> int:
         if arguments.reach:
             return 0
         suites = {name: each for name, each in found.items() if each.passed}
+        if not suites:
+            raise SystemExit("every file of tests fails in a copy: that none notices a fault would say nothing")
         copies = _copies(place, arguments.jobs)
         scores = [_tried(folder, arguments, suites, copies) for folder in arguments.folders]
     noticed, all_ = map(sum, zip(*scores, strict=True))

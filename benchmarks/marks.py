@@ -11,6 +11,8 @@ MODULE = "codegen_marks"
 """The module that marked ones import; it lies in the folder above codegen."""
 VARIABLE = "CODEGEN_MARKS"
 """The environment variable that names the file of the bytes."""
+_NAME = "_marks_of_blocks"
+"""The name of the bytes in marked modules: none of them has one like that."""
 _NESTED = ast.If | ast.For | ast.While | ast.With | ast.Try | ast.Match
 _DEFINED = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 
@@ -32,7 +34,7 @@ class Marker:
                 node.body = self._block(file, node.body)
         imported = [line for each in _at_import(tree.body) for line in _head(each)]
         tree.body[_first(tree.body) : _first(tree.body)] = [
-            *ast.parse(f"from {MODULE} import marks as _marks").body,
+            *ast.parse(f"from {MODULE} import marks as {_NAME}").body,
             self._mark(file, imported),
         ]
         return ast.unparse(ast.fix_missing_locations(tree))
@@ -62,7 +64,7 @@ class Marker:
     def _mark(self, file: str, lines: list[int]) -> ast.stmt:
         """Return the statement that marks a block, to whose lines more may be added."""
         self.blocks.append((file, lines))
-        return ast.parse(f"_marks[{len(self.blocks) - 1}] = 1").body[0]
+        return ast.parse(f"{_NAME}[{len(self.blocks) - 1}] = 1").body[0]
 
 
 def module(size: int) -> str:

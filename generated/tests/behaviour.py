@@ -499,6 +499,33 @@ BATTERY_CURRENT = {
     "invalid_after": 5,
     "stale_after_ms": 1000,
     "on": {"batt2_monitor": 0, "batt_monitor": 4},
+    "pins": (26, 28),
+    "apart": [
+        {
+            "batt2_amp_offset": 3300,
+            "batt2_amp_pervlt": 0,
+            "batt2_capacity": 0,
+            "batt2_curr_pin": 28,
+            "batt2_monitor": 0,
+            "batt_amp_offset": 0,
+            "batt_amp_pervlt": 1700,
+            "batt_capacity": 3300,
+            "batt_curr_pin": 26,
+            "batt_monitor": 4,
+        },
+        {
+            "batt2_amp_offset": 0,
+            "batt2_amp_pervlt": 1700,
+            "batt2_capacity": 3300,
+            "batt2_curr_pin": 26,
+            "batt2_monitor": 4,
+            "batt_amp_offset": 3300,
+            "batt_amp_pervlt": 0,
+            "batt_capacity": 0,
+            "batt_curr_pin": 28,
+            "batt_monitor": 0,
+        },
+    ],
     "off": [
         {"batt2_monitor": 0, "batt_monitor": 0},
         {"batt2_monitor": 0, "batt_monitor": 3},
@@ -581,6 +608,10 @@ def battery_current_raises_nothing():
 
 def battery_current_is_left_alone_where_it_is_off():
     single_readings.is_left_alone_where_it_is_off(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_is_what_its_instance_has():
+    single_readings.is_what_its_instance_has(BATTERY_CURRENT, reading_of)
 
 
 def battery_current_allocates_nothing():
@@ -1058,6 +1089,7 @@ CHECKS = (
     ("FR-00077.4", battery_current_ages_alone),
     ("FR-00067.5", battery_current_raises_nothing),
     ("FR-00077.2", battery_current_is_left_alone_where_it_is_off),
+    ("FR-00077.1", battery_current_is_what_its_instance_has),
     ("NFR-00060.3", battery_current_allocates_nothing),
     ("FR-00077.7", battery_current_lasts_at_the_mean),
     ("FR-00077.5", battery_current_is_summed_exactly),

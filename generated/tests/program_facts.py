@@ -37,6 +37,7 @@ TOLD_ARMED = (False, True)  # whether HEARTBEAT has its flag while disarmed, and
 SYSTEM_ID = 1
 COMPONENT_ID = 1
 VERSION = 2
+LENGTHS = ((0, 54), (97, 97), (107, 107))  # of payloads that go out, the first and the last of each range
 
 # The user's module and the class in it, which the board starts.
 USER = ("rover", "Rover")

@@ -3,6 +3,7 @@
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
 """
 
+import machine
 import mock_time
 
 try:
@@ -129,6 +130,28 @@ def is_left_alone_where_it_is_off(facts, fresh):
         assert value_of(state, facts) is None
         assert failures_of(board, facts) == 0
         assert log.lines == [], log.lines
+
+
+def is_what_its_instance_has(facts, fresh):
+    """Its own parameters say which input each instance has and what a count is there: those of others say other things.
+
+    So each has the same at that input, and what another input shows changes nothing.
+    """
+    names = [facts["attribute"]] + [rest["attribute"] for rest in facts.get("rests", ())]
+    (first, second), expected = facts["counts"], None
+    for instance in range(len(facts["apart"])):
+        board, state, _ = fresh(facts["apart"][instance])
+        one, other = [machine.analog(gpio) for gpio in facts["pins"]]
+        found = []
+        for one.source, other.source in ((first, second), (second, first), (second, second)):
+            update(state, board, facts)
+            component = getattr(state, facts["component"])[instance]
+            found.append([getattr(component, name) for name in names])
+        values = [each[0] for each in found]
+        assert None not in values, (instance, found)
+        assert values[0] != values[1] == values[2], (instance, found)
+        expected = expected or found
+        assert found == expected, (instance, found, expected)
 
 
 def allocates_nothing(facts, fresh):

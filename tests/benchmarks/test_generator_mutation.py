@@ -110,3 +110,12 @@ def test_what_fails_without_the_fault_too_has_not_noticed_it(
     assert [name for has_fault, batch in runs if has_fault for name in batch] == tests
     if by:
         assert runs[-1] == (False, [by])
+
+
+def test_tests_that_all_fail_say_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where no file of tests passes in a copy, nothing is counted, and nothing stored."""
+    monkeypatch.setattr(generator_mutation, "reached", lambda *_: {"tests/a.py": Reached(False, 1.0, {})})
+    monkeypatch.setattr("sys.argv", ["generator_mutation.py", "--folders", "diff", "--store"])
+    monkeypatch.setattr(generator_mutation.resource, "setrlimit", lambda *_: None)
+    with pytest.raises(SystemExit, match="every file of tests fails in a copy"):
+        generator_mutation.main()

@@ -1,6 +1,7 @@
 """Marks say which blocks of a module a run reaches, and change nothing else about it."""
 
 import sys
+from collections.abc import Callable
 from types import ModuleType
 
 import pytest
@@ -80,3 +81,14 @@ def test_programs_without_the_variable_mark_nothing(monkeypatch: pytest.MonkeyPa
     names: dict[str, object] = {}
     exec(module(3), names)  # noqa: S102  the module that marked ones import
     assert names["marks"] == bytearray(3)
+
+
+def test_a_name_of_a_module_is_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A module of codegen may call anything marks: what sets the bytes has a name that none of them has."""
+    marker = Marker()
+    text = marker.marked("own.py", "def _marks():\n    return 3\n\n\ndef marks():\n    return _marks()\n")
+    monkeypatch.setitem(sys.modules, MODULE, ModuleType(MODULE))
+    monkeypatch.setattr(sys.modules[MODULE], "marks", bytearray(len(marker.blocks)), raising=False)
+    names: dict[str, Callable[[], int]] = {}
+    exec(compile(text, "own.py", "exec"), names)  # noqa: S102  what a marked module does
+    assert names["marks"]() == 3

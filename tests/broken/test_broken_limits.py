@@ -212,6 +212,15 @@ def test_a_number_that_code_gives_and_that_is_rounded_to_whole_units(told, field
     assert "error" not in found
 
 
+@pytest.mark.parametrize(("unit", "is_told"), [("kn", True), ("km/h", False), ("m/s", True)])
+def test_an_output_in_coarser_steps_than_its_quantity(told, unit, is_told):
+    """However little coarser they are: some steps of the quantity are never kept."""
+    sensor = f"class: s.S, unit: {unit}, stored: {unit}, min: 0, max: 50"
+    quantity = "unit: km/h, stored: km/h, source: s"
+    found = told('type="float" units="m/s" invalid="NaN"', quantity, "{state: m.q}", sensor=sensor)
+    assert (f"s is rounded to whole {unit}, and m.q is kept in km/h" in found) == is_told, found
+
+
 @pytest.mark.parametrize(
     ("field", "quantity", "answer", "says"),
     [

@@ -41,3 +41,11 @@ def test_a_list_of_values_is_borne_out_though_it_has_more_than_the_enum(check: C
     assert [(each.is_error, each.message) for each in found] == [
         (True, "HEARTBEAT.system_status: MAV_STATE_STANDBY is 3, not 4")
     ]
+
+
+@pytest.mark.parametrize(("heading", "named"), [("Geo status", "CAMERA_TRACKING_GEO_STATUS"), ("Remarks", None)])
+def test_a_heading_may_have_the_end_of_a_name(check: Check, heading: str, named: str | None) -> None:
+    """Where the document names another message of the family; what stands below is about that one."""
+    text = f"# CAMERA_TRACKING_IMAGE_STATUS\n\nIt is sent.\n\n## {heading}\n\n| Field | Units |\n| --- | --- |\n"
+    found = [each.message for each in check(text + "| `lat` | degrees |\n")]
+    assert found == ([f"{named}.lat is in degE7, not degrees"] if named else [])

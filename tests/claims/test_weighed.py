@@ -132,6 +132,18 @@ def test_lists_whose_other_entries_are_right_speak_for_a_fault(read: Read) -> No
     assert likelihood(weights, among.kind, among.traits) > likelihood(weights, one.kind, one.traits)
 
 
+def test_as_many_numbers_as_names_are_one_for_each(read: Read) -> None:
+    """A number more, or one name alone, and it is not said that each name has its number."""
+    for text, is_so in (
+        ("HEARTBEAT and SYS_STATUS have the ids 3 and 4.\n", True),
+        ("HEARTBEAT and SYS_STATUS have the ids 3 and 4 in 2 places.\n", False),
+        ("HEARTBEAT has the id 3.\n", False),
+    ):
+        found = [each for each in candidates(read(text)) if each.kind == "id"]
+        assert found, text
+        assert {"as many numbers" in each.traits for each in found} == {is_so}, text
+
+
 def test_what_is_stored_are_weights_of_traits(read: Read) -> None:
     """A trait that got another name would count for nothing."""
     reading = read("".join(text for text, _ in LIKELY.values()))

@@ -77,12 +77,13 @@ def test_another_unit_is_told(tmp_path: Path, correction: str, words: str) -> No
     [
         'message: RC_CHANNELS, field: rssi, set: {units: "%"}',  # the dialect says it in words only
         'message: GPS_RAW_INT, field: eph, set: {multiplier: "0.01"}',
+        "message: HIGHRES_IMU, field: xacc, set: {units: m/s^2}",
         "message: ALTITUDE, field: altitude_local, set: {description: In metres.}",
         "message: TANK, field: level, set: {units: cm}",
     ],
 )
 def test_what_contradicts_nobody_is_not(tmp_path: Path, correction: str) -> None:
-    """A unit where there was none, another spelling of a number, other attributes, and drafts of the project."""
+    """A unit where there was none, other spellings of numbers and units, other attributes, and drafts of a project."""
     assert told(tmp_path, correction) == []
 
 

@@ -26,6 +26,7 @@ _TOLD = {"told": ("M.d",), "many": FIELDS["MANY"]}
 LATER = "whether it is heard often enough: 1 times a second and no longer 2"
 SILENT = "who does not ask for it hears nothing"
 UNASKED = "who asks for the data stream 10 gets no answer"
+TAKEN = "R.a, received"
 WIRED = "whether the board was changed with it"
 
 
@@ -90,6 +91,14 @@ def link(kind: str = "uart", *, name: str = "radio", **changes: Any) -> Any:
 
 def instances(number: int, name: str = "battery") -> Any:
     return program(components={name: SimpleNamespace(parts=(None,) * number)})
+
+
+def taken(factor: int, low: int = 0, high: int = 9, scale: int = 1) -> Any:
+    """A program that takes one field of a message."""
+    quantity = SimpleNamespace(stored=SimpleNamespace(scale=Fraction(scale)))
+    own = {"factor": Fraction(factor), "low": Fraction(low), "high": Fraction(high), "quantity": quantity}
+    field = SimpleNamespace(label="a", spec=SimpleNamespace(rounding="nearest"), **own)
+    return program(receptions=(SimpleNamespace(name="R", fields=(field,)),))
 
 
 def generations(choice: str) -> Any:
@@ -212,6 +221,17 @@ def judged(rule: ChangeRule, subject: str, old: Any, new: Any, texts: tuple[str 
         ),
         (rules.GENERATIONS, "generations", generations("old"), generations("both"), False, ""),
         (rules.QUANTITY_UNIT, "battery.voltage", program(), program(), False, ""),
+        (rules.TAKEN_AS, TAKEN, taken(1), taken(2), False, "whether who sends it means the other amount"),
+        (rules.TAKEN_AS, TAKEN, taken(2), taken(1, scale=2), False, ""),
+        (rules.TAKEN_AS, TAKEN, taken(1), program(receptions=()), False, ""),
+        (rules.TAKEN_AS, TAKEN, program(receptions=()), taken(1), False, ""),
+        (
+            *(rules.TAKEN_RANGE, TAKEN, taken(1), taken(1, 1), False),
+            "whether what is ignored now is sent, which nothing tells",
+        ),
+        (rules.TAKEN_RANGE, TAKEN, taken(1), taken(1, -1), False, ""),
+        (rules.TAKEN_RANGE, TAKEN, taken(1), taken(2, 1), False, ""),
+        (rules.TAKEN_RANGE, TAKEN, taken(1), program(receptions=()), False, ""),
     ],
 )  # fmt: skip
 def test_a_change_is_judged(rule: ChangeRule, subject: str, old: Any, new: Any, breaks: bool, said: str) -> None:

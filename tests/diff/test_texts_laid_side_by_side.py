@@ -302,3 +302,10 @@ def test_units_and_limits_that_are_stated_for_the_first_time() -> None:
     assert weight(first_minimum((None, None), ("5", None), "Radius, at least 5")) == NOTHING
     assert weight(first_minimum((None, None), ("1", None), "Number of the pump")) == NOTHING
     assert weight(first_minimum(("2", None), ("5", None), "Radius")) == NOTHING, "other_range tells of it"
+
+
+@pytest.mark.parametrize(("behind", "is_aligned"), [("", True), (" foxtrot", False)])
+def test_texts_with_a_fifth_in_common_are_laid_side_by_side(behind: str, is_aligned: bool) -> None:
+    """With less there is nothing to be said of what stands where something else stood."""
+    found = aligned(f"alpha bravo rudder charlie delta{behind}", "whiskey xray rudder yankee zulu")
+    assert bool(found.pieces) is is_aligned

@@ -515,8 +515,9 @@ BITES = {
 }
 
 
-# What leaves the rudder, and the time until which it is believed.
+# What leaves the rudder, and the time until which it is believed; and what is counted where the height is not taken.
 LEAVES = "if value == 65535:  # left as it was\n        "
+REFUSES = "        counts[19] = counts[19] + 1 & 0x3FFFFFFF\n"
 RENEWS = "words[_RC_RUDDER_US_EXPIRES_MS] = now_ms - 1073741324 & 0x3FFFFFFF"
 
 
@@ -535,6 +536,10 @@ def test_the_generated_suite_is_green_and_bites(built):
     assert LEAVES + "pass" in text
     failed = _failed(built, plain, text.replace(LEAVES + "pass", LEAVES + RENEWS, 1))
     assert "chan1_raw-left-65535" in failed
+    assert REFUSES in text
+    renewed = f"{REFUSES}        words[_FIX_ALT_EXPIRES_MS] = now_ms - 1073739824 & 0x3FFFFFFF\n"
+    failed = _failed(built, plain, text.replace(REFUSES, renewed, 1))
+    assert "alt-refused-and-old" in failed
     plain.write_text(text)
 
 

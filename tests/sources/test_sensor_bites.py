@@ -34,6 +34,14 @@ FAULTS = [
     ("sources", "now_ms - 1073740824 &", "now_ms - 1073740823 &", "sonar-grows_old"),
     ("sources", "_LON_DEGE7 + 1] = values[4]", "_LON_DEGE7 + 1] = values[3]", "receiver-ends"),
     ("sources", "if new & 4:", "if new & 1024:", "receiver-ends"),
+    ("user_source", "                self.values[at] = UNKNOWN\n", "                pass\n", "imu-what_code_gives"),
+    ("user_source", "if steps is None or not", "if steps is not None and not", "sonar-what_code_gives"),
+    (
+        "user_source",
+        "            self.values[place] = UNKNOWN\n        elif",
+        "            pass\n        elif",
+        "sonar-what_code_gives",
+    ),
 ]
 
 

@@ -252,3 +252,12 @@ def test_no_text_raises(text: str) -> None:
     requirement, findings = decoded(text)
     assert requirement is not None or findings
     assert all(1 <= line <= text.count("\n") + text.count("\r") + 1 for _, line, _ in findings)
+
+
+def test_a_bullet_among_criteria_may_belong_to_the_one_before() -> None:
+    """Its hint has the next number, and how it becomes text of the last one."""
+    report = Report()
+    body = "## Acceptance Criteria\n\n1. One.\n2. Two.\n\n- Three.\n"
+    decode_requirement(parse_markdown(document(body), FILE), report)
+    (found,) = [each for each in report if each.message == "the criterion is a bullet"]
+    assert found.hint == "number it: 3. Or indent it as the text of criterion 2 is, if it belongs to that"

@@ -128,6 +128,7 @@ def _of_single(reading: ReadingFacts) -> Iterator[BehaviourCheck]:
         (cited["stale_after"], "ages_alone", reading.stale_after_ms is not None),
         (cited["robustness"], "raises_nothing", True),
         (cited["when"], "is_left_alone_where_it_is_off", bool(reading.off)),
+        (cited["pin"], "is_what_its_instance_has", bool(reading.apart)),
         (cited["steady"], "allocates_nothing", True),
         (reading.lasting.citation if reading.lasting else "", "lasts_at_the_mean", reading.lasting is not None),
         (next((each.citation for each in reading.sums), ""), "is_summed_exactly", bool(reading.sums)),

@@ -3,7 +3,7 @@
 from codegen.frozen import dataclass
 from codegen.model.armed_flag import armed_flag
 from codegen.model.command import Needs
-from codegen.model.program import Program
+from codegen.model.program import LinkKind, Program
 from codegen.model.quantities.conversion import Conversion
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Reading, by_instance
@@ -33,6 +33,7 @@ from codegen.targets.suite.facts.links import LinkFacts, link_facts
 from codegen.targets.suite.withheld import KnownWord, known_words, withheld_messages
 
 _PROGRAM = "tests/program"
+_TCP = (LinkKind.TCP_SERVER, LinkKind.TCP_CLIENT)
 
 COMMAND_CHECKS = "tests/command_checks.py"
 """Checks of commands and modes of the project's own."""
@@ -48,6 +49,9 @@ BYTEWISE_CHECKS = "tests/bytewise_checks.py"
 
 WATCHDOG_CHECKS = "tests/watchdog_checks.py"
 """Checks of the watchdog."""
+
+TCP_CHECKS = "tests/tcp_checks.py"
+"""Checks of connections over TCP."""
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """Checks that a further program's suite does without: long ones, of modules that all programs share."""
@@ -140,6 +144,7 @@ def left_out(system: System, program: Program) -> tuple[str, ...]:
         *(() if system.component_parameter else (TWIN_CHECKS,)),
         *(() if system.is_bytewise else (BYTEWISE_CHECKS,)),
         *(() if program.watchdog else (WATCHDOG_CHECKS,)),
+        *(() if any(link.kind in _TCP for link in system.links) else (TCP_CHECKS,)),
     )
 
 

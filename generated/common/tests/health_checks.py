@@ -1,9 +1,10 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 3ef574117ce3d0b2
+# Inputs: ed53929b3274e2cc
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
     SECOND_US,
+    TURN_MS_US,
     Craft,
     Watch,
     analog,
@@ -278,6 +279,53 @@ def runs_without_a_converter():
         assert not FAILSAFES or craft.arm() is not None
 
 
+def faults_of_an_input_are_told_now_and_then():
+    """The first of several at once, then one in ten seconds with how many there were: also where ticks start again."""
+    needs(MEASURED, "something that is measured")
+    for measured in MEASURED:
+        period = measured["period_us"]
+        every = -(-10 * SECOND_US // period)  # readings
+        craft = new_craft(at_us=TURN_MS_US - 15 * SECOND_US)
+        run(craft, period, period)
+        source, analog(measured).source = analog(measured).source, None
+        found, expected = [], []
+        for number in range(3 * every + 1):
+            if number % every == 0:
+                expected.append((number, f" ({every - 1} more)" if number and every > 1 else ""))
+            before = len(_faults(craft, "cannot be read"))
+            run(craft, period, period)
+            found += [(number, rest) for rest in _faults(craft, "cannot be read")[before:]]
+        assert found == expected, found
+        analog(measured).source = source
+        if measured["read_limit_us"]:  # that is another fault, which is told at once
+            analog(measured).delay_us = 2 * measured["read_limit_us"]
+            run(craft, 2 * period, period)
+            assert len(_faults(craft, "took too long to read")) == 1, craft.said()
+
+
+def _faults(craft, what):
+    """Return what the texts about an input say behind these words."""
+    return [text.split(what)[1] for _, text in craft.said() if f"'s ADC {what}" in text]
+
+
+def a_converter_that_comes_back_is_used():
+    """One that could not be set up is tried again in ten seconds, which is told, and its readings count."""
+    needs(MEASURED, "something that is measured")
+    for measured in MEASURED:
+        good = new_craft()  # what the inputs show stays
+        analog(measured).absent = True
+        craft = Craft()
+        run(craft, SECOND_US, measured["period_us"])
+        assert getattr(_state_of(craft, measured), measured["attribute"]) is None
+        analog(measured).absent = False
+        run(craft, 11 * SECOND_US + 2 * measured["period_us"], measured["period_us"])
+        told = [text for _, text in craft.said() if " is read on GPIO " in text]
+        assert len(told) == 1, craft.said()
+        run(good, 2 * measured["period_us"], measured["period_us"])
+        value = getattr(_state_of(craft, measured), measured["attribute"])
+        assert value == getattr(_state_of(good, measured), measured["attribute"]), value
+
+
 def sensor_loss_is_noticed():
     """Failing readings make the value unknown after the specified number; one good reading makes it known again."""
     for measured in MEASURED:
@@ -319,7 +367,7 @@ def high_value_is_warned_about_at_intervals():
         period = measured["period_us"]
         first = measured["warning_counts"][0] << measured["spare_bits"]
         for swings in (False, True):
-            craft = new_craft()
+            craft = new_craft(at_us=TURN_MS_US - 3500 * measured["warn_every_ms"])  # the ticks start again meanwhile
             for index in range(6 * measured["warn_every_ms"] * 1000 // period):
                 analog(measured).source = first - (index % 2 << measured["spare_bits"] if swings else 0)
                 run(craft, period, period)
@@ -356,6 +404,8 @@ CHECKS = (
     (read_often_enough, "reading.rate", "component.rate"),
     (first_value_is_told_once, "reading.first"),
     (runs_without_a_converter, "reading.absence"),
+    (faults_of_an_input_are_told_now_and_then,),
+    (a_converter_that_comes_back_is_used, "reading.absence"),
     (sensor_loss_is_noticed, "quantity.invalid_after", "quantity.stale_after"),
     (high_value_is_warned_about_at_intervals, "quantity.warn_above"),
     (late_reading_is_refused_in_the_program, "reading.read_limit"),

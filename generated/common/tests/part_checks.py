@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/part_checks.py: do not edit.
-# Inputs: d1e4af9ce6f7c12b
+# Inputs: edbfe5c1f806e586
 """Parts of the program by themselves: who is heard, what is told, what waits, and what is kept or refused."""
 
 from program_bench import (
@@ -240,6 +240,8 @@ def answers_wait_for_room():
         station.command(number)
         run_passes(craft, 2)
     craft.port.room = None
+    asked.append(420)  # its answer comes behind those that wait
+    station.command(420)
     run_passes(craft, 10)
     found = [ack.command for ack in station.received(messages.CommandAck)]
     assert 1 < len(found) < len(asked), found
@@ -256,6 +258,17 @@ def answers_wait_for_room():
     run_passes(craft, 4)
     assert [ack.command for ack in station.received(messages.CommandAck)] == []
     assert connection.lost_replies == before + 3
+
+
+def what_is_left_out_is_told_once():
+    """So many messages for which there was no room since the last report, and nothing where there are none."""
+    connection = new_craft().connections[0]
+    told = []
+    connection._log = lambda *words: told.append(words[-1])
+    for left_out in (3, 0, 5):
+        connection._budget[1] += left_out
+        connection.report()
+    assert told == [3, 5], told
 
 
 def a_message_that_is_asked_for_waits_for_room():
@@ -351,6 +364,33 @@ def a_stream_takes_back_what_was_asked_for_a_message():
     assert looked_at, "no stream"
 
 
+def what_was_asked_for_holds_while_its_parameter_does():
+    """The rate of a stream stays while other parameters change, though its own one has changed before."""
+    streams = [
+        each for each in STREAMS if each["data_stream"] and each["messages"] and each["minimum"] < each["maximum"]
+    ]
+    needs(streams, "a data stream with a parameter")
+    craft = new_craft()
+    own, parameters = craft.connections[0].streams, craft.parameters
+
+    def follow(stream, steps):
+        setattr(parameters, stream["parameter"], steps)
+        own.run(mock_time.ticks_ms())
+
+    for stream in streams:
+        number = stream["messages"][0][0]
+        follow(stream, stream["minimum"])
+        follow(stream, stream["maximum"])
+        before_us = own.interval_us(number)
+        own.request(stream["data_stream"], 0)
+        asked_us = own.interval_us(number)
+        follow(stream, stream["maximum"])  # it is stored, and nothing changes
+        assert own.interval_us(number) == asked_us, stream["name"]
+        follow(stream, stream["minimum"])
+        follow(stream, stream["maximum"])
+        assert own.interval_us(number) == before_us, stream["name"]
+
+
 def a_minute_is_worth_a_save():
     """Once all saves are used up that may come at once, the next one is due a minute later; it looks each 100 ms."""
     needs(PARAMETERS, "parameters")
@@ -363,6 +403,9 @@ def a_minute_is_worth_a_save():
         assert looks < 1000
     assert looks == 600, looks
     assert len(craft.said("parameters change so often")) == 1, craft.said()
+    for _ in range(10 * 600 + 1):
+        craft._is_due_to_save()
+    assert craft._credit_ms == 600000, "ten saves may come at once, however long none has come"
 
 
 def texts_from_before_the_link_are_sent():
@@ -384,10 +427,12 @@ CHECKS = (
     (services_can_be_taken_twice,),
     (answers_wait_for_room, "services.links"),
     (a_message_that_is_asked_for_waits_for_room, "services.links"),
+    (what_is_left_out_is_told_once, "services.links"),
     (faults_are_told_after_days, "services.links"),
     (texts_from_before_the_link_are_sent,),
     (arming_asks_the_users_code,),
     (a_stream_takes_back_what_was_asked_for_a_message,),
+    (what_was_asked_for_holds_while_its_parameter_does,),
     (a_minute_is_worth_a_save, "storage.set"),
 )
 

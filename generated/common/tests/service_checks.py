@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: ee2d9b3b1b65248a
+# Inputs: 9aaf33880fc62989
 """Checks of the services: messages of ground stations, and the answers of the whole vehicle."""
 
 from program_bench import (
@@ -18,7 +18,6 @@ from program_bench import (
     needs_arming,
     new_craft,
     payload_of,
-    quieted,
     ready_craft,
     run,
     run_passes,
@@ -152,7 +151,6 @@ def message_follows_the_acknowledgement():
 def full_port_delays_but_does_not_reorder():
     """While the port takes nothing the answers wait; then they come in their order."""
     craft, station = _met()
-    quieted(craft)
     craft.port.room = 0
     asked = [410, 411, 412]
     for number in asked:
@@ -506,6 +504,9 @@ def ground_stations_are_noted():
     assert services.ground_station == (255, 190)
     announced = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
     assert [each for each in station.received() if each.ID not in announced] == []
+    GroundStation(craft.port, system_id=254, component_id=191).send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
+    run_passes(craft, 3)
+    assert services.ground_station == (254, 191), "the one that was heard last"
 
 
 def answers_across_the_wrap():

@@ -1,9 +1,10 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 3dd7280320f5b424
+# Inputs: 72cc6966913327ed
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
 import struct
+from binascii import crc32
 
 from program_bench import (
     IS_MICROPYTHON,
@@ -299,6 +300,25 @@ def what_is_not_understood_is_skipped():
     assert _values(again) == _values(craft)
 
 
+def what_an_earlier_release_has_saved_is_read():
+    """The bytes in flash are those that they always were, of a slot and of what is in it: both ways."""
+    facts = _changing()
+    name, steps = facts["name"], _other(facts)
+    value = steps * facts["numerator"] / facts["denominator"]
+    record = bytes([len(name)]) + name.encode() + struct.pack("<f", value)
+    for number, file in ((0x0102, FILES[0]), (0x0103, FILES[1])):
+        slot = b"SLOT" + struct.pack("<HHH", 1, number, len(record)) + record
+        slot += struct.pack("<I", crc32(slot) & 0xFFFFFFFF)
+        if number == 0x0102:
+            flash = Flash()
+            flash.files[file] = slot
+            start = Start(flash)
+            assert start.said() == []
+            assert _values(start) == [steps if each is facts else each["default"] for each in PARAMETERS]
+            save(start)
+        assert flash.files[file] == slot, number
+
+
 def save_waits_while_armed():
     """A value set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
     needs_arming()
@@ -524,6 +544,7 @@ CHECKS = (
     (absent_files_give_defaults, "storage.defaults"),
     (damaged_files_give_defaults_and_a_warning, "storage.defaults"),
     (what_is_not_understood_is_skipped, "storage.defaults"),
+    (what_an_earlier_release_has_saved_is_read, "storage.kept"),
     (lost_parameters_refuse_arming, "storage.lost"),
     (power_cut_leaves_old_or_new, "storage.power_cut"),
     (sequence_wraps, "storage.power_cut"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_bench.py: do not edit.
-# Inputs: 4ceb2c93f946187b
+# Inputs: 8b83b864f9c4b08a
 """A vehicle of which one failsafe is looked at, condition by condition, and what else of it holds meanwhile."""
 
 from program_bench import mock_time, needs, new_craft
@@ -13,9 +13,9 @@ SOME_PASSES = 4  # in which a HEARTBEAT that has come is taken
 class Bench:
     """A vehicle of which one failsafe is looked at; what it watches has the values that a check gives it."""
 
-    def __init__(self, facts, is_armed=True):
+    def __init__(self, facts, is_armed=True, ports=None):
         self.facts = facts
-        self.craft = new_craft()
+        self.craft = new_craft(ports=ports)
         self.failsafe = getattr(self.craft, facts["list"])[0]
         check, own = self.craft._check, getattr(self.craft, facts["list"])
         self.craft._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest

@@ -1,8 +1,8 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: b85d96b159866af8
+# Inputs: c0d6ba01665bfb4c
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
-from program_bench import GroundStation, main, mock_time, needs, needs_arming, new_craft
+from program_bench import GroundStation, Port, main, mock_time, needs, needs_arming, new_craft
 from program_facts import ACTIONS, PARAMETERS, PRIORITY, TELLS_STATUS, WATCHED
 from watched_bench import (
     AFTER,
@@ -158,19 +158,24 @@ def a_level_stays_or_is_over():
         assert found, condition
         assert found[0][0] == 0, (condition, found)
         assert bench.failsafe.level < condition[LEVEL], (condition, found)
-        texts = _said_since(bench, said)
-        assert len(texts) == (len(found) if bench.holding() else 1), texts
+        assert bench.craft.texts.last == said + (len(found) if bench.holding() else 1)
         if not bench.failsafe.level:
-            severity, _ = texts[0]
+            severity, _ = bench.craft.texts.get(said + 1)
             assert severity == dialect.MAV_SEVERITY_NOTICE
             _tells(bench, dialect.MAV_STATE_ACTIVE)
+        _begins_anew(bench, condition, at, beyond)
     needs(seen, ALONE)
 
 
-def _said_since(bench, number):
-    """Return the texts since one, but for those about the health and what has come back, which values tell, too."""
-    texts = [bench.craft.texts.get(each) for each in range(number + 1, bench.craft.texts.last + 1)]
-    return [text for text in texts if " health: " not in text[1] and not text[1].endswith(" connected")]
+def _begins_anew(bench, condition, at, beyond):
+    """A level that is over has its own threshold again, and does not come at once where a value becomes unknown."""
+    due = bench.due(condition)
+    steps = [(at, due + 2)] if condition[SLACK] else []
+    steps += [(beyond, 1), (None, 3)] if due > 1 and not _leads_unknown(bench, condition, 3) else []
+    for value, passes in steps:
+        bench.values[condition[ATTRIBUTE]] = value
+        bench.run(passes=passes)
+        assert bench.failsafe.level < condition[LEVEL], (condition, value)
 
 
 def _leads_further(bench, condition, beyond, passes):
@@ -383,6 +388,19 @@ def silence_begins_anew_with_each_heartbeat():
         assert bench.failsafe.level >= 1
 
 
+def a_station_on_any_link_is_heard():
+    """One that is heard on one link and then on another is not missed, though each of them is silent for too long."""
+    for facts, condition in each_of(("silent",)):
+        bench = Bench(facts, ports=[Port(), Port()])
+        if facts["enabled_by"]:
+            setattr(bench.craft.parameters, facts["enabled_by"], 1)
+        delay = min(bench.delay(each) for each in facts["conditions"])
+        for _ in range(3):
+            for connection in bench.craft.connections:
+                GroundStation(connection.port).send(messages.Heartbeat, type=GCS)
+                assert bench.run(passes=delay - 1) == [], condition
+
+
 CHECKS = (
     (a_condition_holds_beyond_its_threshold_for_its_time, "failsafe.timer", "failsafe.below", "failsafe.above"),
     (one_good_reading_begins_the_time_anew, "failsafe.timer"),
@@ -396,6 +414,7 @@ CHECKS = (
     (each_text_fits_one_frame, "failsafe.text"),
     (silence_is_counted_from_the_last_heartbeat, "failsafe.timer", "failsafe.silent"),
     (silence_begins_anew_with_each_heartbeat, "failsafe.timer", "failsafe.silent"),
+    (a_station_on_any_link_is_heard, "failsafe.silent"),
 )
 
 if __name__ == "__main__":

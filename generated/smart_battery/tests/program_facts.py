@@ -40,6 +40,7 @@ TOLD_ARMED = (False, False)  # whether HEARTBEAT has its flag while disarmed, an
 SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
+LENGTHS = ((0, 54), (97, 97), (107, 107))  # of payloads that go out, the first and the last of each range
 
 # The user's module and the class in it, which the board starts.
 USER = ("pack", "Pack")

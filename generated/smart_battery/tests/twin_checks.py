@@ -1,9 +1,11 @@
 # Generated from templates/tests/program/twin_checks.py: do not edit.
-# Inputs: 42db6bd882bd7bf8
+# Inputs: 5ac94cb76262d1b9
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
 from binascii import hexlify
+from struct import calcsize
 
+from fields import layout_of
 from mavlink import Link
 from program_bench import (
     COMPONENT_ID,
@@ -16,9 +18,12 @@ from program_bench import (
     main,
     messages,
     mock_time,
+    needs,
     new_craft,
+    payload_of,
     run,
 )
+from program_facts import MESSAGES
 from stand_ins import Texts, Thing
 
 import twins
@@ -114,6 +119,27 @@ def twins_are_known_by_chips_and_numbers():
     mock_time.set_ticks_us(0)
 
 
+def what_is_watched_is_what_goes_out():
+    """The whole field that has the chip, the one that has the number of the instance, and its own numbers alone."""
+    craft = new_craft()
+    watch = craft.connections[0].twins
+    needs(watch._kinds, "a message that has the chip")
+    for number, start, count, place in watch._kinds:
+        layout = layout_of(next(each for each in messages.ALL if number == each.ID))
+        sizes = {field[1]: calcsize(field[0]) for field in layout.values()}
+        assert sizes[start] == count, (number, start, count)
+        if place is None:
+            continue
+        assert sizes[place] == 1, (number, place)
+        craft.port.frames = []
+        craft.connections[0].streams.send(number)
+        told = [payload_of(frame) for frame in craft.port.frames]
+        found = [payload[place] if place < len(payload) else 0 for payload in told]
+        assert found, number
+        assert [each for each in found if each not in watch._numbers] == [], (found, watch._numbers)
+        assert len(watch._numbers) == MESSAGES[number]["instances"], watch._numbers
+
+
 def frames_that_come_back_are_own():
     """A HEARTBEAT with a number that one of the links has sent of late is its own: two others in a row are told."""
     at_hand = Thing(component_id=7, link=Thing(sequence=70), stations=[], station=Thing(sequence=0))
@@ -140,6 +166,7 @@ def frames_that_come_back_are_own():
 
 CHECKS = (
     (twins_are_known_by_chips_and_numbers, "services.twins"),
+    (what_is_watched_is_what_goes_out, "services.twins"),
     (frames_that_come_back_are_own, "services.twins"),
     (who_has_its_ids_is_told, "services.twins"),
     (others_are_not, "services.twins"),

@@ -33,10 +33,10 @@ NOBODY = 410  # a command that no vehicle knows: who is heard gets an answer all
 class SignedStation(GroundStation):
     """A ground station that signs; `sent` are the frames that it sent."""
 
-    def __init__(self, port, key, link_id=9):
+    def __init__(self, port, key, link_id=9, component_id=190):
         GroundStation.__init__(self, port)
         self.signing = Signing(key, link_id)
-        self.link = Link(self, 255, 190, 2, messages.ALL, signing=self.signing)
+        self.link = Link(self, 255, component_id, 2, messages.ALL, signing=self.signing)
         self.sent = []
 
     def write(self, frame):
@@ -128,6 +128,10 @@ def unsigned_frames_are_not_obeyed():
     assert not _is_obeyed(craft, SignedStation(craft.port, OTHER))
     link = craft.connections[0].link
     assert link.refused == 2
+    craft.ground_station().send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
+    run_passes(craft, 4)
+    assert craft.connections[0].services.ground_station is None
+    assert link.refused == 3
     station = SignedStation(craft.port, KEY)
     station.port = Port()
     station.command(NOBODY)
@@ -136,7 +140,7 @@ def unsigned_frames_are_not_obeyed():
         frame[at] ^= 1
         craft.port.arrives(frame)
     run_passes(craft, 4)
-    assert (link.refused, link.signed) == (5, 0)
+    assert (link.refused, link.signed) == (6, 0)
 
 
 def only_who_has_the_key_can_arm():
@@ -171,12 +175,18 @@ def nothing_counts_twice():
     assert _is_obeyed(again, station)
 
 
+def _put_ahead(station, ticks):
+    """Let a station sign with timestamps that are ahead of any clock here."""
+    signing = station.signing
+    signing.timestamp = max(signing.timestamp, signing._now(), 0) + ticks
+
+
 def timestamps_go_on_after_a_restart():
     """Frames that a vehicle signs are always newer than those signed before, whatever its clock says."""
     name = _signed()
     craft = _scene(name)
     station = SignedStation(craft.port, KEY)
-    station.signing.timestamp += 360000000  # an hour before the others
+    _put_ahead(station, 60 * MINUTE)  # of all clocks
     assert _is_obeyed(craft, station)
     live(craft, _wait(61000, craft))
     newest = int.from_bytes(craft.port.frames[-1][-12:-6], "little")
@@ -185,6 +195,27 @@ def timestamps_go_on_after_a_restart():
     assert again.port.frames
     oldest = int.from_bytes(again.port.frames[0][-12:-6], "little")
     assert oldest > newest
+
+
+def who_is_ahead_is_followed():
+    """Each frame that goes out is newer than all that were accepted: a station whose clock is ahead understands it."""
+    craft = _scene(_signed())
+    station = SignedStation(craft.port, KEY)
+    assert _is_obeyed(craft, station)
+    _put_ahead(station, 60 * MINUTE)
+    assert _is_obeyed(craft, station)
+    run_passes(craft, 400)
+    assert int.from_bytes(craft.port.frames[-1][-12:-6], "little") > station.signing.timestamp
+
+
+def each_sender_counts_for_itself():
+    """Of one system each component, on each of its links: what is older than a frame of another one is new."""
+    for link_id, component_id in ((2, 190), (1, 191)):
+        craft = _scene(_signed())
+        first, second = SignedStation(craft.port, KEY, 1), SignedStation(craft.port, KEY, link_id, component_id)
+        _put_ahead(first, MINUTE // 2)
+        for station in (first, second, first):
+            assert _is_obeyed(craft, station), (link_id, component_id, station is first)
 
 
 def without_a_key_nobody_is_obeyed():
@@ -270,6 +301,23 @@ def a_new_key_comes_over_a_cable():
     assert not [frame for frame in trusted.port.frames if OTHER in frame]
 
 
+def a_key_that_comes_again_takes_nothing_back():
+    """With an earlier timestamp, too, what goes out stays newer than all before: stations refuse what is older."""
+    name, cable = _signed(), _setup()
+    craft = new_craft(ports=[Named(name), Named(cable)], flash=_scene(name).flash)
+    station, trusted = SignedStation(craft.port, KEY), GroundStation(craft.connections[1].port)
+    _put_ahead(station, 60 * MINUTE)
+    assert _is_obeyed(craft, station)
+    trusted.send(messages.SetupSigning, secret_key=KEY, initial_timestamp=5)
+    run_passes(craft, 4)
+    assert craft.said("links have a new key")
+    craft.port.frames = []
+    run_passes(craft, 400)
+    oldest = min([int.from_bytes(frame[-12:-6], "little") for frame in craft.port.frames])
+    assert oldest > station.signing.timestamp, "before the station is heard again"
+    assert _is_obeyed(craft, station)
+
+
 def no_key_comes_otherwise():
     """Not over another link, not for another system, and not an empty one, which would switch signing off."""
     name, cable = _signed(), _setup()
@@ -315,11 +363,14 @@ CHECKS = (
     (only_who_has_the_key_can_arm, "access.signed"),
     (nothing_counts_twice, "access.replay"),
     (timestamps_go_on_after_a_restart, "access.replay"),
+    (who_is_ahead_is_followed, "access.signed"),
+    (each_sender_counts_for_itself, "access.replay"),
     (without_a_key_nobody_is_obeyed, "access.keyless"),
     (timestamps_are_kept_seldom, "access.replay"),
     (nothing_is_kept_while_armed, "access.replay"),
     (a_flash_that_fails_is_survived, "access.replay"),
     (a_new_key_comes_over_a_cable, "access.setup"),
+    (a_key_that_comes_again_takes_nothing_back, "access.setup"),
     (no_key_comes_otherwise, "access.setup"),
     (no_key_comes_while_armed, "access.setup"),
     (only_listed_systems_are_heard, "access.listed"),

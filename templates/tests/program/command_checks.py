@@ -14,6 +14,7 @@ from program_bench import (
     turns,
 )
 from program_facts import COMPONENT_ID, SYSTEM_ID
+from station_checks import Scene as Stations
 
 import dialect
 
@@ -268,11 +269,33 @@ def progress_is_told():
             assert told == [(IN_PROGRESS, 0)] + [(IN_PROGRESS, 30)] * 3, (facts["name"], told)
             scene.progress.says = end
             run(scene.craft, SECOND_US // 2)
-            assert [ack.result for ack in scene.station.received(messages.CommandAck)] == [result], (facts["name"], end)
+            ended = [(ack.result, ack.raw("progress")) for ack in scene.station.received(messages.CommandAck)]
+            assert ended == [(result, 0)], (facts["name"], end, ended)  # progress is of what goes on
             asked = len(scene.progress.given)
             run(scene.craft, 2 * SECOND_US)
             assert len(scene.progress.given) == asked, "what is over is asked for its progress"
             assert scene.station.received(messages.CommandAck) == []
+
+
+def progress_is_for_who_asked():
+    """Of two stations at one port, the one that asked is told how far it is, and the end; the other one nothing."""
+    needs(LONG, "a command that takes long")
+    for facts in LONG:
+        for asking, other in ((1, 2), (2, 1)):
+            scene = Stations()
+            if facts["armed"]:
+                assert scene.craft.arm(force=True) is None
+            Method(scene.craft, facts["method"])
+            progress = Method(scene.craft, facts["method"] + "_progress", 10)
+            scene.seconds(1, 1, 2)
+            scene.air.taken = {}
+            scene.station(asking).command(facts["number"], *facts["good"][0])
+            scene.seconds(2, 1, 2)
+            progress.says = None
+            scene.seconds(1, 1, 2)
+            told = [ack.result for ack in scene.station(asking).received(messages.CommandAck)]
+            assert told[:2] + told[-1:] == [IN_PROGRESS, IN_PROGRESS, ACCEPTED], (facts["name"], asking, told)
+            assert scene.station(other).received(messages.CommandAck) == [], (facts["name"], asking)
 
 
 def repeated_is_begun_once():
@@ -371,6 +394,7 @@ CHECKS = (
     (only_when_it_is_allowed, "command.allowed"),
     (only_who_is_heard, "command.from"),
     (progress_is_told, "command.progress"),
+    (progress_is_for_who_asked, "command.progress"),
     (repeated_is_begun_once, "command.progress"),
     (cancelled_ends, "command.cancel"),
     (modes_are_entered, "mode.change"),

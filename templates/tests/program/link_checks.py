@@ -17,7 +17,7 @@ from program_bench import (
     run_passes,
     turns,
 )
-from program_facts import CONTROL_US, LINKS, LINKS_US, MEASURED, PARAMETERS
+from program_facts import CONTROL_US, LENGTHS, LINKS, LINKS_US, MEASURED, PARAMETERS
 
 import board
 from serial_port import open_uart
@@ -107,6 +107,14 @@ def full_buffer_drops_whole_frames():
         run(craft, 5 * SECOND_US)
         assert len(station.received(*messages.ALL)) == len(taken), (size, "what was taken arrives")
         assert station.link.crc_errors == 0, size
+
+
+def views_are_kept_of_what_goes_out():
+    """From the start a link has a view of each length that goes out, which takes memory, and of no other."""
+    expected = [length for first, last in LENGTHS for length in range(first, last + 1)]
+    for connection in new_craft().connections:
+        views = connection.link.room[1]
+        assert [length for length in range(len(views)) if views[length] is not None] == expected, expected
 
 
 def slow_line_takes_the_whole_list():
@@ -326,6 +334,7 @@ def ports_are_those_of_the_specification():
 CHECKS = (
     (partial_writes_keep_frames_whole, "services.links"),
     (full_buffer_drops_whole_frames, "services.links"),
+    (views_are_kept_of_what_goes_out,),
     (slow_line_takes_the_whole_list, "storage.read"),
     (faults_of_a_line_are_survived, "services.links"),
     (absent_line_is_survived, "services.links"),

@@ -286,12 +286,47 @@ def a_socket_is_what_is_declared():
             udp_port.socket = before
 
 
+def a_try_waits_for_its_pause_and_no_longer():
+    """At once, then after each pause: across the end of the ticks, and where nobody asked for half a round of them."""
+    for begun_ms in (0, 0x3FFFFFFF - 500):
+        retry = network_port.Retry(1000)
+        for ahead_ms, is_due in (
+            (0, True),
+            (1, False),
+            (999, False),
+            (1000, True),
+            (1999, False),
+            (2000, True),
+            ((1 << 29) + 4500, True),
+            ((1 << 29) + 5400, False),
+            ((1 << 29) + 5500, True),
+        ):
+            assert retry.is_due(begun_ms + ahead_ms & 0x3FFFFFFF) is is_due, (begun_ms, ahead_ms)
+
+
+def ports_share_a_network_that_is_the_same():
+    """One of the same name and password: with another password it is another try to join it."""
+    joined, network_port._joined = network_port._joined, []
+    network.radio.reset()
+    try:
+        shared = network_port._network("home", "secret", 5000)
+        assert network_port._network("home", "secret", 5000) is shared
+        others = [network_port._network(*own, 5000) for own in (("home", None), ("home", "other"), ("away", "secret"))]
+        assert shared not in others
+        assert network_port._joined == [shared] + others  # noqa: RUF005  MicroPython has no stars there
+    finally:
+        network_port._joined = joined
+        network.radio.reset()
+
+
 CHECKS = (
     (datagrams_over_the_loopback, "services.links"),
     (a_datagram_is_tried_twice, "services.links"),
     (a_socket_that_cannot_be_opened_is_told_once, "services.links"),
     (a_socket_is_what_is_declared, "services.links"),
     (the_network_is_joined_again, "services.links"),
+    (a_try_waits_for_its_pause_and_no_longer, "services.links"),
+    (ports_share_a_network_that_is_the_same, "services.links"),
 )
 LONG = (datagrams_over_the_loopback,)
 

@@ -504,6 +504,9 @@ def ground_stations_are_noted():
     assert services.ground_station == (255, 190)
     announced = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
     assert [each for each in station.received() if each.ID not in announced] == []
+    GroundStation(craft.port, system_id=254, component_id=191).send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
+    run_passes(craft, 3)
+    assert services.ground_station == (254, 191), "the one that was heard last"
 
 
 def answers_across_the_wrap():

@@ -205,20 +205,30 @@ def ends(facts):
 
 
 def what_code_gives(facts):
-    """Numbers that read() gives in units become steps; None, NaN and what is beyond the limits are unknown."""
+    """Numbers that read() gives in units become steps; None, NaN and what is beyond the limits are unknown at once."""
     if not facts["given"]:
         return
     driver = getattr(Sources(SystemState(log=silent), silent), facts["name"]).driver
     count = len(facts["given"])
+    middle = [(low + high) // 2 for low, high, _, _ in facts["given"]]
+    known = [steps * each[3] / each[2] for steps, each in zip(middle, facts["given"])]  # noqa: B905  as below
+
+    def know():
+        driver._read = lambda: known[0] if count == 1 else tuple(known)
+        assert driver.poll(0)
+        assert _numbers(driver.values, facts["given"]) == middle, list(driver.values)
+
     for at, (low, high, numerator, denominator) in enumerate(facts["given"]):
         for steps in (low - 1, low, (low + high) // 2, high, high + 1, None):
             expected = steps if steps is not None and low <= steps <= high else UNKNOWN
             for number in (float("nan"), None) if steps is None else (steps * denominator / numerator,):
+                know()
                 driver._read = lambda at=at, number=number: _row(count, at, number)
                 assert driver.poll(0)
                 found = _numbers(driver.values, facts["given"])
                 assert found == [expected if place == at else UNKNOWN for place in range(count)], (at, number, found)
     if count > 1:
+        know()
         driver._read = lambda: None
         assert driver.poll(0)
         assert list(driver.values) == [UNKNOWN] * len(driver.values)

@@ -118,9 +118,8 @@ def _message(
     )
     if before or behind:
         name = before[-1] if before else behind[0]
-        between = span.text[
-            own[-1][0] if False else next(o for o, n in reversed(own) if n == name and (o < at) == bool(before)) : at
-        ]
+        offset = next(each for each, said in reversed(own) if said == name and (each < at) == bool(before))
+        between = span.text[offset:at]
         rest = [reading.messages[each] for each in dict.fromkeys(n for _, n in own) if each != name]
         return (
             reading.messages[name],

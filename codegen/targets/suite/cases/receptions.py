@@ -100,11 +100,19 @@ class _Cases:
             yield self._case(f"{taken.label}-too-old", cited, self._message(taken=taken), {"ms": after_ms + 1})
             refreshed = (self._message(taken=taken), {"ms": after_ms}, self._message(taken=taken), {"ms": after_ms})
             yield self._case(f"{taken.label}-again", cited, *refreshed)
-            for number in taken.unchanged:  # it grows stale as if that message had not come
-                left = self._message({taken.label: number}, taken=taken)
+            for name, left in self._leaving(taken):  # it grows stale as if that message had not come
                 yield self._case(
-                    f"{taken.label}-left-{number}", cited, self._message(taken=taken), {"ms": after_ms}, left, {"ms": 1}
+                    f"{taken.label}-{name}", cited, self._message(taken=taken), {"ms": after_ms}, left, {"ms": 1}
                 )
+
+    def _leaving(self, taken: ReceivedField) -> Iterator[tuple[str, Step]]:
+        """Yield what may leave the quantity as it was: numbers that say so or are not plausible, and other fields."""
+        for number in taken.unchanged:
+            yield f"left-{number}", self._message({taken.label: number}, taken=taken)
+        for value in list(_refused_values(taken).values())[:1]:
+            yield "refused-and-old", self._message({taken.label: value}, taken=taken)
+        for field, said in list(_broken(taken.provisos))[:1]:
+            yield "no-value-and-old", self._message(others={field: said}, taken=taken)
 
     def _of_table(self) -> Iterator[ReceptionCase]:
         table = self._table

@@ -74,8 +74,9 @@ class RestFacts:
 class ReadingFacts:
     """A reading with the others of its component; ``on`` are the settings with which it is read.
 
-    With each of ``off`` it is not. ``extremes`` are those with the smallest and the largest factors, and ``builders``
-    the messages that notice its age.
+    With each of ``off`` it is not; with those of ``apart``, one for each instance, that one alone is read, at the pin
+    ``pins[0]``, and the parameters of all others have ``pins[1]``, and other factors. ``extremes`` are those with the
+    smallest and the largest factors, and ``builders`` the messages that notice its age.
     """
 
     own: InputFacts
@@ -86,6 +87,8 @@ class ReadingFacts:
     stale_after_ms: int | None
     on: Settings
     off: tuple[Settings, ...]
+    apart: tuple[Settings, ...]
+    pins: tuple[int, ...]
     extremes: tuple[Settings, ...]
     builders: tuple[str, ...]
     lasting: LastingFacts | None
@@ -102,6 +105,7 @@ def reading_facts(system: System) -> tuple[ReadingFacts, ...]:
 def _facts(reading: Reading, system: System) -> ReadingFacts:
     component, quantity, conversion = reading.component, reading.quantity, reading.conversion
     on, off = switched(reading)
+    apart, pins = _apart(reading)
     others = [each for each in component.readings if each is not reading and each.quantity is not quantity]
     return ReadingFacts(
         own=_input(reading, system),
@@ -112,6 +116,8 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
         stale_after_ms=quantity.trust.stale_after_ms,
         on=on,
         off=off,
+        apart=apart,
+        pins=pins,
         extremes=tuple({**on, **found} for found in _extremes(conversion.factors)),
         builders=_builders(reading, system),
         lasting=_lasting(reading),
@@ -123,6 +129,7 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
             "robustness": component.cited("robustness"),
             "steady": component.cited("steady"),
             "when": conversion.channel.cited("when"),
+            "pin": conversion.channel.cited("pin"),
         },
     )
 
@@ -209,6 +216,29 @@ def switched(reading: Reading) -> tuple[dict[str, int], tuple[Settings, ...]]:
         other = [value for value in parameter.choices or (parameter.minimum, parameter.maximum) if value != steps]
         off += [{**on, first_attribute(parameter): value} for value in other]
     return on, tuple(off)
+
+
+def _apart(reading: Reading) -> tuple[tuple[Settings, ...], tuple[int, ...]]:
+    """Return settings with which one instance alone is read, for each, and the two pins of these; none without such."""
+    channel, count = reading.conversion.channel, reading.component.instances
+    pin, switch = channel.pin, reading.component.switch
+    if pin is None or count < 2 or len(pin.siblings) != count:
+        return (), ()
+    known = tuple(pin.choices) or (pin.minimum, pin.maximum)
+    chosen = [] if switch is None else [(switch, max(switch.choices or (switch.maximum,)))]
+    chosen += [channel.when] if channel.when else []
+    rests = [quantity.derivation.remains for quantity in reading.given]
+    factors = [*reading.conversion.factors, *(rest.full for rest in rests if rest)]
+    chosen += [(each, each.default) for each in factors if isinstance(each, Parameter)]
+    found = []
+    for instance in range(count):
+        steps = dict.fromkeys(pin.siblings, known[-1]) | {pin.siblings[instance]: known[0]}
+        for parameter, value in chosen:
+            other = parameter.minimum if parameter.minimum != value else parameter.maximum
+            steps |= dict.fromkeys(parameter.siblings, other)
+            steps[(parameter.siblings or (parameter.name,) * count)[instance]] = value
+        found.append({parameter_attribute(name): steps[name] for name in sorted(steps)})
+    return (tuple(found), (known[0], known[-1])) if known[0] != known[-1] else ((), ())
 
 
 def _extremes(factors: tuple[Factor, ...]) -> Iterator[dict[str, int]]:
