@@ -252,3 +252,53 @@ def test_a_number_that_no_field_of_its_kind_has(told, field, quantity, answer, s
     """An entry of an enum beyond its field, which went out as the sentinel; bits of a float; what no float is."""
     out = told(field, quantity, answer)
     assert says in out if says else "error" not in out, out
+
+
+PERCENT = 'type="int8_t" units="%" invalid="-1"'
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer", "parameter", "says"),
+    [
+        (
+            PERCENT,
+            'unit: "%", min: -1, initial: -1',
+            "{state: m.q}",
+            "",
+            "m.q is initially -1 %, which means unknown in f",
+        ),
+        (MV, f"{VOLTS}, initial: 65.535", "{state: m.q}", "", "m.q is initially 65.535 V, which means unknown in f"),
+        (PERCENT, 'unit: "%", min: -1, initial: -1', "{state: m.q, min: 0}", "", None),
+        (PERCENT, 'unit: "%", initial: 0', "{state: m.q}", "", None),
+        (
+            'type="uint64_t" invalid="UINT64_MAX"',
+            "initial: 18446744073709551615, max: 18446744073709551615",
+            "{state: m.q}",
+            "",
+            "means unknown",
+        ),
+        (
+            'type="uint16_t" enum="GRADE" invalid="GRADE_LOW"',
+            "enum: GRADE, initial: GRADE_LOW",
+            "{state: m.q}",
+            "",
+            None,
+        ),
+        (
+            PERCENT,
+            VOLTS,
+            "{parameter: PAR}",
+            "unit: '%', min: -1, max: 9, step: 1, default: -1",
+            "PAR is by default -1 %",
+        ),
+        (PERCENT, VOLTS, "{parameter: PAR}", "unit: '%', min: -1, max: 9, step: 1, default: 1", None),
+    ],
+)
+def test_what_stands_in_at_first_does_not_mean_unknown(told, field, quantity, answer, parameter, says):
+    """An initial value or a default that is the sentinel goes out as the number beside it: it is an error.
+
+    An entry of an enum says what it says, and a limit of the table says what goes out.
+    """
+    out = told(field, quantity, answer, **({"parameter": parameter} if parameter else {}))
+    assert ("sentinel-as-initial" in out) == (says is not None), out
+    assert says is None or says in out, out
