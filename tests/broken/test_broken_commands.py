@@ -163,3 +163,26 @@ def test_of_thousands_of_unknown_commands_those_that_are_shown_have_a_hint(tmp_p
     out = capsys.readouterr().out
     assert out.count(" error unknown-enum-entry: MAV_CMD has no entry MAV_CMD_USER_1") == MOST
     assert out.count("\n  hint: x\n") == MOST
+
+
+@pytest.mark.parametrize(
+    ("params", "says"),
+    [
+        ("2: {name: power}, 1: {name: duration, unit: s}", "pump is given power here, and duration in s for"),
+        ("1: {name: duration, unit: min}", "pump is given duration in min here, and duration in s for MAV_CMD_USER_1"),
+        ("1: {name: time, unit: s}", "pump is given time in s here"),
+        ("3: {name: duration, unit: s, max: 5}, 2: {name: power, unit: '%'}", None),
+        ("1: {name: duration, unit: s}", None),
+    ],
+)
+def test_a_method_is_given_the_same_arguments_for_each_command(params, says, tmp_path, monkeypatch, capsys):
+    """A method of two commands does not know which of them it does: another order would swap its arguments."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    commands = tmp_path / "specs" / COMMANDS
+    entry = f"  MAV_CMD_WAYPOINT_USER_5: {{doc: D., method: pump, requirement: FR-301.2, long: true, params: {{{params}}}}}\n"
+    commands.write_text(commands.read_text() + entry)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == (1 if says else 0)
+    out = capsys.readouterr().out
+    assert ("error bad-command: " in out) == (says is not None), out
+    assert says is None or says in out, out
