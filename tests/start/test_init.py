@@ -1,5 +1,6 @@
 """codegen init: what it writes is a project for each board, nothing is overwritten, what does not fit is told."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -142,3 +143,16 @@ def test_each_kind_is_offered(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["init", "--help"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert all(f"{name}, {text}" in told for name, text in KINDS.items())
+
+
+@pytest.mark.parametrize("kind", ["minimal", "boat", "rover"])
+def test_a_board_without_wifi_has_a_cable_and_all_else(here: Path, kind: str) -> None:
+    """Facts, inputs and instances of the kind stay: only the links are others."""
+    assert main(["init", "w", "--from", kind]) == 0
+    assert main(["init", "a", "--from", kind, "--board", "pico_2"]) == 0
+    wireless, wired = ((here / name / "specs" / "board.yaml").read_text() for name in ("w", "a"))
+    assert "\nlinks:\n  cable: {usb: true}\n" in wired
+    assert "wifi" not in wired
+    kept = [line for line in wireless.splitlines() if re.match(r"(?!links|board)\w+:", line)]
+    assert kept == [line for line in wired.splitlines() if re.match(r"(?!links|board)\w+:", line)]
+    assert findings(here / "a" / "specs" / "codegen.yaml") == []
