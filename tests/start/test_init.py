@@ -120,7 +120,7 @@ def test_what_does_not_fit_is_told_and_nothing_written(
 def test_a_dialect_of_ones_own_is_copied(here: Path) -> None:
     """It may include what pymavlink ships."""
     (here / "own.xml").write_text(
-        '<mavlink><include>common.xml</include><messages><message id="52001" name="OWN"><description>Own.</description>'
+        '<mavlink><include>common.xml</include><messages><message id="54001" name="OWN"><description>Own.</description>'
         '<field type="uint8_t" name="a">A.</field></message></messages></mavlink>'
     )
     assert main(["init", "a", "--dialect", "own.xml"]) == 0
@@ -128,6 +128,16 @@ def test_a_dialect_of_ones_own_is_copied(here: Path) -> None:
     assert findings(here / "a/specs/codegen.yaml") == []
     assert main(["init", "c", "--from", "codec", "--dialect", "ardupilotmega"]) == 0
     assert "<include>ardupilotmega.xml</include>" in (here / "c/dialects/mine.xml").read_text()
+
+
+@pytest.mark.parametrize("dialect", ["common", "ardupilotmega", "all"])
+def test_the_message_of_a_codec_is_new_to_each_dialect(
+    here: Path, capsys: pytest.CaptureFixture[str], dialect: str
+) -> None:
+    """The id of TANK_LEVEL is given away by none that pymavlink ships."""
+    assert main(["init", "c", "--from", "codec", "--dialect", dialect]) == 0
+    wanted = ["--dialect", "c/dialects/mine.xml", "--messages", "HEARTBEAT,TANK_LEVEL", "--out", "lib"]
+    assert main(["codec", *wanted]) == 0, capsys.readouterr().out
 
 
 def test_a_codec_has_no_board(capsys: pytest.CaptureFixture[str]) -> None:
