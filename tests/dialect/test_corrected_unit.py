@@ -129,6 +129,27 @@ def test_another_meaning_is_told(tmp_path: Path, correction: str, words: list[st
     assert all(map(str.startswith, found, words)), found
 
 
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("minValue: abc", "load: minValue is 'abc'"),
+        ("multiplier: 0", "load: multiplier is '0'"),
+        ("increment: abc", "load: increment is 'abc'"),
+        ("default: abc", "load: default is 'abc'"),
+        ("minValue: 5, maxValue: 3", "load: minValue 5 is above maxValue 3"),
+    ],
+)
+def test_a_number_that_cannot_be_is_told_at_the_correction(tmp_path: Path, text: str, says: str) -> None:
+    """Not in the file of pymavlink, in which nothing is wrong."""
+    shutil.copytree(COMMANDED, tmp_path / "specs")
+    correction = f"{{message: SYS_STATUS, field: load, set: {{{text}}}, reason: so, source: me}}"
+    (tmp_path / "specs" / "fix.yaml").write_text(f"corrections:\n  - {correction}\n")
+    with (tmp_path / "specs" / "codegen.yaml").open("a") as project:
+        project.write("\ncorrections: [fix.yaml]\n")
+    done = codegen(tmp_path, "check")
+    assert f"specs/fix.yaml:2:45: error field-number: {says}" in done.stdout, done.stdout
+
+
 def test_it_can_be_waived(tmp_path: Path) -> None:
     """As findings of documents can be: by its fingerprint."""
     assert len(told(tmp_path, "message: ALTITUDE, field: altitude_local, set: {units: cm}")) == 1

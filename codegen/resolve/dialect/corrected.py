@@ -58,7 +58,7 @@ OBSOLETE_CORRECTION = Rule(
 class Corrected:
     """Definitions while corrections are applied to them, and after that.
 
-    ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated;
+    ``added`` names the messages of overlays; ``places``: by message, field and attribute, where a new text is stated;
     ``of_attributes``: what the corrections changed in messages, fields, entries and parameters of commands;
     ``moving``: the enums and entries that corrections give another value which has not been applied yet.
     """
@@ -66,7 +66,7 @@ class Corrected:
     messages: dict[str, MessageDefinition]
     enums: dict[str, EnumDefinition]
     added: Set[str]
-    sentinel_places: dict[tuple[str, str], Place] = field(default_factory=dict)
+    places: dict[tuple[str, str, str], Place] = field(default_factory=dict)
     of_attributes: list[AttributeCorrection] = field(default_factory=list)
     moving: set[tuple[str, str]] = field(default_factory=set)
 
@@ -106,8 +106,7 @@ def correct_field(correction: "Correction", result: Corrected, report: Report) -
         before = attribute_text(new, attribute)
         result.of_attributes.append(as_stated(correction, (name, new.name), attribute, written, before))
         new = new._replace(**change)
-        if attribute == "invalid":
-            result.sentinel_places[name, new.name] = correction.place
+        result.places[name, new.name, attribute] = correction.place if attribute == "invalid" else correction.at("set")
     fields = (*message.fields[:index], new, *message.fields[index + 1 :])
     result.messages[name] = replace(message, fields=fields)
 
@@ -133,8 +132,7 @@ def correct_as_shipped(shipped: AttributeCorrection, result: Corrected) -> None:
     key, read = _READ[shipped.attribute]
     change = {key: read(shipped.text)}
     fields = (each._replace(**change) if each.name == shipped.part else each for each in message.fields)
-    if shipped.attribute == "invalid":
-        result.sentinel_places[shipped.owner, shipped.part] = shipped.place
+    result.places[shipped.owner, shipped.part, shipped.attribute] = shipped.place
     result.messages[shipped.owner] = replace(message, fields=tuple(fields))
 
 

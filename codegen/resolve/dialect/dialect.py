@@ -47,7 +47,7 @@ def resolve_dialect(
     corrected = apply_corrections(merged, enums, corrections, report, added, shipped, refusals)
     messages = numbered_messages(corrected.messages, report)
     wired = [
-        wire_message(_with_enums(message, corrected.enums, report), corrected.enums, corrected.sentinel_places, report)
+        wire_message(_with_enums(message, corrected.enums, report), corrected.enums, corrected.places, report)
         for message in messages
     ]
     return Dialect(

@@ -65,13 +65,13 @@ def wire_order(fields: Iterable[FieldDefinition]) -> tuple[list[FieldDefinition]
 def wire_message(
     definition: MessageDefinition,
     enums: Mapping[str, EnumDefinition],
-    sentinel_places: Mapping[tuple[str, str], Place],
+    places: Mapping[tuple[str, str, str], Place],
     report: Report,
 ) -> WireMessage:
     """The message with every field's place in the payload and its sentinel.
 
-    ``sentinel_places`` has, by message and field, the places of sentinels that a correction states. A payload of more
-    than 255 bytes is reported and computed all the same.
+    ``places`` has, by message, field and attribute, the places of what a correction states. A payload of more than
+    255 bytes is reported and computed all the same.
     """
     base, extensions = wire_order(definition.fields)
     fields: list[WireField] = []
@@ -81,9 +81,9 @@ def wire_message(
         count = 1 if field.length is None else field.length
         sentinel = None
         if field.invalid:
-            place = sentinel_places.get((definition.name, field.name), field.place)
+            place = places.get((definition.name, field.name, "invalid"), field.place)
             sentinel = sentinel_of(field, wire_type, enums.get(field.enum or ""), place, report)
-        multiplier = field_multiplier(field, report)
+        multiplier = field_multiplier(definition.name, field, places, report)
         fields.append(WireField(field, wire_type, offset, count, sentinel, multiplier))
         offset += wire_type.size * count
         if not field.is_extension:
