@@ -50,6 +50,7 @@ CASES = [
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "beyond what the dialect allows for MAV_CMD_CONDITION_YAW 1: 360"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, min: §-0.1}", "0 on the wire"),
     Case("bad-command-parameter", COMMANDS, "max: 100, default: 50", "max: 100, default: §5", "no value that it accepts"),
+    Case("bad-command-parameter", COMMANDS, HORN, HORN.replace("§", "") + "\n  MAV_CMD_SPATIAL_USER_1: {doc: d., method: sweep, params: {1: {name: far, default: §1e39}}}", "the default of far is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, default: §500}", "the default of angle is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, default: §-0.1}", "the default of angle is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "entry: MAV_CMD_CONDITION_YAW, param: 1, set: {maxValue: 361}"),
