@@ -91,6 +91,17 @@ def dialect_bounds(field: WireField) -> Bounds:
     return Bounds(None, None) if low is not None and high is not None and low > high else Bounds(low, high)
 
 
+def counts(covers: Elements, numbers: range) -> bool:
+    """Return whether one integer field carries what the program counts: by type and dialect, and none means unknown."""
+    field = covers.field
+    if not field.type.is_integer or covers.count != 1:
+        return False
+    stated, sentinels = dialect_bounds(field), field.sentinel.values[covers.first :][:1] if field.sentinel else ()
+    low = max(Fraction(field.type.minimum), field.type.minimum if stated.low is None else stated.low)
+    high = min(Fraction(field.type.maximum), field.type.maximum if stated.high is None else stated.high)
+    return low <= numbers[0] and numbers[-1] <= high and not any(number in numbers for number in sentinels)
+
+
 def kept_apart(source: Quantity | Parameter, sentinel: int | float | None) -> int | float | None:
     """The sentinel that no value of a source may become by chance; None where there is none.
 
