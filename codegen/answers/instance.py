@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from codegen.answers.fitting import BAD_SOURCE
 from codegen.answers.kind import KindOfAnswer
+from codegen.answers.limits import counts
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
@@ -43,15 +44,16 @@ class InstanceAnswer(KindOfAnswer):
         if component is None or component.name != owner:
             scope.report.add(BAD_INSTANCE, place, f"the message is not sent for each {owner}", f"for_each: {owner}")
             return None
-        field_type, first = covers.field.type, component.first_number
-        last = component.instances - 1 + (first.maximum if first else 0)
-        if not field_type.is_integer or covers.count != 1 or field_type.maximum < last:
+        first = component.first_number
+        least, last = first.minimum if first else 0, component.instances - 1 + (first.maximum if first else 0)
+        if not counts(covers, range(least, last + 1)):
             message = f"{covers.field.name} cannot carry an instance number"
+            goes = f"that goes from {least} to {last}, none of which means unknown,"
             scope.report.add(
                 BAD_SOURCE,
                 place,
                 f"{message} up to {last}" if first else message,
-                hint=f"a whole number that goes to {last} carries it; answer this one otherwise",
+                hint=f"a whole number {goes} carries it; answer this one otherwise, or count otherwise: first_number",
             )
             return None
         return cls(covers, component.name, first)

@@ -39,6 +39,13 @@ BEYOND_FIELD = Rule(
     "table with min or max that the field ends there.",
 )
 
+SENTINEL_AS_INITIAL = Rule(
+    "sentinel-as-initial",
+    "The initial value of a quantity, or the default of a parameter, is the number that means unknown in a field that "
+    "carries it. No real value goes out as that: until it is set the field says the number beside it, 0 % for -1. A "
+    "quantity without an initial value is unknown at first, and goes out as the sentinel.",
+)
+
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
@@ -82,6 +89,17 @@ def dialect_bounds(field: WireField) -> Bounds:
     written = (field.definition.minimum, field.definition.maximum)
     low, high = (None if text is None else exact_number(text) for text in written)
     return Bounds(None, None) if low is not None and high is not None and low > high else Bounds(low, high)
+
+
+def counts(covers: Elements, numbers: range) -> bool:
+    """Return whether one integer field carries what the program counts: by type and dialect, and none means unknown."""
+    field = covers.field
+    if not field.type.is_integer or covers.count != 1:
+        return False
+    stated, sentinels = dialect_bounds(field), field.sentinel.values[covers.first :][:1] if field.sentinel else ()
+    low = max(Fraction(field.type.minimum), field.type.minimum if stated.low is None else stated.low)
+    high = min(Fraction(field.type.maximum), field.type.maximum if stated.high is None else stated.high)
+    return low <= numbers[0] and numbers[-1] <= high and not any(number in numbers for number in sentinels)
 
 
 def kept_apart(source: Quantity | Parameter, sentinel: int | float | None) -> int | float | None:
@@ -153,6 +171,8 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
     """
     sentinel = covers.field.sentinel
     sentinels = sentinel.values[covers.first : covers.first + covers.count] if sentinel else ()
+    if _begins_unknown(covers, taken, sentinels, report):
+        return
     is_of_enum = isinstance(taken.source, Quantity) and taken.source.enum is not None
     where = "here" if is_of_enum else f"at {taken.source.path}, or here"
     written, unit, place = covers.written, taken.source.unit.name, covers.written.at(taken.key)
@@ -181,3 +201,31 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
                 [(taken.source.spec.at(key if declared is not initial else "initial"), "it is declared here")],
             )
             return
+
+
+def _begins_unknown(
+    covers: Elements, taken: "Taken", sentinels: tuple[int | float | None, ...], report: Report
+) -> bool:
+    """Report a source whose first number means unknown in the field, and return whether it is one.
+
+    What lies beyond the table's own limits goes out as these, which is what is meant.
+    """
+    source, written = taken.source, taken.written
+    begins = taken.initial if isinstance(source, Quantity) else source.default * taken.factor
+    if begins is None or not any(kept_apart(source, sentinel) is not None for sentinel in sentinels):
+        return False
+    value = Fraction(rounded(begins, covers.written.rounding)) if covers.field.type.is_integer else begins
+    is_meant = (written.low is not None and value < written.low) or (written.high is not None and value > written.high)
+    if is_meant or value not in sentinels:
+        return False
+    key, what = ("initial", "initially") if isinstance(source, Quantity) else ("default", "by default")
+    shown = f"{shortly(begins / taken.in_wire)} {source.unit.name}".rstrip()
+    hint = f"leave initial out: {source.path} is unknown then until it is set, and {covers.label} says so"
+    report.add(
+        SENTINEL_AS_INITIAL,
+        covers.written.at(taken.key),
+        f"{source.path} is {what} {shown}, which means unknown in {covers.label}",
+        hint if isinstance(source, Quantity) else "take another default, or answer with a quantity that can be unknown",
+        [(source.spec.at(key), "it is declared here")],
+    )
+    return True

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.answers.kind import KindOfAnswer
+from codegen.answers.limits import counts
 from codegen.answers.pages import BAD_PAGES
 from codegen.answers.scope import Scope
 from codegen.frozen import dataclass
@@ -35,9 +36,11 @@ class PageAnswer(KindOfAnswer):
                 scope.report.add(BAD_PAGES, place, "the message has no pages", "pages: component.quantity")
             return None
         field = covers.field
-        last = (pages.count - 1) * pages.size
-        if not field.type.is_integer or covers.count != 1 or field.type.maximum < last:
-            message = f"{field.name} cannot carry the number {last}, the first of the last page"
+        firsts = range(0, pages.count * pages.size, pages.size)
+        if not counts(covers, firsts):
+            message = f"{field.name} cannot carry the number {firsts[-1]}, the first of the last page"
+            if counts(covers, range(firsts[-1], firsts[-1] + 1)):
+                message = f"{field.name} cannot carry the numbers of pages, {firsts[0]} to {firsts[-1]}"
             scope.report.add(
                 BAD_PAGES, place, message, hint="take a wider integer field for it, or make the list shorter: elements"
             )

@@ -64,7 +64,7 @@ def start_files(wish: Wish, report: Report) -> dict[str, str]:
     if wish.board is not None:
         board = _with(files["specs/board.yaml"], "board", wish.board)
         if not has_wifi:
-            board = f"{board.partition(chr(10) * 2)[0]}\n\n{common['board_cable.yaml']}"
+            board = _with_links(board, common["board_cable.yaml"])
         files["specs/board.yaml"] = board
     return dict(sorted(files.items()))
 
@@ -100,6 +100,12 @@ def _texts(folder: str) -> dict[str, str]:
             with open(path, "rb") as file:
                 found[os.path.relpath(path, folder).replace(os.sep, "/")] = file.read().decode("utf-8")
     return found
+
+
+def _with_links(board: str, links: str) -> str:
+    """Return the text of a board.yaml with other links; what else it says stays."""
+    parts = board.rstrip("\n").split("\n\n")
+    return "\n\n".join(links.rstrip("\n") if "\nlinks:" in f"\n{part}" else part for part in parts) + "\n"
 
 
 def _has_wifi(board: str, report: Report) -> bool:

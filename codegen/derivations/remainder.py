@@ -124,6 +124,10 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
         return None
     spelt = around.others[name].stored or around.others[name].unit
     unit = Unit.parse(spelt)
+    if unit is not None and ratio(full.unit, unit) is None:
+        kinds = f"{full.name} is {full.unit.a_kind}, and {name} is {unit.a_kind}"
+        around.bad("left_of", kinds, BAD_REMAINDER, hint=f"name a parameter in {spelt}")
+        return None
     steps = None if unit is None else whole((ratio(full.unit, unit) or Fraction(0)) * full.step)
     if steps is None or unit is None or full.minimum < 0:
         message = f"a step of {full.name} is no whole number of {spelt}, or it can be below 0"

@@ -15,3 +15,12 @@ def bridged_link(system: System) -> str | None:
     cables = [link.name for link in system.links if not link.kind.is_wireless]
     deaf = deaf_links(system)
     return next((name for name in cables if name not in deaf), cables[0] if cables else None)
+
+
+def spoken_cable(system: System) -> str | None:
+    """Return the cable by which a scenario speaks to a board whose network takes nothing; None where there is none."""
+    deaf = deaf_links(system)
+    wireless = [link.name for link in system.links if link.kind.is_wireless]
+    if not wireless or not set(wireless) <= set(deaf):
+        return None
+    return next((link.name for link in system.links if link.name not in deaf), None)

@@ -6,7 +6,7 @@ A build that finds the dialect in the cache does not import this.
 import os
 from dataclasses import replace
 
-from codegen.decode.dialect.files import decode_dialect_files, decode_overlay
+from codegen.decode.dialect.files import decode_overlay, decode_project_dialect
 from codegen.decode.dialect.known import decode_known_file, taken_elsewhere
 from codegen.decode.shipped_corrections import shipped_corrections
 from codegen.diagnostics import Report, Rule
@@ -31,7 +31,7 @@ def decode_dialect(spec: Spec, files: Files, report: Report) -> Dialect | None:
     path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, files, report, is_file=written.endswith(".xml"))
     if path is None:
         return None
-    found = decode_dialect_files(path, files, report, place)
+    found = decode_project_dialect(path, files, report, place)
     for index, overlay in enumerate(project.overlays):
         overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
         found += decode_overlay(overlay_path, files, report, project.at(f"overlays[{index}]"), found)

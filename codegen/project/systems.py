@@ -1,7 +1,7 @@
 """A project, read: the specification of each of its programs, resolved and checked, and its scenarios."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from codegen.decode.decoded import decoded_with_includes
@@ -12,6 +12,7 @@ from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
+from codegen.findings.fingerprint import fingerprint
 from codegen.load.files import DISK, Files
 from codegen.model.dialect.dialect import Dialect
 from codegen.model.program_folders import ProgramFolders, is_one_of_several, program_folders
@@ -30,6 +31,15 @@ NO_FOLDER_OF_TESTS = Rule(
     "codegen.yaml names a folder with tests written by hand that is not there, so codegen trace finds none of them.",
     Severity.WARNING,
     remedy="write the path of a folder, relative to codegen.yaml, or take it out of the list",
+)
+
+ONE_COMPONENT = Rule(
+    "one-component",
+    "Two programs of a project are one MAVLink component: both have the same ids. Connected to one vehicle each leaves "
+    "alone what the other one sends, as its own, and both answer what a ground station asks one of them. Programs that "
+    "are never there together can waive it.",
+    Severity.WARNING,
+    remedy="give the program a component_id of its own in its codegen.yaml, such as MAV_COMP_ID_USER1",
 )
 
 
@@ -54,8 +64,21 @@ def read_systems(project_file: str, report: Report, files: Files = DISK) -> tupl
         known = {_said(finding) for finding in report}
         report.extend(_told(finding, program) for finding in found if _said(finding) not in known)
         if system is not None:
+            alike = _check_ids(system, systems, program)
+            report.extend(with_waived(alike, os.path.dirname(os.path.abspath(project_file)), own))
             systems.append(system)
     return tuple(systems)
+
+
+def _check_ids(system: System, others: Iterable[System], program: ListedProgram) -> Iterator[Diagnostic]:
+    """Yield a finding of a program that goes by the ids of another one, as it does unless a parameter is set."""
+    for other in others:
+        if (system.system_id, system.component_id) == (other.system_id, other.component_id):
+            name = other.spec.program or other.spec.project.project
+            message = f"{program.name} is system {system.system_id}, component {system.component_id}, as {name} is"
+            about = fingerprint(ONE_COMPONENT.id, program.place.file, f"{program.name} {name}")
+            yield Diagnostic(program.place, ONE_COMPONENT, message, fingerprint=about)
+            return
 
 
 def _said(finding: Diagnostic) -> tuple[Place, str, str]:

@@ -47,7 +47,10 @@ def check_carried(member: Member, report: Report) -> None:
         what = f"{decimal(value)} of {name}" if spec.values else f"{key} of {name} is {decimal(value)}: that"
         end = decimal(-largest if value < 0 else largest)
         hint = f"choose values up to {end}" if spec.values else f"{key}: {end}, or a larger step"
-        message = f"{what} is more than floats of 32 bits carry, in which parameters are sent and stored"
+        why = "is more than floats of 32 bits carry"
+        if _is_float(value):  # the last one is there, and not the one before it
+            why = f"is more steps of {decimal(spec.step)} than floats of 32 bits tell apart"
+        message = f"{what} {why}, in which parameters are sent and stored"
         report.add(PARAMETER_BEYOND_FLOAT, member.at(key), message, hint)
 
 

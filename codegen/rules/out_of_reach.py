@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.failsafe import Condition, Failsafe, Sense
 from codegen.model.program import VEHICLE_QUANTITIES, is_set_by_program
-from codegen.model.quantities.attainable import attainable
+from codegen.model.quantities.attainable import attainable, attainable_by_default
 from codegen.model.quantities.holding import easiest, in_units, is_reached, place_of
 from codegen.model.quantities.reach import Reach
 from codegen.model.system import System
@@ -23,29 +23,31 @@ RULE = Rule(
 )
 BY_DEFAULT = Rule(
     "default-out-of-reach",
-    "The default of a parameter that is a threshold lies where its quantity never comes, so that nothing happens until "
-    "somebody sets another value. Take a default within reach, or 0 where that switches the threshold off.",
+    "A threshold lies where its quantity never comes by the defaults of parameters, that of the threshold or those of "
+    "what an ADC measures the quantity with, so that nothing happens until somebody sets another value. Take "
+    "defaults with which it is within reach, or 0 where that switches the threshold off.",
     Severity.WARNING,
     remedy="take a default between these, or 0 where that switches the threshold off",
 )
 KNOWN_FOR_EVER = Rule(
     "known-for-ever",
-    "A failsafe waits until a received quantity is unknown, and nothing makes it so again after the first message: no "
-    "message that fails to come, and none that says so. With stale_after in state.yaml it is forgotten. Nor is one "
-    "ever unknown that the program itself keeps from the start on, such as vehicle.load.",
+    "A failsafe waits until a received quantity is unknown, and nothing makes it so again when no message comes any "
+    "more: at most a message that says so. With stale_after in state.yaml it is forgotten. Nor is one ever unknown "
+    "that the program itself keeps from the start on, such as vehicle.load.",
     Severity.WARNING,
 )
 
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every condition of a failsafe, and every boolean that follows a limit."""
-    found = attainable(system)
+    found, by_default = attainable(system), attainable_by_default(system)
     for failsafe in system.program.failsafes if system.program else ():
         for condition in failsafe.to_arm:
             yield from _of_condition(failsafe, condition, found, system)
         for condition in failsafe.conditions:
             told = tuple(_of_condition(failsafe, condition, found, system))
-            yield from told or _of_belief(failsafe, condition, found)
+            told = told or tuple(_of_belief(failsafe, condition, found))
+            yield from told or _of_factors(condition, by_default)
     for component in system.components.values():
         for quantity in component.quantities.values():
             followed = component.quantities.get(quantity.derivation.follows or "")
@@ -65,8 +67,10 @@ def _of_condition(
             yield Diagnostic(
                 place_of(condition), KNOWN_FOR_EVER, message, f"leave {failsafe.name} out", _declared(quantity)
             )
-        elif condition.sense is Sense.UNKNOWN and _is_known_for_ever(quantity, system):
+        elif condition.sense is Sense.UNKNOWN and _is_never_forgotten(quantity):
             message = f"{quantity.path} is never unknown again once a message has set it"
+            if _can_be_told(quantity, system):
+                message += ", unless another one says so"
             hint = f"give it stale_after in state.yaml, so that {failsafe.name} notices that no message comes"
             yield Diagnostic(place_of(condition), KNOWN_FOR_EVER, message, hint, _declared(quantity))
         return
@@ -94,6 +98,23 @@ def _of_belief(failsafe: Failsafe, condition: Condition, found: Mapping[str, Rea
         yield Diagnostic(place_of(condition), RULE, message, hint, (doubted, *_declared(quantity)))
 
 
+def _of_factors(condition: Condition, by_default: Mapping[str, Reach]) -> Iterator[Diagnostic]:
+    """Yield what is within reach by other values of the factors of an ADC alone."""
+    quantity, limit = condition.quantity, condition.limit
+    if quantity is None or limit is None or limit.by_default is None or quantity.path not in by_default:
+        return
+    ends, is_below = by_default[quantity.path], condition.sense is Sense.BELOW
+    if not is_reached(limit.by_default, ends, is_below=is_below):
+        words = f"{limit.default_words}," if limit.parameter else _written(condition)
+        low, high = (in_units(end, quantity) for end in ends)
+        message = (
+            f"{quantity.path} is never {condition.sense.value} {words} by the defaults of what it is measured with: "
+        )
+        message += f"it goes from {low} to {high} {quantity.unit.name}".rstrip()
+        hint = f"take a threshold {f'above {low}' if is_below else f'below {high}'}, or other defaults"
+        yield Diagnostic(place_of(condition), BY_DEFAULT, message, hint, _declared(quantity))
+
+
 def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator[Diagnostic]:
     derivation, place = quantity.derivation, quantity.spec.place
     unit, steps = followed.unit.name, followed.steps
@@ -105,11 +126,14 @@ def _of_boolean(quantity: Quantity, followed: Quantity, ends: Reach) -> Iterator
             yield _found(RULE, place, followed, ends, words, is_below=is_below)
 
 
-def _is_known_for_ever(quantity: Quantity, system: System) -> bool:
-    if not quantity.derivation.is_received or quantity.trust.stale_after_ms is not None:
-        return False
+def _is_never_forgotten(quantity: Quantity) -> bool:
+    return quantity.derivation.is_received and quantity.trust.stale_after_ms is None
+
+
+def _can_be_told(quantity: Quantity, system: System) -> bool:
+    """Return whether a message can say that it is unknown."""
     fields = [taken for table in system.receptions for taken in table.fields if taken.quantity.path == quantity.path]
-    return not any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
+    return any(taken.sentinel_words or taken.is_unknown_by_nan for taken in fields)
 
 
 def _is_kept(quantity: Quantity, system: System) -> bool:

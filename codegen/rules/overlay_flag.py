@@ -7,8 +7,9 @@ from codegen.model.system import System
 
 RULE = Rule(
     "flag-of-several-bits",
-    "An overlay gives a flag of a bitmask more than one bit. Setting it sets the flags of those bits, too, and whoever "
-    "sets these sets it. Give it one bit, in the XML or in a correction. Enums of shipped dialects are not looked at.",
+    "An overlay, or a dialect of the project, gives a flag several bits. Setting it sets the flags of those bits, "
+    "too, and whoever sets these sets it. Give it one bit, in the XML or in a correction. Shipped dialects are not "
+    "looked at.",
 )
 
 

@@ -1,4 +1,4 @@
-"""Messages of overlays whose name or id another dialect has given away."""
+"""Messages of overlays and own dialects whose name or id another dialect has given away."""
 
 from collections.abc import Iterator
 
@@ -7,15 +7,15 @@ from codegen.model.system import System
 
 RULE = Rule(
     "taken-elsewhere",
-    "An overlay adds a message with an id, or a name, that another dialect uses for another message: one that "
-    "pymavlink ships, or that codegen.yaml names under known. Receivers with that dialect drop it, or worse, take it "
-    "for theirs. Choose a free id, in the XML or in a correction.",
+    "A file of the project, its dialect or an overlay, adds a message with an id, or a name, that another dialect uses "
+    "for another message: one that pymavlink ships, or that codegen.yaml names under known. Receivers with that "
+    "dialect drop it, or worse, take it for theirs. Choose a free id, in the XML or in a correction.",
     Severity.WARNING,
 )
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every message that an overlay adds; the same name with the same id is the same message."""
+    """Every message that a file of the project adds; the same name with the same id is the same message."""
     for message in system.dialect.added_messages():
         for other in system.dialect.known:
             if (other.name == message.name) == (other.id == message.id):

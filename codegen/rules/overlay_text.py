@@ -10,8 +10,9 @@ from codegen.model.system import System
 
 RULE = Rule(
     "text-contradicts-invalid",
-    "The description of an overlay's field names one value for unknown, and the attribute invalid another. Generators "
-    "follow the attribute, people the text. Correct the one that is wrong, in the XML or in a correction.",
+    "The description of a field of an overlay, or of a dialect of the project, names one value for unknown, and the "
+    "attribute invalid another. Generators follow the attribute, people the text. Correct the one that is wrong, in "
+    "the XML or in a correction.",
 )
 
 _UNKNOWN = r"unknown|unavailable|unset|invalid|(?:not|no) (?:provided|known|available|measured|sent|estimate|value)"

@@ -9,7 +9,7 @@ from typing import Any
 
 from codegen.frozen import dataclass
 from codegen.loop.load import TrafficLoad, traffic_load
-from codegen.model.listening import bridged_link, deaf_links
+from codegen.model.listening import bridged_link, deaf_links, spoken_cable
 from codegen.model.program_folders import ProgramFolders
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
@@ -39,7 +39,8 @@ class SimulatedProgram:
     is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
     links over TCP, by their names: its servers listen on this computer alone, its clients connect to who gets its UDP.
     ``deaf`` are the names of those that take nothing of what the scenario sends, since nobody signs it, ``bridge``
-    is the cable in whose place UDP stands on a board without a network.
+    is the cable in whose place UDP stands on a board without a network, ``spoken`` the one by which the scenario
+    speaks where the network takes nothing.
     """
 
     name: str
@@ -66,6 +67,7 @@ class SimulatedProgram:
     ends: Mapping[str, LinkEnd] = field(default_factory=dict)
     deaf: tuple[str, ...] = ()
     bridge: str | None = None
+    spoken: str | None = None
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -98,6 +100,7 @@ class SimulatedProgram:
             "events": [data for event in self.events if (data := event_data(event)) is not None],
             "deaf": self.deaf,
             "bridge": self.bridge,
+            "spoken": self.spoken,
             "unique_id": unique_id(self.key or "", stretch.number),
             "told": self.telling.ids,
             "watched": [[each.label, each.component, each.instance, each.name, each.ages] for each in self.watched],
@@ -160,6 +163,7 @@ def _program(
         restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
         deaf=deaf_links(system),
         bridge=bridged_link(system),
+        spoken=spoken_cable(system),
     )
 
 

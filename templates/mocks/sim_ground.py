@@ -44,6 +44,17 @@ class Ground:
 
             port_class.__init__ = made
 
+    def waits(self):
+        """Return something where something has been sent that no port has read."""
+        return HERE if self._waiting else ()
+
+    def speak_into(self, buffer):
+        """Write what has been sent into a buffer, as far as there is room; return how many bytes that is."""
+        count = min(len(buffer), len(self._waiting))
+        buffer[:count] = self._waiting[:count]
+        self._waiting = self._waiting[count:]
+        return count
+
     def next_ms(self):
         """Return when something is sent next, far ahead for never."""
         return min([entry[0] for entry in self._sendings if entry[0] is not None] + [_NEVER_MS])

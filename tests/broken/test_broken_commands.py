@@ -50,6 +50,7 @@ CASES = [
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "beyond what the dialect allows for MAV_CMD_CONDITION_YAW 1: 360"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, min: §-0.1}", "0 on the wire"),
     Case("bad-command-parameter", COMMANDS, "max: 100, default: 50", "max: 100, default: §5", "no value that it accepts"),
+    Case("bad-command-parameter", COMMANDS, HORN, HORN.replace("§", "") + "\n  MAV_CMD_SPATIAL_USER_1: {doc: d., method: sweep, params: {1: {name: far, default: §1e39}}}", "the default of far is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, default: §500}", "the default of angle is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, default: §-0.1}", "the default of angle is no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "entry: MAV_CMD_CONDITION_YAW, param: 1, set: {maxValue: 361}"),
@@ -163,3 +164,26 @@ def test_of_thousands_of_unknown_commands_those_that_are_shown_have_a_hint(tmp_p
     out = capsys.readouterr().out
     assert out.count(" error unknown-enum-entry: MAV_CMD has no entry MAV_CMD_USER_1") == MOST
     assert out.count("\n  hint: x\n") == MOST
+
+
+@pytest.mark.parametrize(
+    ("params", "says"),
+    [
+        ("2: {name: power}, 1: {name: duration, unit: s}", "pump is given power here, and duration in s for"),
+        ("1: {name: duration, unit: min}", "pump is given duration in min here, and duration in s for MAV_CMD_USER_1"),
+        ("1: {name: time, unit: s}", "pump is given time in s here"),
+        ("3: {name: duration, unit: s, max: 5}, 2: {name: power, unit: '%'}", None),
+        ("1: {name: duration, unit: s}", None),
+    ],
+)
+def test_a_method_is_given_the_same_arguments_for_each_command(params, says, tmp_path, monkeypatch, capsys):
+    """A method of two commands does not know which of them it does: another order would swap its arguments."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    commands = tmp_path / "specs" / COMMANDS
+    entry = f"  MAV_CMD_WAYPOINT_USER_5: {{doc: D., method: pump, requirement: FR-301.2, long: true, params: {{{params}}}}}\n"
+    commands.write_text(commands.read_text() + entry)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == (1 if says else 0)
+    out = capsys.readouterr().out
+    assert ("error bad-command: " in out) == (says is not None), out
+    assert says is None or says in out, out

@@ -22,6 +22,7 @@ ENUMS = (
     '<enum name="GRADE"><entry value="0" name="GRADE_LOW"/><entry value="300" name="GRADE_HIGH"/></enum>'
     '<enum name="MARKS" bitmask="true"><entry value="1" name="MARKS_ONE"/><entry value="256" name="MARKS_NINTH"/></enum>'
 )
+PAGED = "{page: true}\n  g: {each: m.q}\npages: m.q\nfor_each: m"
 PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
 
 
@@ -29,11 +30,11 @@ PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
 def told(tmp_path, monkeypatch, capsys):
     """Return a call for the output of codegen check: for a field, the quantity m.q, the parameter PAR and the answer."""
 
-    def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10", sensor=""):
+    def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10", sensor="", extra=""):
         quantity = f"{{doc: d, {quantity}}}"
         files = FILES | {
             "e.xml": f'<mavlink><enums>{ENUMS}</enums><messages><message id="54440" name="E"><description>d</description><field {field} '
-            'name="f">d</field></message></messages></mavlink>',
+            f'name="f">d{extra}</field></message></messages></mavlink>',
             "state.yaml": f"components:\n  m:\n    doc: d\n    quantities:\n      q: {quantity}\n",
             "parameters.yaml": f"parameters:\n  PAR: {{doc: d, {parameter}}}\n",
             "messages/e.yaml": f"{TABLE}{answer}\n",
@@ -261,3 +262,74 @@ def test_a_number_that_no_field_of_its_kind_has(told, field, quantity, answer, s
     """An entry of an enum beyond its field, which went out as the sentinel; bits of a float; what no float is."""
     out = told(field, quantity, answer)
     assert says in out if says else "error" not in out, out
+
+
+PERCENT = 'type="int8_t" units="%" invalid="-1"'
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer", "parameter", "says"),
+    [
+        (
+            PERCENT,
+            'unit: "%", min: -1, initial: -1',
+            "{state: m.q}",
+            "",
+            "m.q is initially -1 %, which means unknown in f",
+        ),
+        (MV, f"{VOLTS}, initial: 65.535", "{state: m.q}", "", "m.q is initially 65.535 V, which means unknown in f"),
+        (PERCENT, 'unit: "%", min: -1, initial: -1', "{state: m.q, min: 0}", "", None),
+        (PERCENT, 'unit: "%", initial: 0', "{state: m.q}", "", None),
+        (
+            'type="uint64_t" invalid="UINT64_MAX"',
+            "initial: 18446744073709551615, max: 18446744073709551615",
+            "{state: m.q}",
+            "",
+            "means unknown",
+        ),
+        (
+            'type="uint16_t" enum="GRADE" invalid="GRADE_LOW"',
+            "enum: GRADE, initial: GRADE_LOW",
+            "{state: m.q}",
+            "",
+            None,
+        ),
+        (
+            PERCENT,
+            VOLTS,
+            "{parameter: PAR}",
+            "unit: '%', min: -1, max: 9, step: 1, default: -1",
+            "PAR is by default -1 %",
+        ),
+        (PERCENT, VOLTS, "{parameter: PAR}", "unit: '%', min: -1, max: 9, step: 1, default: 1", None),
+    ],
+)
+def test_what_stands_in_at_first_does_not_mean_unknown(told, field, quantity, answer, parameter, says):
+    """An initial value or a default that is the sentinel goes out as the number beside it: it is an error.
+
+    An entry of an enum says what it says, and a limit of the table says what goes out.
+    """
+    out = told(field, quantity, answer, **({"parameter": parameter} if parameter else {}))
+    assert ("sentinel-as-initial" in out) == (says is not None), out
+    assert says is None or says in out, out
+
+
+@pytest.mark.parametrize(
+    ("field", "answer", "says"),
+    [
+        ('type="uint8_t"', "{state: m.instance}\nfor_each: m", None),
+        ('type="uint8_t" minValue="1"', "{state: m.instance}\nfor_each: m", "f cannot carry an instance number"),
+        ('type="uint8_t" invalid="0"', "{state: m.instance}\nfor_each: m", "f cannot carry an instance number"),
+        ('type="uint8_t" invalid="UINT8_MAX"', "{state: m.instance}\nfor_each: m", None),
+        ('type="uint8_t" maxValue="1"', PAGED, "f cannot carry the number 2, the first of the last page"),
+        ('type="uint8_t" maxValue="2"', PAGED, None),
+        ('type="uint8_t" invalid="0"', PAGED, "f cannot carry the numbers of pages, 0 to 2"),
+        ('type="uint8_t" invalid="1"', PAGED, None),
+    ],
+)
+def test_what_the_program_counts_is_carried(told, field, answer, says):
+    """The dialect's limits and its number for unknown hold for numbers of instances and of pages, too."""
+    two = '</field><field type="uint8_t[2]" name="g" invalid="[UINT8_MAX]">d'
+    out = told(field.replace("/>", ""), "elements: cells", answer, extra=two if answer == PAGED else "")
+    assert (out == "") == (says is None), out
+    assert says is None or says in out, out

@@ -80,6 +80,13 @@ CASES = [
     ),
     Case("bad-remainder", STATE, LEFT, "        left_of: §BATT_CAPACITY\n", "has both left_of and after"),
     Case("bad-remainder", STATE, LEFT, LEFT.replace("consumed", "§energy"), "energy is no integral"),
+    Case(
+        "bad-remainder",
+        STATE,
+        LEFT,
+        LEFT.replace("BATT_CAPACITY", "§BATT_LOW_VOLT"),
+        "BATT_LOW_VOLT is a voltage, and consumed is a charge",
+    ),
     Case("bad-remainder", STATE, TIME, "        lasts: §left\n", "has lasts, at and over"),
     Case("unknown-parameter", STATE, LEFT, LEFT.replace("BATT_CAPACITY", "§BATT_CAPA"), "BATT_CAPA"),
     Case(

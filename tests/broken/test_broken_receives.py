@@ -88,6 +88,7 @@ CASES = [
     Case("empty-limits", RC, "{state: rc.rudder}", "{state: §rc.rudder, unchanged: [7]}".replace("§rc.rudder", "rc.rudder, min: §7, max: 7"), "nothing of chan1_raw is left"),
     Case("bad-condition", FIX, "{gps_id: 0}", "{gps_id: §256}", "gps_id carries whole numbers from 0 to 255"),
     Case("bad-condition", FIX, "{gps_id: 0}", "{alt: §0}", "no whole number of up to 16 bits"),
+    Case("bad-condition", MODE, "from: ground_station", "where: {base_mode: §MAV_MODE_FLAG_SAFETY_ARMED}", "and no other one"),
     Case("unknown-enum-entry", MODE, "from: ground_station", "where: {type: §MAV_TYPE_GCSS}", "did you mean MAV_TYPE_GCS or"),
     Case("bad-table-name", FIX, "as: fix", "as: §Fix", "is no name of a table"),
     Case("bad-table-name", FIX, "as: fix", "as: §heartbeat", "is the name of another message, HEARTBEAT"),

@@ -931,6 +931,8 @@ FOLLOW_UPS = [
     ("vehicle.yaml", "  chunk: 64\n", "", "missing-key"),
     ("vehicle.yaml", "rate: 400 Hz", "rate: 400", "wrong-type"),
     ("board.yaml", "samples: 5", "samples: 0", "bad-adc"),
+    ("board.yaml", LINK, f'  radio: {{uart: 0, tx: 0, rx: 1, baud: "57600"}}\n{LINK}', "wrong-type"),
+    ("board.yaml", LINK, f"  radio: {{uart: 0, tx: 0, rx: one, baud: 57600}}\n{LINK}", "wrong-type"),
     ("state.yaml", "invalid_after: 5", "invalid_after: -3", "bad-quantity"),
     (
         BATTERY,

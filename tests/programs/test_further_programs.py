@@ -70,9 +70,26 @@ def test_all_messages_without_a_list(project: Path) -> None:
     (folder / "codegen.yaml").write_text("base: ..\nproject: twin\nmachine_code: false\n")
     rover, twin = read_systems(str(project / "specs" / "codegen.yaml"), report := Report())
     assert [finding for finding in report if finding.rule.severity == "error"] == []
+    (alike,) = [finding.message for finding in report if finding.rule.id == "one-component"]
+    assert alike == "smart_battery is system 1, component 1, as pico-trail is"
     assert [message.name for message in twin.messages] == [message.name for message in rover.messages]
     assert (twin.spec.project.protocol, twin.spec.project.machine_code) == (2, False)
     assert twin.spec.project.component_id == rover.spec.project.component_id
+
+
+def test_programs_with_ids_of_their_own_are_not_told(project: Path) -> None:
+    """And those that are never there together are waived, by the fingerprint of the finding."""
+    assert "one-component" not in run(project, "check").stdout
+    own = project / "specs" / "smart_battery" / "codegen.yaml"
+    own.write_text(own.read_text().replace("component_id: MAV_COMP_ID_BATTERY\n", ""))
+    vehicle = own.parent / "vehicle.yaml"
+    vehicle.write_text(vehicle.read_text().replace("component_id: COMPID_BATT\n", ""))
+    found = json.loads(run(project, "check", "--format", "json").stdout)["findings"]
+    (fingerprint,) = [each["fingerprint"] for each in found if each["rule"] == "one-component"]
+    waiver = {"id": "W-9", "rule": "one-component", "document": "codegen.yaml", "fingerprint": fingerprint}
+    waiver |= {"reason": "One or the other.", "owner": "Ada", "expires": "2099-01-01"}
+    (project / "specs" / "waivers.yaml").write_text(json.dumps({"waivers": [waiver]}))
+    assert "one-component" not in run(project, "check").stdout
 
 
 def test_one_build_writes_all_programs(project: Path) -> None:

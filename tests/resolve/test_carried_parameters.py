@@ -81,6 +81,15 @@ def test_every_step_comes_back(step: str) -> None:
             "default: 0, min: 0, max: 209715.2, step: 0.1",
             [(f"max of A is 209715.2: that is more {MORE}", "max: 209715.1, or a larger step")],
         ),
+        (
+            "default: 0, min: 0, max: 4194304, step: 0.1",  # a float has this number, and not a tenth less
+            [
+                (
+                    f"max of A is 4194304: that is more steps of 0.1 {MORE.replace('carry', 'tell apart')}",
+                    "max: 209715.1, or a larger step",
+                )
+            ],
+        ),
         ("default: 0, min: 0, max: 8388608, step: 0.5", []),
         ("type: uint32, default: 0, min: 0, max: 16777218, step: 1, values: {0: a, 16777218: b}", []),
         (

@@ -110,3 +110,32 @@ def test_what_a_table_takes_is_the_end(folder: Path) -> None:
         ("known-for-ever", "sea.warmth is never unknown again once a message has set it"),
     ]
     assert told(folder, (stays[0], stays[2], stays[1]), (warmer[0], warmer[2], COLD)) == []
+
+
+def test_a_message_that_says_so_does_not_tell_of_silence(folder: Path) -> None:
+    """Who waits until what arrives is unknown waits for the sender to fall silent, too, which nothing notices."""
+    (folder / "receives").mkdir()
+    (folder / "receives" / "hygrometer.yaml").write_text(RECEIVES.replace("max: 30 degC", "unknown: [0]"))
+    (folder / "messages" / "hygrometer_sensor.yaml").unlink()
+    stays = ("state.yaml", "min: -5, max: 40, stale_after: 5 s}", "min: -5, max: 40}")
+    says = "sea.warmth is never unknown again once a message has set it, unless another one says so"
+    assert told(folder, stays) == [("known-for-ever", says)]
+    assert told(folder, (stays[0], stays[2], stays[1])) == []
+
+
+@pytest.mark.parametrize(
+    ("threshold", "ends"),
+    [("above: 16.5 V", "0 to 16.5 V"), ("above: 16.4 V", None), ("above: 40 V", "0 to 16.5 V"), ("below: 1 V", None)],
+)
+def test_what_an_adc_shows_by_default_is_the_end(folder: Path, threshold: str, ends: str | None) -> None:
+    """A multiplier that is a parameter can be set so that a threshold is within reach; until then nothing happens."""
+    first = "  BUOY_LOW: "
+    factor = "  BUOY_MULT: {doc: D., default: 5, min: 1, max: 20, step: 0.1, reboot: true, requirement: FR-701.2}\n"
+    changes = (
+        ("board.yaml", "multiplier: 5", "multiplier: BUOY_MULT"),
+        ("parameters.yaml", first, f"{factor}{first}"),
+        ("vehicle.yaml", EMPTY, f"empty: {{{threshold},"),
+    )
+    message = f"store.charge is never {threshold.replace(':', '')} by the defaults of what it is measured with"
+    found = [("default-out-of-reach", f"{message}: it goes from {ends}")] if ends else []
+    assert told(folder, *changes) == found

@@ -98,6 +98,8 @@ CASES = [
     ("a key", SONAR.replace("min", "mni"), "", ["error unknown-key: unknown key 'mni'", "did you mean min"]),
     ("a class", SONAR.replace("sonar.Sonar", "Sonar"), DEPTH, ["bad-source-driver: Sonar is no class of a module"]),
     ("a name", SONAR.replace("sonar:", "Sonar:"), "", ["2:3: error bad-source-driver: Sonar cannot be the name"]),
+    *((f"what all sensors have: {name}", SONAR.replace("sonar:", f"{name}:"), "",
+       [f"2:3: error bad-source-driver: {name} cannot be the name"]) for name in ("every", "turn", "watch")),
     ("a rate", SONAR.replace("}", ", rate: 2000 Hz}"), DEPTH, ["bad-time: 2000 Hz is not a rate"]),
     ("a slow rate", SONAR.replace("}", ", rate: 0.001 Hz}"), DEPTH, ["bad-source-driver: sonar is asked less than"]),
     ("a step", SONAR.replace("mm", "ms"), DEPTH, ["error unit-mismatch: m cannot be rounded to ms"]),

@@ -1,5 +1,6 @@
 """codegen init: what it writes is a project for each board, nothing is overwritten, what does not fit is told."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -119,7 +120,7 @@ def test_what_does_not_fit_is_told_and_nothing_written(
 def test_a_dialect_of_ones_own_is_copied(here: Path) -> None:
     """It may include what pymavlink ships."""
     (here / "own.xml").write_text(
-        '<mavlink><include>common.xml</include><messages><message id="52001" name="OWN"><description>Own.</description>'
+        '<mavlink><include>common.xml</include><messages><message id="54001" name="OWN"><description>Own.</description>'
         '<field type="uint8_t" name="a">A.</field></message></messages></mavlink>'
     )
     assert main(["init", "a", "--dialect", "own.xml"]) == 0
@@ -127,6 +128,16 @@ def test_a_dialect_of_ones_own_is_copied(here: Path) -> None:
     assert findings(here / "a/specs/codegen.yaml") == []
     assert main(["init", "c", "--from", "codec", "--dialect", "ardupilotmega"]) == 0
     assert "<include>ardupilotmega.xml</include>" in (here / "c/dialects/mine.xml").read_text()
+
+
+@pytest.mark.parametrize("dialect", ["common", "ardupilotmega", "all"])
+def test_the_message_of_a_codec_is_new_to_each_dialect(
+    here: Path, capsys: pytest.CaptureFixture[str], dialect: str
+) -> None:
+    """The id of TANK_LEVEL is given away by none that pymavlink ships."""
+    assert main(["init", "c", "--from", "codec", "--dialect", dialect]) == 0
+    wanted = ["--dialect", "c/dialects/mine.xml", "--messages", "HEARTBEAT,TANK_LEVEL", "--out", "lib"]
+    assert main(["codec", *wanted]) == 0, capsys.readouterr().out
 
 
 def test_a_codec_has_no_board(capsys: pytest.CaptureFixture[str]) -> None:
@@ -142,3 +153,16 @@ def test_each_kind_is_offered(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["init", "--help"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert all(f"{name}, {text}" in told for name, text in KINDS.items())
+
+
+@pytest.mark.parametrize("kind", ["minimal", "boat", "rover"])
+def test_a_board_without_wifi_has_a_cable_and_all_else(here: Path, kind: str) -> None:
+    """Facts, inputs and instances of the kind stay: only the links are others."""
+    assert main(["init", "w", "--from", kind]) == 0
+    assert main(["init", "a", "--from", kind, "--board", "pico_2"]) == 0
+    wireless, wired = ((here / name / "specs" / "board.yaml").read_text() for name in ("w", "a"))
+    assert "\nlinks:\n  cable: {usb: true}\n" in wired
+    assert "wifi" not in wired
+    kept = [line for line in wireless.splitlines() if re.match(r"(?!links|board)\w+:", line)]
+    assert kept == [line for line in wired.splitlines() if re.match(r"(?!links|board)\w+:", line)]
+    assert findings(here / "a" / "specs" / "codegen.yaml") == []

@@ -83,6 +83,18 @@ def _included(path: str, written: str, files: Files) -> str:
     return shipped
 
 
+def decode_project_dialect(
+    path: str, files: Files, report: Report, asked_at: Place | None = None
+) -> tuple[DialectFile, ...]:
+    """Decode the dialect that a project names, like ``decode_dialect_files``: files of its own add to pymavlink's.
+
+    A file that is called as a dialect of pymavlink is a copy of that, perhaps of another release, and adds nothing.
+    """
+    found = decode_dialect_files(path, files, report, asked_at)
+    copied = {f"{name}.xml" for name in shipped_dialect_names(files)}
+    return tuple(replace(file, is_overlay=os.path.basename(file.path) not in copied) for file in found)
+
+
 def decode_overlay(
     path: str, files: Files, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
 ) -> tuple[DialectFile, ...]:

@@ -372,7 +372,7 @@ class Dialect:
     digest: str = field(default="", compare=False, repr=False)
 
     def added_messages(self) -> Iterator[WireMessage]:
-        """The messages that the overlays add, in order of id."""
+        """The messages that files of the project add, in order of id."""
         return (message for message in self.messages.values() if message.definition.place.file in self.overlays)
 
     def corrections_of(self, owner: str, part: str) -> Iterator[AttributeCorrection]:

@@ -72,13 +72,18 @@ def resolve_links(
         problems += _time_problems(name, kind, retry, timeout)
         for key, message, hint in problems:
             report.add(BAD_LINK, spec.at(key), message, hint)
-        if not problems:
+        if not problems and not any(_is_unread(key, spec) for key in _OF_KIND[kind]):
             links.append(BoardLink(name, kind, retry or 0, spec, citation, timeout or 0))
     return tuple(links)
 
 
 def _kind(spec: LinkSpec) -> LinkKind:
-    return next((kind for kind in LinkKind if getattr(spec, kind.value) is not None), LinkKind.UDP)
+    return next((kind for kind in LinkKind if kind.value in spec.places), LinkKind.UDP)
+
+
+def _is_unread(key: str, spec: LinkSpec) -> bool:
+    """Return whether a key is written with a value that could not be read, which has a finding of its own."""
+    return getattr(spec, key) is None and key in spec.places
 
 
 def _milliseconds(spec: LinkSpec, key: str, report: Report) -> int | None:
@@ -130,7 +135,7 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[_Probl
         yield "", f"{name} cannot be the name of a link", "use lower-case letters, digits and _, and no word of Python"
     needed = _OF_KIND[kind]
     for key in needed:
-        if getattr(spec, key) is None:
+        if getattr(spec, key) is None and not _is_unread(key, spec):
             example = f"{key}: {_EXAMPLES[key]}"
             yield "", f"{name} is a link over {kind.words} and needs {key}", example
     for key in dict.fromkeys((*(key for keys in _OF_KIND.values() for key in keys), *_ONLY_OF)):

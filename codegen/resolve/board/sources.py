@@ -22,7 +22,7 @@ UNKNOWN_DRIVER = Rule(
     remedy="write drivers/NAME.yaml and NAME.py, or take driver: user with a class of your own",
 )
 _RETRY_MS = 1000
-_RESERVED = {"every", "watch"}
+_RESERVED = {"every", "turn", "watch"}
 """Names that the class of all sensors uses itself."""
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.command import BUILT_IN, Command, Needs
+from codegen.model.command import BUILT_IN, Command, CommandParam, Needs
 from codegen.model.dialect.dialect import Dialect, EnumEntry
 from codegen.model.spec.command import Allowed, CommandSpec, CommandsSpec
 from codegen.model.spec.program import VehicleSpec
@@ -17,8 +17,8 @@ from codegen.resolve.quantities.kept import UNKNOWN_ENTRY
 
 BAD_COMMAND = Rule(
     "bad-command",
-    "A command of commands.yaml is done by a method with a name of its own that code overrides, and is allowed armed "
-    "or disarmed only where something can be armed.",
+    "A command is done by a method with a name of its own that code overrides, with the same arguments for each "
+    "command that it does, and is allowed armed or disarmed only where something can be armed.",
 )
 BUILT_IN_COMMAND = Rule(
     "built-in-command",
@@ -44,7 +44,7 @@ def resolve_commands(
     for command in written.values():
         by_method.setdefault(command.method, []).append(command)
     made = {f"{each.method}_{end}" for each in written.values() if each.long for end in ("progress", "cancel")}
-    found = []
+    found: list[Command] = []
     for name, command in written.items():
         entry = _entry(name, command, vehicle, dialect, report)
         _check_method(name, command, by_method[command.method], made, vehicle, report)
@@ -56,6 +56,7 @@ def resolve_commands(
         if entry is not None:
             params = resolve_params(name, entry, command, dialect, report)
             frames = resolve_frames(name, command, params, dialect, report)
+            _check_arguments(params, [each for each in found if each.spec.method == command.method], command, report)
             found.append(Command(citation, aspects, name, entry.value, params, frames, command))
     return tuple(found)
 
@@ -103,3 +104,23 @@ def _check_method(
     if (method in calls and (command.params or command.long)) or made & calls:
         message = f"{method} of {name} is what a failsafe calls: without parameters, and without waiting"
         report.add(BAD_COMMAND, command.at("method"), message, "give the command a method of its own")
+
+
+def _check_arguments(
+    params: tuple[CommandParam, ...], others: list[Command], command: CommandSpec, report: Report
+) -> None:
+    """Report an argument that the method is given in another place, or in another unit, for one of ``others``.
+
+    The method does not know for which command it is called. It may be given fewer: its last ones can have defaults.
+    """
+    for other in others:
+        for mine, theirs in zip(params, other.params, strict=False):
+            if (mine.name, mine.unit) != (theirs.name, theirs.unit):
+                message = f"{command.method} is given {_argument(mine)} here, and {_argument(theirs)} for {other.name}"
+                hint = "list the same names in one order and in the same units, or give each a method of its own"
+                report.add(BAD_COMMAND, mine.spec.place, message, hint, [(theirs.spec.place, "the other is here")])
+                return
+
+
+def _argument(param: CommandParam) -> str:
+    return f"{param.name} in {param.unit.name}" if param.unit.name else param.name

@@ -274,6 +274,7 @@ def _check_default(
 ) -> None:
     """Report a default that is no value which the parameter accepts; ``is_within``: its limits, on the wire."""
     is_within = is_within and (spec.min is None or value >= spec.min) and (spec.max is None or value <= spec.max)
+    is_within = is_within and abs(value) <= _LARGEST  # as the method is given it
     if not is_within or (is_whole and value.denominator != 1) or (enum is not None and not has_entry(enum, int(value))):
         message = f"the default of {spec.name} is no value that it accepts"
         report.add(

@@ -28,8 +28,8 @@ NOTHING_RECEIVES = Rule(
 )
 BAD_CONDITION = Rule(
     "bad-condition",
-    "'where' names a field that is no single whole number, or a number that the field cannot carry: no message would "
-    "ever be taken.",
+    "'where' names a field that is no single whole number, a number that the field cannot carry, so that no message "
+    "would ever be taken, or one flag of a bitmask, with which no other one could be set.",
     remedy="name a field of whole numbers of 8 or 16 bits, and a number that it carries",
 )
 _ELEMENT = pattern(r"(\w+)(\[.*\])?")
@@ -160,6 +160,11 @@ def _conditions(spec: ReceiveSpec, wire: WireMessage, parts: Parts, report: Repo
                 report.add(UNKNOWN_ENTRY, place, message, did_you_mean(written, known))
                 continue
             number = Fraction(entry.value)
+            if number and field.definition.is_bitmask:  # an enum of flags makes it one
+                message = f"{name} has flags: a message is taken only if {written} is set and no other one"
+                hint = f"when: {{{name}: {written}}} at each field looks at this flag, {name}: {number} at all of them"
+                report.add(BAD_CONDITION, place, message, hint)
+                continue
         assert isinstance(number, Fraction)
         if number.denominator != 1 or not field.type.minimum <= number <= field.type.maximum:
             message = f"{name} carries whole numbers from {field.type.minimum} to {field.type.maximum}"

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 80f8af7dfbc2a255
+# Inputs: e473a7addfae4951
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -47,7 +47,7 @@ from sim_failures import Failures  # noqa: E402
 from sim_ground import Ground  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
-from sim_wire import SilentPort, Wire  # noqa: E402
+from sim_wire import SilentPort, SpokenPort, Wire  # noqa: E402
 
 sim_machine.install()
 
@@ -188,9 +188,14 @@ class Simulation:
         hear = self.records.hear
 
         def open_serial(name, *_, **__):
-            """Open nothing, or UDP in place of a cable of a board that has no UDP: the first that is not signed."""
+            """Open nothing, or UDP in place of a cable of a board that has no UDP: the first that is not signed.
+
+            Where the network takes nothing of what the scenario says, that arrives by a cable.
+            """
             import board  # noqa: PLC0415
 
+            if hasattr(board, "UdpPort") and name == self._settings["spoken"]:
+                return SpokenPort(name, self._ground)
             if hasattr(board, "UdpPort") or self._is_bridged or (self._settings["bridge"] or name) != name:
                 return SilentPort(name)
             self._is_bridged = True

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: 4fe67e0b880cf656
+# Inputs: 0419400bd1befac9
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -45,6 +45,17 @@ class Ground:
                     port.look = lambda wait_ms: HERE if self._waiting and port.name not in deaf else look(wait_ms)
 
             port_class.__init__ = made
+
+    def waits(self):
+        """Return something where something has been sent that no port has read."""
+        return HERE if self._waiting else ()
+
+    def speak_into(self, buffer):
+        """Write what has been sent into a buffer, as far as there is room; return how many bytes that is."""
+        count = min(len(buffer), len(self._waiting))
+        buffer[:count] = self._waiting[:count]
+        self._waiting = self._waiting[count:]
+        return count
 
     def next_ms(self):
         """Return when something is sent next, far ahead for never."""

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_wire.py: do not edit.
-# Inputs: a207eb89fa159c7f
+# Inputs: 7ed587e87ed308c6
 """Records the frames that a port took in a simulation."""
 
 import binascii
@@ -88,3 +88,25 @@ class SilentPort:
 
     def poll(self, now_ms):
         """Do nothing."""
+
+
+class SpokenPort(SilentPort):
+    """A cable at whose other end the scenario speaks, and nobody listens."""
+
+    is_up = True
+
+    def __init__(self, name, ground):
+        SilentPort.__init__(self, name)
+        self._ground = ground
+
+    def look(self, wait_ms):  # noqa: ARG002 - it does not wait
+        """Return something where something has been said."""
+        return self._ground.waits()
+
+    def readinto(self, buffer):
+        """Read what the scenario has said, as far as there is room."""
+        return self._ground.speak_into(buffer)
+
+    def write(self, frame):
+        """Let it go: what goes out is told of the network."""
+        return len(frame)
