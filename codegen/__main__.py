@@ -7,11 +7,6 @@ import sys
 
 def run() -> None:
     """Run the command line and leave with its exit code."""
-    if sys.argv[1:] == ["--version"]:
-        from codegen import __version__
-
-        print(f"codegen {__version__}")
-        return
     from codegen.cli import main
 
     # A run is over before looking for cycles in what it reads would free anything worth the time.

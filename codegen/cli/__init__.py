@@ -52,6 +52,11 @@ def _run(argv: list[str]) -> int:
 
         print(BEGINNING, end="")
         return 0
+    if argv == ["--version"]:
+        from codegen import __version__
+
+        print(f"codegen {__version__}")
+        return 0
     if argv in (["--help"], ["-h"]):
         from codegen.cli.usage import HELP
 

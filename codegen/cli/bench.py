@@ -5,6 +5,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from codegen.cli.deploy import add_board_options, chosen_system, looked_at
+from codegen.cli.output import never_written
 
 if TYPE_CHECKING:
     from codegen.deploy.connection import Connection
@@ -49,6 +50,13 @@ def run(arguments: argparse.Namespace) -> int:
     if not 0 < arguments.seconds <= 3600:
         print("codegen bench: --seconds is more than 0 and at most 3600", file=sys.stderr)
         return 2
+    if arguments.out.endswith(".json"):
+        why = never_written(arguments.out)
+    else:
+        why = f"{arguments.out} does not end with .json, by which codegen trace knows such results"
+    if why is not None:
+        print(f"codegen bench: --out: {why}", file=sys.stderr)
+        return 2
     project = project_file(arguments)
     if project is None:
         return report_no_project()
@@ -69,8 +77,10 @@ def run(arguments: argparse.Namespace) -> int:
             connection.close()
     except BoardFaultError as fault:
         fault.tell(port, report)
-    if record is not None and write_file(arguments.out, bench_text(record), report):
-        _show(record, arguments.out)
+    if record is not None:
+        _show(record)
+        if write_file(arguments.out, bench_text(record), report):
+            print(f"written to {arguments.out}", file=sys.stderr)
     print_findings(report)
     return report.exit_code
 
@@ -89,11 +99,10 @@ def _bench(
         return measure(connection, board, system, prepared, arguments.seconds, now)
 
 
-def _show(record: "BenchRecord", path: str) -> None:
-    """The measures, as a table, and where they are."""
+def _show(record: "BenchRecord") -> None:
+    """Print the measures as a table."""
     width = max(map(len, record.measures), default=0)
     for name, value in record.measures.items():
         print(f"{name:<{width}}  {value:>12,.{0 if value == int(value) else 1}f}")
     for text in record.told:
         print(f"note: {text}")
-    print(f"written to {path}", file=sys.stderr)

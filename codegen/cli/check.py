@@ -81,14 +81,15 @@ def _check_documents(
 ) -> list[str]:
     """Report on the claims of the documents that the arguments name; returns those that could be read."""
     from codegen.commands import documents
-    from codegen.commands.check import reference_for
+    from codegen.commands.check import documents_of, reference_for
 
     reference = reference_for(arguments.dialect, project, report)
     if reference is None:
         return []
+    paths = documents_of(arguments.documents, reference, report)
     if arguments.examples:
-        listed.extend(documents.example_numbers(arguments.documents, reference))
-    return documents.check_documents(arguments.documents, reference, report)
+        listed.extend(documents.example_numbers(paths, reference))
+    return documents.check_documents(paths, reference, report)
 
 
 def _print_examples(listed: "list[Number]") -> None:

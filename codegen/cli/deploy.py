@@ -1,6 +1,7 @@
 """``codegen deploy``: bring the program to a board over USB, and show what it says."""
 
 import argparse
+import math
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from codegen.model.system import System
 
 LOG_S = 5.0
+MOST_LOG_S = 86400
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -41,17 +43,36 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--log",
         metavar="S",
-        type=float,
-        default=LOG_S,
+        type=_log_seconds,
         help=f"for how many seconds to show what the program prints, 0 for not at all (default: {LOG_S:g})",
     )
     parser.set_defaults(run=run)
 
 
+def _log_seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0 <= seconds <= MOST_LOG_S:
+        raise argparse.ArgumentTypeError(f"{text} is not a number of seconds from 0 to {MOST_LOG_S}")
+    return seconds
+
+
+def port_name(text: str) -> str:
+    """Return the port that an option names."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("the name of the port is empty")
+    return text
+
+
 def add_board_options(parser: argparse.ArgumentParser) -> None:
     """Add the options that name the board and the program: ``deploy`` and ``bench`` ask for both."""
     parser.add_argument(
-        "--port", metavar="P", help="serial port, such as /dev/ttyACM0 or COM3 (default: the only board)"
+        "--port",
+        metavar="P",
+        type=port_name,
+        help="serial port, such as /dev/ttyACM0 or COM3 (default: the only board)",
     )
     parser.add_argument("--program", metavar="NAME", default="", help="a further program of the project")
     parser.add_argument(
@@ -67,6 +88,11 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.deploy.findings import BoardFaultError
     from codegen.diagnostics import Report
 
+    given = ["dry-run"] if arguments.dry_run else []
+    given += [option for option in ("port", "wifi", "log") if getattr(arguments, option) is not None]
+    if arguments.image is not None and given:
+        print(f"codegen deploy: --image asks no board; --{given[0]} does not go with it", file=sys.stderr)
+        return 2
     project = project_file(arguments)
     if project is None:
         return report_no_project()
@@ -152,7 +178,9 @@ def _deploy(
         print(f"{wifi[0]} copied", file=sys.stderr)
     print(_summary(todo), file=sys.stderr)
     connection.restart()
-    _show_log(connection, system, arguments.log, board, prepared.short_names, report)
+    _show_log(
+        connection, system, LOG_S if arguments.log is None else arguments.log, board, prepared.short_names, report
+    )
 
 
 def looked_at(

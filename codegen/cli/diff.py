@@ -77,6 +77,8 @@ def run(arguments: argparse.Namespace) -> int:
             from codegen.diagnostics import did_you_mean
 
             return _usage(f"--fail-on knows no {kind or 'empty list'}", did_you_mean(kind, known))
+    if "never" in kinds and len(set(kinds)) > 1:
+        return _usage(f"--fail-on {arguments.fail_on}: never goes with no other")
     return _compared(arguments, kinds, threshold)
 
 
@@ -121,8 +123,8 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
             because = f"{found.fault_line} (--allow-errors compares all the same)"
             whatever = ", whatever --fail-on says" if "never" in kinds else ""
             print(f"codegen diff: the exit code is 1{whatever}: {because}", file=sys.stderr)
-            return 1
-        return int(fails(found, kinds) or told.has_errors)
+            return max(told.exit_code, 1)
+        return max(told.exit_code, int(fails(found, kinds)))
 
 
 def _unreadable(side: "Unreadable") -> int:

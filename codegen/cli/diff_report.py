@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from codegen.cli.findings import findings_text, wants_colour
 from codegen.diagnostics import Diagnostic
-from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_findings
+from codegen.diff.report.review import Review, as_finding, elsewhere_text, fault_findings, off_text
 from codegen.findings.text import finding_text
 from codegen.source import Place
 
@@ -66,6 +66,6 @@ def _print_text(found: Review) -> None:
     if not found.is_empty:
         print(f"{found.base} -> {found.head}: {found.head_line}", file=sys.stderr)
     if found.off:
-        print(f"{found.off} {'change is' if found.off == 1 else 'changes are'} switched off", file=sys.stderr)
+        print(off_text(found.off)[:-1], file=sys.stderr)
     if found.elsewhere:
         print(f"{elsewhere_text(found.elsewhere)[:-1]} (see --all)", file=sys.stderr)

@@ -48,6 +48,18 @@ def nonsense(arguments: argparse.Namespace) -> str | None:
     return None
 
 
+def never_written(path: str) -> str | None:
+    """Return why a file could not be written in the end, or None: what takes long asks before it begins."""
+    import os
+
+    if os.path.isdir(path):
+        return f"{path} is a folder"
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+        return f"{folder} is not a folder that can be written to"
+    return None
+
+
 def is_plain(arguments: argparse.Namespace) -> bool:
     """Return whether none of the options of add_output_options() was given."""
     given = (arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean)

@@ -199,19 +199,20 @@ def _check_files(arguments: argparse.Namespace) -> None:
         raise UsageError(f"--flash: {arguments.flash} is not a folder")
     if arguments.record is not None and not arguments.record.endswith((".json", ".csv")):
         raise UsageError(f"--record: {arguments.record} ends neither with .json nor with .csv")
+    if arguments.report is not None and not arguments.report.endswith((".html", ".htm", ".svg")):
+        _check_written("--report", arguments.report)
+        raise UsageError(f"--report: {arguments.report} ends neither with .html nor with .svg")
     _check_written("--report", arguments.report)
     _check_written("--record", arguments.record)
 
 
 def _check_written(option: str, path: str | None) -> None:
-    """Raise UsageError where a file cannot be written in the end."""
-    if path is None:
-        return
-    folder = os.path.dirname(os.path.abspath(path))
-    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
-        raise UsageError(f"{option}: {folder} is not a folder that can be written to")
-    if os.path.isdir(path):
-        raise UsageError(f"{option}: {path} is a folder")
+    """Raise UsageError where a file could not be written in the end."""
+    from codegen.cli.output import never_written
+
+    why = None if path is None else never_written(path)
+    if why is not None:
+        raise UsageError(f"{option}: {why}")
 
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
@@ -230,10 +231,14 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
             print(f"codegen sim: {fault}", file=sys.stderr)
             return 2
     status.clear()
-    write_results(simulation, recording, arguments.report, arguments.record)
-    print_result(simulation, recording, arguments.report)
+    refused = write_results(simulation, recording, arguments.report, arguments.record)
+    print_result(simulation, recording, None if arguments.report in refused else arguments.report)
     problems = problems_of(recording)
     print(end="", flush=True)
     for problem in problems:
         print(f"codegen sim: error: {problem}", file=sys.stderr)
+    for path, why in refused.items():
+        print(f"codegen sim: error: {path} cannot be written: {why}", file=sys.stderr)
+    if refused:
+        return 2
     return 1 if problems or unmet(recording) else 0

@@ -9,6 +9,7 @@ FORMATS = ("text", "markdown", "html", "needs", "reqif", "json", "github", "sari
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly", "dependency")
 COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
+_NONE = "none"
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -67,11 +68,14 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 
 
 def _kinds(text: str) -> tuple[str, ...]:
-    names = tuple(name for name in text.split(",") if name not in ("", "none"))
-    unknown = [name for name in names if name not in KINDS]
-    if unknown:
-        raise argparse.ArgumentTypeError(f"{unknown[0]} is none of {', '.join(KINDS)}, none")
-    return names
+    """The kinds that are named. An empty list is refused: it is what a variable that nobody has set leaves."""
+    names = tuple(name for name in (part.strip() for part in text.split(",")) if name)
+    unknown = [name for name in names if name not in (*KINDS, _NONE)]
+    if unknown or not names:
+        raise argparse.ArgumentTypeError(f"{unknown[0] if unknown else 'nothing'} is none of {', '.join(KINDS)}, none")
+    if _NONE in names and len(set(names)) > 1:
+        raise argparse.ArgumentTypeError(f"none goes with no other, as in {text}")
+    return () if _NONE in names else names
 
 
 def _time(text: str) -> str:

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from codegen.cli.deploy import port_name
 from codegen.emit.folder import MANIFEST
 
 if TYPE_CHECKING:
@@ -39,7 +40,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         const="nominal",
         help="then start the simulation anew, which goes on without an end (default: nominal)",
     )
-    parser.add_argument("--port", metavar="P", help="of the board for --deploy (default: the only one there is)")
+    parser.add_argument(
+        "--port", metavar="P", type=port_name, help="of the board for --deploy (default: the only one there is)"
+    )
     parser.set_defaults(run=run)
 
 

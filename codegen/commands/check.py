@@ -1,11 +1,24 @@
 """Checks the specification, and the claims that documents make about it."""
 
+import os
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
+
+from codegen.diagnostics import Rule
+from codegen.source import Place
 
 if TYPE_CHECKING:
     from codegen.claims.own.worked.listing import Number
     from codegen.claims.reading import Reference
     from codegen.diagnostics import Report
+
+SPECIFICATION_AS_DOCUMENT = Rule(
+    "specification-as-document",
+    "A table or a dialect of the project is named as a document: codegen check looks at the claims of the documents "
+    "that it is given, and at nothing else, so that whatever is wrong in the table would not be found. What the "
+    "specification says is checked as a whole, by codegen check without names.",
+    remedy="codegen check without names checks the specification",
+)
 
 
 def check_project(project: str, report: "Report", listed: "list[Number] | None") -> list[str]:
@@ -44,6 +57,24 @@ def reference_for(dialect: str | None, project: str | None, report: "Report") ->
         report.extend(found)
         return None
     return documents.project_reference(systems)
+
+
+def documents_of(paths: Iterable[str], reference: "Reference", report: "Report") -> list[str]:
+    """Return the paths that are documents; files of the specification that is compared with are reported."""
+    of_specification = {
+        os.path.realpath(path)
+        for system in reference.systems
+        for path in (*system.spec.files, *system.dialect.files)
+        if not path.lower().endswith((".md", ".markdown"))
+    }
+    found = []
+    for path in paths:
+        if os.path.realpath(path) in of_specification:
+            message = "it is a file of the specification and no document: nothing in it was checked"
+            report.add(SPECIFICATION_AS_DOCUMENT, Place(path), message)
+        else:
+            found.append(path)
+    return found
 
 
 def claim_rules() -> list[str]:

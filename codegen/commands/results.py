@@ -11,7 +11,7 @@ from codegen.model.system import System
 from codegen.model.test_record import TestResult
 from codegen.source import Place
 from codegen.trace.bench import check_conditions, with_bench
-from codegen.trace.findings import UNRELATED_RESULTS, told_of_hand_written
+from codegen.trace.findings import UNRELATED_RESULTS, told_of_results
 from codegen.trace.generated_tests import inputs_of
 from codegen.trace.graph import Trace
 from codegen.trace.results import Results, results_of, unrelated
@@ -43,5 +43,5 @@ def with_results(
     found = [each for listed in by_file.values() for each in listed]
     results = results_of([*found, *measured], trace.tests, inputs_of(systems))
     for path, listed in by_file.items():
-        report.extend(told_of_hand_written(path, listed, results, trace))
+        report.extend(told_of_results(path, listed, results, trace))
     return trace, results

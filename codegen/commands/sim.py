@@ -179,16 +179,30 @@ def simulated(simulation: "Simulation", watch: "Callable[..., None]") -> "Record
     return recording
 
 
-def write_results(simulation: "Simulation", recording: "Recording", report: str | None, record: str | None) -> None:
-    """Write the page about a simulation, and its record as data, to the files that are named."""
+def write_results(
+    simulation: "Simulation", recording: "Recording", report: str | None, record: str | None
+) -> dict[str, str]:
+    """Write the page about a simulation, and its record as data, to the files that are named.
+
+    Returns why those cannot be written that cannot, by their paths: the simulation may have taken hours, and what came
+    of it is told all the same.
+    """
+    refused: dict[str, str] = {}
     if report is not None:
         from codegen.sim.report import write_report
 
-        write_report(report, simulation, recording)
+        try:
+            write_report(report, simulation, recording)
+        except OSError as fault:
+            refused[report] = fault.strerror or str(fault)
     if record is not None:
         from codegen.sim.data import write_data
 
-        write_data(record, recording)
+        try:
+            write_data(record, recording)
+        except OSError as fault:
+            refused[record] = fault.strerror or str(fault)
+    return refused
 
 
 def problems_of(recording: "Recording") -> list[str]:

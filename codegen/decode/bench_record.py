@@ -11,8 +11,8 @@ from codegen.source import Place
 
 BENCH_FORMAT = Rule(
     "bench-format",
-    "A file of results that ends with .json is one that codegen bench has written, and this one is not, or was changed "
-    "since. Measure again.",
+    "A file of results that ends with .json is one that codegen bench has written, and this one is not, or lacks a "
+    "part of what it writes. Measure again.",
     unreadable=True,
 )
 _HINT = "codegen bench --out FILE"

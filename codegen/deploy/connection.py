@@ -1,6 +1,7 @@
 """The way to a board: mpremote's transport, with its faults as findings."""
 
 import json
+import os
 import re
 import struct
 import time
@@ -60,7 +61,9 @@ class Connection:
         try:
             self.transport = SerialTransport(port, timeout=answer_s)
         except (TransportError, OSError) as fault:
-            raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}") from None
+            is_gone = os.name == "posix" and not os.path.exists(port)
+            hint = f"there is no {port}; mpremote connect list shows what there is" if is_gone else None
+            raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}", hint) from None
         self.transport.read_until = bounded(self.transport)
         self._answer_s = answer_s
         with self._closed_after_a_fault():

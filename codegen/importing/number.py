@@ -9,8 +9,9 @@ from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, Kind
 from codegen.model.dialect.literals import LIMITS, same_number
+from codegen.model.dialect.wire_unit import wire_unit
 from codegen.model.spec.population import FieldAnswer
-from codegen.model.units.unit import decimal
+from codegen.model.units.unit import Measure, conversion, decimal
 from codegen.source import Place
 
 DOCUMENT_ENTRY = Rule(
@@ -34,7 +35,10 @@ DOCUMENT_PLACEHOLDER = Rule(
     "A document gives a number such as 9999, which people write for a value that there is not. Receivers take it for a "
     "measurement, unless it is the sentinel of the field.",
 )
-DOCUMENT_RANGE = Rule("document-range", "A document states a number that the type of the field cannot carry.")
+DOCUMENT_RANGE = Rule(
+    "document-range",
+    "A document states a number that the type of the field cannot carry, or an amount in a unit of another dimension.",
+)
 
 _ENTRY = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\b")
 _WHOLE = re.compile(r"(?<![\w.])-?\d{1,10}(?![\w.])")
@@ -107,6 +111,29 @@ def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Source
     return not missing
 
 
+def carries(measure: Measure, written: str, place: Place, target: Target, report: Report) -> bool:
+    """Return whether a field can carry an amount: one of another dimension, between its steps or beyond its type is
+    reported.
+    """
+    unit, wire_type = wire_unit(target.field), target.field.type
+    if unit is None:
+        return True  # of a unit that is not known nothing can be said
+    fits = conversion(measure.unit, unit) is not None
+    number = measure.in_unit(unit)
+    if fits and (number is None or not wire_type.is_integer or _is_whole(number, target)):
+        return True
+    units = target.field.unit_text
+    message = f"{written} is nothing that {target.name} can carry ({wire_type.name}, {units})"
+    hint = f"whole {units} from {wire_type.minimum} to {wire_type.maximum}" if fits else f"write it in {units}"
+    report.add(DOCUMENT_RANGE, place, message, hint, [_declared(target)])
+    return False
+
+
+def _is_whole(number: Fraction, target: Target) -> bool:
+    """Return whether a field of whole numbers has a number."""
+    return number.denominator == 1 and target.field.type.minimum <= number <= target.field.type.maximum
+
+
 def _is_made_up(number: Fraction) -> bool:
     """Return whether a number is one that people write for "no value": nothing but nines, three or more."""
     return number.denominator == 1 and re.fullmatch("-?9{3,}", str(number)) is not None
@@ -120,7 +147,7 @@ def _constant(number: Fraction, head: str, place: Place, target: Target, sources
         hint = f"write {{constant: {decimal(number)}}}, which is {steps} on the wire, or {{constant: {value}}}"
         report.add(DOCUMENT_STEPS, place, f"{message} or {head} {target.field.unit_text}", hint, [_declared(target)])
         return UNREAD
-    if wire_type.is_integer and not (number.denominator == 1 and wire_type.minimum <= number <= wire_type.maximum):
+    if wire_type.is_integer and not _is_whole(number, target):
         message = f"{head} is nothing that {target.name} can carry ({wire_type.name})"
         hint = f"whole numbers from {wire_type.minimum} to {wire_type.maximum}"
         report.add(DOCUMENT_RANGE, place, message, hint, [_declared(target)])

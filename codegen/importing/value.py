@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
-from codegen.importing.number import has_entries, read_entry, read_number, stated_number, unknown_answer
-from codegen.importing.quantity import likely_quantity, read_quantity
+from codegen.importing.number import carries, has_entries, read_entry, read_number, stated_number, unknown_answer
+from codegen.importing.quantity import field_unit, likely_quantity, read_quantity
 from codegen.load.expression import read_product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
@@ -75,17 +75,27 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
         answer = field_answer(text, place, report)
         if answer is None or not has_entries(answer, cell, target, sources, report):
             return UNREAD
+        measure = read_measure(answer.constant) if isinstance(answer.constant, str) else None
+        if measure is not None and not carries(measure, str(answer.constant), cell.place, target, report):
+            return UNREAD
         return Reading(text, is_whole=True)
     outside = re.sub(r"\([^()]*\)", " ", text).casefold()
-    if _OPEN.search(outside) or _QUESTION.search(text):
+    in_brackets = re.findall(r"\(([^()]*)\)", text)
+    if _OPEN.search(outside) or _QUESTION.search(text) or any(_is_open(each) for each in in_brackets):
         return _ambiguous(cell, target, sources, report)
+    if in_brackets and _says_another(text.partition("(")[0].strip(), in_brackets[-1], target):
+        return _prose(cell, target, sources, report)
     reading = _read_atom(text, cell, target, sources, report) or _read_product(text, cell, target, sources, report)
     return reading or _prose(cell, target, sources, report)
 
 
 def leaves_open(note: Cell) -> bool:
     """Return whether a cell with notes says nothing but that its row is not decided: TBD, ?, to be defined."""
-    text = note.text.strip().casefold()
+    return _is_open(note.text)
+
+
+def _is_open(text: str) -> bool:
+    text = text.strip().casefold()
     return _QUESTION.fullmatch(text) is not None or _OPEN.fullmatch(text.rstrip(".!")) is not None
 
 
@@ -109,8 +119,9 @@ def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: 
     """A number, a limit, an entry or a word for unknown, with a remark behind it; None if the text is none of these."""
     measured = _with_unit(text)
     amount = _REMARK.sub("", measured)
-    if target.field.definition.units and read_measure(amount) is not None:
-        return Reading(f"{{constant: {amount}}}")
+    measure = read_measure(amount) if target.field.definition.units else None
+    if measure is not None:
+        return Reading(f"{{constant: {amount}}}") if carries(measure, amount, cell.place, target, report) else UNREAD
     match = _ATOM.fullmatch(text)
     if match is None or measured != text:
         return None
@@ -149,6 +160,24 @@ def _is_remark(after: str, head: str, target: Target) -> bool:
     further = (found for found in _FURTHER.finditer(after) if found[0] == found[1])
     number = stated_number(head, target)
     return number is None or all(stated_number(found[1], target) == number for found in further)
+
+
+def _says_another(text: str, remark: str, target: Target) -> bool:
+    """Return whether nothing but another number stands in brackets behind a number: 5 (6), 50 (0.4 m) in centimetres.
+
+    The same one in another form, 255 (0xFF), says it again, and what has words is a remark.
+    """
+    said, again = (_on_wire(each, target) for each in (text, remark.strip()))
+    return said is not None and again is not None and not same_number(said, again)
+
+
+def _on_wire(text: str, target: Target) -> int | float | None:
+    """The number that a text states, in the steps of the field: by itself, or with a unit that fits."""
+    measure, unit = read_measure(text), field_unit(target)
+    if measure is None or unit is None:
+        return stated_number(text, target)
+    number = measure.in_unit(unit)
+    return None if number is None else int(number) if number.denominator == 1 else float(number)
 
 
 def _limit_of_rust(match: re.Match[str]) -> str:

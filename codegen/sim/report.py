@@ -111,7 +111,7 @@ def write_report(path: str, simulation: Simulation, recording: Recording) -> Non
         write_whole(path, render_page("sim/report.html.j2", view))
         return
     if not view.figures:
-        raise OSError(f"{path}: the scenario draws no quantity")
+        raise OSError("the scenario draws no quantity")
     figure = view.figures[0]
     write_whole(path, render_page("sim/chart.svg.j2", PictureView(view.title, figure.summary, figure.charts[0])))
 

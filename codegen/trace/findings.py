@@ -10,7 +10,7 @@ from codegen.source import Place
 from codegen.trace.coverage import Coverage, Verdict
 from codegen.trace.graph import Trace
 from codegen.trace.lock import Review
-from codegen.trace.results import Counts, Results, hand_written_results
+from codegen.trace.results import Counts, Results, hand_written_results, undated_results_of_suites
 
 UNCOVERED = Rule(
     "trace-uncovered",
@@ -81,7 +81,9 @@ UNDATED_RESULTS = Rule(
     "results-undated",
     "A file of results has some of tests written by hand that do not say with which specification they were run, so "
     "they are taken for results of this one. With pytest -p codegen.pytest_plugin --junit-xml=FILE they say it, once "
-    "the project is built; another tool can write the property codegen-specification.",
+    "the project is built; another tool can write the property codegen-specification. Generated suites say it by "
+    "themselves, as the property codegen-inputs: where a tool that joins or rewrites files of results has left the "
+    "properties out, these results count as those of another specification.",
     Severity.WARNING,
 )
 
@@ -101,6 +103,14 @@ COUNTED = ("uncovered", "orphaned", "suspect")
 
 TOLD = (*COUNTED, "dependency")
 """The kinds that are told even where they do not count."""
+
+_REMEDIES: Mapping[Verdict, str] = {
+    Verdict.FAILED: "look at the tests that failed, and at what they are about",
+    Verdict.SKIPPED: "run the tests where nothing makes them skip, and give the results with --results",
+    Verdict.STALE: "build, run the tests again, and give their results with --results",
+    Verdict.NO_RESULT: "run the tests, and give their results with --results",
+}
+"""The remedy for a criterion that has tests, by how these went."""
 
 _UNMET: Mapping[Verdict, str] = {
     Verdict.PARTLY: "which has passed only partly",
@@ -151,8 +161,7 @@ def _all(
 def _of(each: Coverage) -> Iterator[Diagnostic]:
     place = each.criterion.place
     if each.is_uncovered:
-        hint = "look at the tests that failed, and at what they are about" if each.verdict is Verdict.FAILED else None
-        yield Diagnostic(place, UNCOVERED, f"{each.name} {_why(each)}", hint, _not_passed(each))
+        yield Diagnostic(place, UNCOVERED, f"{each.name} {_why(each)}", _REMEDIES.get(each.verdict), _not_passed(each))
     elif each.verdict is Verdict.PARTLY and each.counts:
         yield Diagnostic(place, PARTLY, f"{each.name}: {counted_text(each.counts)}", related=_not_passed(each))
     if each.is_suspect:
@@ -229,11 +238,9 @@ def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnos
         yield Diagnostic(kept.place, ORPHANED, f"the lock has {name}, which no document has", hint)
 
 
-def told_of_hand_written(
-    path: str, found: Iterable[TestResult], results: Results, trace: Trace
-) -> Iterator[Diagnostic]:
-    """Yield what is wrong with the results in a file: modules that could not be collected, and results of tests by hand
-    that are of another specification, or do not say of which.
+def told_of_results(path: str, found: Iterable[TestResult], results: Results, trace: Trace) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the results in a file: modules that could not be collected, results of tests by hand
+    that are of another specification, and results that do not say of which.
     """
     found = tuple(found)
     for each in found:
@@ -249,3 +256,10 @@ def told_of_hand_written(
     if undated:
         message = f"{undated} {of_hand}: no word of the specification"
         yield Diagnostic(Place(path), UNDATED_RESULTS, message, "pytest -p codegen.pytest_plugin notes it")
+    lost = len(undated_results_of_suites(found, trace))
+    if lost:
+        message = (
+            f"{lost} {'result' if lost == 1 else 'results'} of a generated suite: the property codegen-inputs is gone"
+        )
+        hint = "give the file that pytest --junit-xml=FILE wrote, not what another tool has made of it"
+        yield Diagnostic(Place(path), UNDATED_RESULTS, message, hint)

@@ -53,11 +53,15 @@ class Results:
     specification: str
     uncollected: Collection[str] = ()
 
-    def is_stale(self, result: TestResult) -> bool:
-        """Return whether a result is of another specification; what does not say of which counts as of this one."""
+    def is_stale(self, result: TestResult, *, of_suite: bool = False) -> bool:
+        """Return whether a result is of another specification.
+
+        What does not say of which counts as of this one, but not the result of a generated suite, which always says it:
+        a tool has left that out, and nobody knows how old the result is.
+        """
         if result.inputs is not None:
             return result.inputs not in self.current
-        return result.specification not in (None, self.specification)
+        return result.specification not in ((self.specification,) if of_suite else (None, self.specification))
 
 
 def results_of(found: Iterable[TestResult], tests: Iterable[Test], specification: str) -> Results:
@@ -81,9 +85,11 @@ def counts_of(test: Test, results: Results) -> Counts:
         by_case.setdefault(_case(result), []).append(result)
     if not test.cases:
         return (
-            sum((_judged(listed, results) for listed in by_case.values()), Counts()) if by_case else Counts(missing=1)
+            sum((_judged(test, listed, results) for listed in by_case.values()), Counts())
+            if by_case
+            else Counts(missing=1)
         )
-    return sum((_judged(by_case.get(case, ()), results) for case in test.cases), Counts())
+    return sum((_judged(test, by_case.get(case, ()), results) for case in test.cases), Counts())
 
 
 def with_links_of(trace: Trace, results: Results) -> Trace:
@@ -131,6 +137,21 @@ def hand_written_results(found: Iterable[TestResult], trace: Trace) -> list[Test
     return [each for each in found if each.inputs is None and any(trace.called(name) for name in each.shows)]
 
 
+def undated_results_of_suites(found: Iterable[TestResult], trace: Trace) -> list[TestResult]:
+    """Return the results of generated suites that do not say of which specification they are."""
+    suites: dict[str, list[Test]] = defaultdict(list)
+    for test in trace.tests:
+        if test.inputs:
+            suites[test.function.rpartition("::")[2]].append(test)
+    return [
+        each
+        for each in found
+        if each.inputs is None
+        and each.specification is None
+        and any(_is_in(each.module, test) for test in suites[each.name.partition("[")[0]])
+    ]
+
+
 def _about(test: Test, results: Results) -> Iterator[TestResult]:
     """The results of a test; where results tell what they show, only those that show its criterion."""
     function = test.function.rpartition("::")[2]
@@ -145,11 +166,11 @@ def _about(test: Test, results: Results) -> Iterator[TestResult]:
                     yield result
 
 
-def _judged(listed: Sequence[TestResult], results: Results) -> Counts:
+def _judged(test: Test, listed: Sequence[TestResult], results: Results) -> Counts:
     """One case: what failed once has failed, and what is of another specification shows nothing."""
     if not listed:
         return Counts(missing=1)
-    if any(results.is_stale(result) for result in listed):
+    if any(results.is_stale(result, of_suite=bool(test.inputs)) for result in listed):
         return Counts(stale=1)
     outcomes = {result.outcome for result in listed}
     if Outcome.FAILED in outcomes:

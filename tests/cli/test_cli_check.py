@@ -172,3 +172,17 @@ def test_the_catalogue_knows_the_rules_of_claims() -> None:
     claims = [rule for name, rule in rule_catalogue().items() if name.startswith("claim-")]
     assert len(claims) > 15
     assert all(isinstance(rule, Rule) for rule in claims)
+
+
+def test_a_table_is_no_document(project: Path, run: Any) -> None:
+    """Somebody who names the table that he has just written believes it checked, whatever is wrong in it."""
+    table = next((project / "messages").iterdir())
+    table.write_text(table.read_text() + "nonsense: true\n")
+    for named in (f"specs/messages/{table.name}", "specs/state.yaml", "specs/codegen.yaml"):
+        code, out, _ = run("check", named)
+        assert code == 1
+        assert f"{named}:1:1: error specification-as-document: " in out
+        assert "hint: codegen check without names" in out
+    assert run("check", "right.md", "specs/state.yaml")[0] == 1
+    assert run("check", "specs/state.yaml", "--dialect", "common")[0] == 0
+    assert run("check", "right.md")[0] == 0

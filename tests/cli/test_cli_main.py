@@ -64,6 +64,15 @@ def test_version(run: Any) -> None:
     assert run("--version") == (0, f"codegen {__version__}\n", "")
 
 
+@pytest.mark.parametrize("argv", [["--version"], ["--help"], [], ["completion", "bash"], ["codec", "--help"]])
+def test_a_full_disk_is_no_internal_error(argv: list[str]) -> None:
+    """The command begins in different ways for what has to answer at once; each of them says what the system says."""
+    with Path("/dev/full").open("w") as full:
+        ran = subprocess.run([sys.executable, "-m", "codegen", *argv], stdout=full, stderr=subprocess.PIPE, check=False)
+    assert (ran.returncode, b"Traceback" in ran.stderr) == (2, False)
+    assert b"No space left on device" in ran.stderr
+
+
 @pytest.mark.parametrize("argv", [["nonsense"], ["build", "--nonsense"], ["check", "--format", "xml"], ["explain"]])
 def test_wrong_usage_ends_with_2(run: Any, argv: list[str]) -> None:
     code, out, err = run(*argv)

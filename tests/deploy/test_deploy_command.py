@@ -302,6 +302,35 @@ def test_ports(ports: list[_Port], rule: str, words: str, run: Any, monkeypatch:
     assert words in said
 
 
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["deploy", "--port", ""], "argument --port: the name of the port is empty"),
+        (["bench", "--port", " "], "argument --port: the name of the port is empty"),
+        (["watch", "--deploy", "--port", ""], "argument --port: the name of the port is empty"),
+        (["deploy", "--log", "-1"], "argument --log: -1 is not a number of seconds"),
+        (["deploy", "--log", "nan"], "argument --log: nan is not a number of seconds"),
+        (["deploy", "--image", "new", "--dry-run"], "--dry-run does not go with it"),
+        (["deploy", "--image", "new", "--wifi", "w.json"], "--wifi does not go with it"),
+        (["deploy", "--image", "new", "--log", "0"], "--log does not go with it"),
+        (["bench", "--out", "b.txt"], "--out: b.txt does not end with .json"),
+        (["bench", "--out", "absent/b.json"], "absent is not a folder that can be written to"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused_before_a_board_is_asked(
+    arguments: list[str], says: str, project: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An image is written and nothing else, a dry run writes nothing, and an hour of measuring has a place to go."""
+    monkeypatch.chdir(project)
+    assert main([*arguments, "--project", str(project)]) == 2
+    assert says in capsys.readouterr().err
+    assert not (project / "new").exists()
+
+
+def test_a_port_that_is_not_there_is_no_port_that_is_taken(run: Any) -> None:
+    assert "hint: there is no /dev/ttyNone; mpremote connect list" in run("--port", "/dev/ttyNone")[1]
+
+
 def test_a_board_that_does_not_answer(tmp_path: Path, run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Connection.__init__, "__defaults__", (0.3,))
     with powered(tmp_path / "deaf", deaf=True) as deaf:

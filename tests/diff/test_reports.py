@@ -77,6 +77,7 @@ def test_long_names_break_between_their_parts() -> None:
     [
         ("--fail-on", "", "--fail-on knows no empty list"),
         ("--fail-on", " , ", "--fail-on knows no empty list"),
+        ("--fail-on", "never,any", "--fail-on never,any: never goes with no other"),
         ("--fail-on", "wire,claim-unit", "--fail-on knows no claim-unit"),
         ("--bandwidth", "-1", "--bandwidth is at least 0 %, not -1"),
     ],

@@ -99,6 +99,40 @@ def test_what_is_off_is_counted_and_what_is_raised_fails(run: Run) -> None:
     assert {result["level"] for result in levels} == {"note"}
 
 
+def test_a_severity_of_one_of_several_that_change_alike(run: Run, tmp_path: Path) -> None:
+    """They are one line of the report as long as the same setting holds for all of them; what one of them is set to
+    is not decided by the others.
+    """
+    field = '<field type="uint8_t" name="{}" units="{}">it</field>'
+    whole = '<mavlink><messages><message id="7" name="M"><description>d</description>{}</message></messages></mavlink>'
+    for file, unit in (("old.xml", "m"), ("sub/dialect-2.5.xml", "cm")):
+        (tmp_path / file).write_text(whole.format("".join(field.format(name, unit) for name in "abc")))
+    assert "M: a, b, c: m -> cm" in run("severities: []\n")[1]
+
+    code, out, err = run(f"severities:\n{setting('any', 'off')}{setting('silent', 'error', subject='M.b')}")
+    assert (code, out.count("field-units-changed")) == (1, 1)
+    assert "error field-units-changed: M.b: m -> cm" in out
+    assert "1 change: 1 breaks somebody silently" in err
+    assert "2 changes are switched off" in err
+
+    code, out, err = run(f"severities:\n{setting('any', 'info', subject='M.[ac]')}")
+    assert code == 1
+    assert "info field-units-changed: M: a, c: m -> cm" in out
+    assert "error field-units-changed: M.b: m -> cm" in out
+
+
+def test_a_report_of_what_is_off_alone_does_not_say_that_nothing_changed(run: Run) -> None:
+    """A reviewer who gets a page or a comment is told that something is left out of it."""
+    off = f"severities:\n{setting('any', 'off')}"
+    code, out, err = run(off)
+    assert (code, out) == (0, "")
+    for text in (err, *(run(off, "--format", form)[1] for form in ("markdown", "html"))):
+        assert "othing changed but what is switched off" in text
+        assert "3 changes are switched off" in text
+    some = f"severities:\n{setting('silent', 'off')}"
+    assert "2 changes are switched off." in run(some, "--format", "html")[1]
+
+
 def test_a_dialect_s_change_is_waived(run: Run) -> None:
     """With reason, owner and day, as a project's; one that is not used is told."""
     found = json.loads(run("waivers: []\n", "--format", "json")[1])["changes"]
@@ -171,3 +205,13 @@ def test_a_folder_of_dialects_at_a_revision_is_one(
         assert main(["diff", "HEAD~1:xml", head, "--dialect", "mine"]) == 1
         assert "M.a: m -> cm" in capsys.readouterr().out
     assert main(["diff", "HEAD~1:xml", "HEAD:xml", "--dialect", "other"]) == 2
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "json", "sarif"])
+def test_waivers_that_cannot_be_read_are_trouble_and_no_change(form: str, run: Run) -> None:
+    """A workflow tells a breaking change, 1, from a path that is wrong, 2: nobody has to look for the change."""
+    for path in ("missing.yaml", "sub"):
+        assert run("waivers: []\n", "--waivers", path, "--format", form, "--fail-on", "never")[0] == 2
+    code, _, err = run("waivers: [{id: W}]\n", "--fail-on", "never")
+    assert code == 1
+    assert "missing-key" in err

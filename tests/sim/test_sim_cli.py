@@ -1,5 +1,6 @@
 """The command line of codegen sim: what can be wrong with it, and what it prints."""
 
+import errno
 import os
 import pty
 import re
@@ -49,6 +50,7 @@ def test_the_scenarios_are_listed(run: Any) -> None:
         (["low", "--record", "absent/r.csv"], "--record: "),
         (["low", "--record", "r.txt"], "--record: r.txt ends neither"),
         (["low", "--report", "specs"], "--report: specs is a folder"),
+        (["low", "--report", "r.png"], "--report: r.png ends neither with .html nor with .svg"),
         (["specs/scenarios.yaml"], "specs/scenarios.yaml:NAME"),
         (["specs/scenarios.yaml:lwo"], "did you mean low?"),
     ],
@@ -134,6 +136,23 @@ def test_quiet_prints_only_the_result(run: Any) -> None:
     assert out.startswith("low: 6.0 s under MicroPython")
     assert "armed" not in out
     assert all("warning" in line for line in err.splitlines())
+
+
+def test_what_came_of_it_is_told_where_no_file_can_be_written(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A simulation may take hours, and the disk be full at the end: each file that lacks is named."""
+
+    def full(_path: str, _text: str) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("codegen.sim.report.write_whole", full)
+    code, out, err = run("low", "--duration", "1", "--quiet", "--report", "r.html", "--record", "r.json")
+    assert code == 2
+    assert "low: 1.0 s" in out
+    assert "r.html shows it" not in out
+    assert "codegen sim: error: r.html cannot be written: No space left on device" in err
+    assert Path("r.json").exists()
+    monkeypatch.setattr("codegen.sim.data.write_whole", full)
+    assert "r.json cannot be written" in run("low", "--duration", "1", "--quiet", "--record", "r.json")[2]
 
 
 @pytest.mark.usefixtures("project")

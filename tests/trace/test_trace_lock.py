@@ -145,6 +145,9 @@ def test_a_criterion_that_is_gone(project: Project, capsys: pytest.CaptureFixtur
         (["FR-1.1", "--reason", "x"], "--reason belongs to"),
         (["FR-2"], "no document has FR-2; did you mean FR-1"),
         (["--fail-on", "everything"], "everything is none of"),
+        (["--fail-on", ""], "nothing is none of"),
+        (["--fail-on", " ,"], "nothing is none of"),
+        (["--fail-on", "none,uncovered"], "none goes with no other"),
     ],
 )
 def test_wrong_usage(arguments: list[str], said: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:

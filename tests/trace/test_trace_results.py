@@ -65,6 +65,41 @@ def test_what_did_not_pass_shows_nothing(outcome: str, verdict: str, project: Pr
     assert verdicts(project, path)["FR-1.2"][0] == verdict
 
 
+def test_a_suite_whose_results_have_lost_their_properties_shows_nothing(
+    project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A tool that joins files of results may leave the properties out: results of last year's suite would pass."""
+    cases = of_the_suite(project)
+    bare = junit("r.xml", *((*case[:3], (), None) for case in cases))
+    assert verdicts(project, bare)["FR-1.2"] == (Verdict.STALE, Counts(stale=2, missing=1))
+    assert project.run("FR-1.2", "--results", bare) == 1
+    told = capsys.readouterr().out
+    assert "warning results-undated: 2 results of a generated suite: the property codegen-inputs is gone" in told
+    project.run("FR-1.2", "--results", junit("whole.xml", *cases))
+    assert "results-undated" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("outcome", "remedy"),
+    [
+        ("failure", "look at the tests that failed"),
+        ("skipped", "run the tests where nothing makes them skip"),
+        ("stale", "build, run the tests again"),
+        ("missing", "run the tests, and give their results"),
+    ],
+)
+def test_the_remedy_is_that_of_what_happened(
+    outcome: str, remedy: str, project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only where there is no test has anybody to write one."""
+    cases = of_the_suite(project, "passed" if outcome == "stale" else outcome, "0" * 16 if outcome == "stale" else None)
+    given = junit("r.xml", *(() if outcome == "missing" else cases))
+    assert project.run("FR-1.2", "--results", given) == 1
+    told = capsys.readouterr().out
+    assert f"hint: {remedy}" in told
+    assert "mark a test" not in told
+
+
 def test_a_later_file_makes_no_failure_good(project: Project, junit: Junit) -> None:
     bad = junit("bad.xml", (*BY_HAND[:2], "failure", *BY_HAND[3:]))
     good = junit("good.xml", *of_the_suite(project), BY_HAND)

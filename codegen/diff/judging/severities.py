@@ -6,7 +6,7 @@ from dataclasses import replace
 from fnmatch import fnmatchcase
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
-from codegen.diff.change import Area, Weight
+from codegen.diff.change import Area, Change, Weight
 from codegen.diff.report.grouping import Group
 from codegen.diff.report.review import Review
 from codegen.diff.rules import CHANGE_RULES
@@ -54,16 +54,31 @@ def with_severities(found: Review, specs: Sequence[SeveritySpec]) -> Review:
     What is off is left out and counted. The versions are those of the new side, as far as its name has one.
     """
     version = version_of(found.head)
-    kept, off = [], 0
+    kept: list[Group] = []
+    off = 0
     for group in found.groups:
-        spec = next((spec for spec in reversed(specs) if _is_about(spec, group, version)), None)
-        if spec is None:
-            kept.append(group)
-        elif spec.severity is SetSeverity.OFF:
-            off += len(group.changes)
-        else:
-            kept.append(replace(group, severity=Severity(spec.severity.value), reason=" ".join(spec.reason.split())))
+        following = group.following
+        for spec, changes in _by_spec(group, specs, version):
+            if spec is not None and spec.severity is SetSeverity.OFF:
+                off += len(changes)
+                continue
+            part = replace(group, changes=changes, following=following)
+            following = ()  # it is told once, below the first that is shown
+            if spec is not None:
+                part = replace(part, severity=Severity(spec.severity.value), reason=" ".join(spec.reason.split()))
+            kept.append(part)
     return replace(found, groups=tuple(kept), off=off)
+
+
+def _by_spec(
+    group: Group, specs: Sequence[SeveritySpec], version: Version | None
+) -> list[tuple[SeveritySpec | None, tuple[Change, ...]]]:
+    """The changes of a group by the setting that holds for each: a setting may be about some of them alone."""
+    found: dict[int | None, list[Change]] = {}
+    for change in group.changes:
+        about = (at for at in reversed(range(len(specs))) if _is_about(specs[at], change, version))
+        found.setdefault(next(about, None), []).append(change)
+    return [(None if at is None else specs[at], tuple(changes)) for at, changes in found.items()]
 
 
 def version_of(label: str) -> Version | None:
@@ -76,11 +91,10 @@ def _numbers(text: str) -> Version:
     return tuple(int(part) for part in text.split("."))
 
 
-def _is_about(spec: SeveritySpec, group: Group, version: Version | None) -> bool:
-    change = group.first
+def _is_about(spec: SeveritySpec, change: Change, version: Version | None) -> bool:
     if spec.kind not in (_ANY, change.rule.id, change.rule.area.value, change.weight.value):
         return False
-    if spec.subject is not None and not all(_has(spec.subject, each.subject) for each in group.changes):
+    if spec.subject is not None and not _has(spec.subject, change.subject):
         return False
     if spec.file is not None and not any(
         _is_at(spec.file, place.file) for place in (change.place, change.was_at) if place

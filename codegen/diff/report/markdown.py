@@ -7,7 +7,7 @@ from typing import NamedTuple
 from codegen.diff.change import Area, Change, Weight
 from codegen.diff.report.excerpt import difference
 from codegen.diff.report.grouping import Group, consequence, line_text, notice_text, numbers_of
-from codegen.diff.report.review import Review, elsewhere_text, tests_text
+from codegen.diff.report.review import Review, elsewhere_text, off_text, tests_text
 from codegen.diff.system.bandwidth import Bandwidth
 from codegen.findings.comment import MOST_CHARACTERS
 
@@ -62,7 +62,7 @@ def review_markdown(found: Review) -> str:
     for note in found.notes:
         head += ["", f"> {plain(note)}"]
     if found.off:
-        head += ["", f"{found.off} {'change is' if found.off == 1 else 'changes are'} switched off."]
+        head += ["", off_text(found.off)]
     if found.elsewhere:
         head += ["", elsewhere_text(found.elsewhere)]
     bandwidth = [line for program, each in found.bandwidth for line in _bandwidth(program, each)]

@@ -7,7 +7,7 @@ from codegen.diff.change import Area, Reach, Weight
 from codegen.diff.report.excerpt import difference
 from codegen.diff.report.grouping import Group, consequence, line_text, notice_text, numbers_of
 from codegen.diff.report.markdown import TITLES
-from codegen.diff.report.review import Review, elsewhere_text, fault_findings
+from codegen.diff.report.review import Review, elsewhere_text, fault_findings, off_text
 from codegen.diff.system.bandwidth import Bandwidth
 from codegen.frozen import dataclass
 from codegen.render.templates import render_page
@@ -84,7 +84,7 @@ class ReviewPage:
     summary: tuple[SummaryRow, ...]
     rows: tuple[ChangeRow, ...]
     bandwidth: tuple[BandwidthTable, ...]
-    elsewhere: str
+    uncounted: tuple[str, ...]
 
     @property
     def has_reach(self) -> bool:
@@ -109,7 +109,9 @@ def review_page(found: Review) -> str:
         summary=tuple(_summary(found, area) for area in Area),
         rows=tuple(_row(each, group) for group in found.groups for each in (group, *group.following)),
         bandwidth=tuple(_table(program, each) for program, each in found.bandwidth if each.is_changed),
-        elsewhere=elsewhere_text(found.elsewhere) if found.elsewhere else "",
+        uncounted=tuple(
+            text(count) for text, count in ((off_text, found.off), (elsewhere_text, found.elsewhere)) if count
+        ),
     )
     return render_page("pages/diff.html.j2", view)
 

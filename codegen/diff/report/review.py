@@ -49,7 +49,7 @@ class Review:
     @property
     def is_empty(self) -> bool:
         """Return whether there is nothing to say: nothing changed, and both sides could be read."""
-        return not self.groups and not self.faults
+        return not self.groups and not self.faults and not self.off
 
     @property
     def counting(self) -> tuple[Group, ...]:
@@ -59,7 +59,8 @@ class Review:
     @property
     def head_line(self) -> str:
         """Return how much changed, and how bad it is, as far as the sides can be read."""
-        known = counted(self.groups) if self.groups else "nothing changed"
+        nothing = "nothing changed but what is switched off" if self.off else "nothing changed"
+        known = counted(self.groups) if self.groups else nothing
         return f"{known}; {self.fault_line}" if self.faults else known
 
     @property
@@ -187,6 +188,11 @@ def reach_text(group: Group) -> str:
     told = [shortened_list(reach.requirements, 6), shortened_list(reach.symbols, 4), tests_text(reach.tests)]
     words = [word for word in told if word]
     return f"reaches {'; '.join(words)}" if words else ""
+
+
+def off_text(count: int) -> str:
+    """A sentence about changes that a severity of the project switches off."""
+    return f"{count} {'change is' if count == 1 else 'changes are'} switched off."
 
 
 def elsewhere_text(count: int) -> str:
