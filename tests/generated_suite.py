@@ -61,6 +61,14 @@ def _forking() -> "subprocess.Popen[str]":
     return process
 
 
+DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
+COMMON = (
+    f"{DAYS} or storage or parameter or service or loop or steady or arming or link or stream or health"
+    " or watchdog or micropython-station or micropython-stop"
+)
+"""The scripts of the program that are about modules that every project has alike."""
+
+
 def suite_is_green(folder: Path, *tests: str, only: str = "") -> None:
     """All tests of a suite pass, or those that the expression ``only`` selects, of which there are some."""
     done = run_suite(folder, *tests, options=("-k", only))
