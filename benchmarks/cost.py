@@ -4,13 +4,17 @@ Instructions are counted by valgrind's callgrind with the unix port of MicroPyth
 number, whatever else the computer does. CYCLES and MOST_CYCLES say how those of a board are predicted from it.
 """
 
+import atexit
 import os
 import platform
 import re
 import shutil
+import subprocess
 import sys
+import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -39,7 +43,6 @@ LAYOUTS = range(5)  # how many names are there before; counting.py says why
 MARK = "setenv"  # what counting.py calls at the beginning and the end of each run
 FEW, MANY = 20, 120  # rounds of each run there
 FOR_THIS_INTERPRETER = ("-march=x64", "-msmall-int-bits=63")
-PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; main()"
 
 
 @dataclass(frozen=True)
@@ -224,21 +227,53 @@ def single_counts(
 
 
 def _run(script: str, argument: str, modules: Iterable[Path], folder: Path) -> tuple[str, Path]:
-    """Run a script under valgrind; return what it printed, and the name before the numbers of the parts.
+    """Run a script under valgrind; return what it printed, and the name before the numbers of the parts."""
+    process, parts = _forking()
+    assert process.stdin is not None
+    assert process.stdout is not None
+    path = os.pathsep.join([*map(str, modules), str(measure.HERE / "micropython"), ".frozen"])
+    printed = folder / f"{script}.{Path(argument).name}.txt"
+    asked = [path, str(folder), str(printed), str(measure.HERE / "micropython" / script), argument]
+    try:
+        process.stdin.write("\t".join(asked) + "\n")
+        process.stdin.flush()
+        fork, status = map(int, process.stdout.readline().split())
+    except BaseException:  # what it answers later would be taken for an answer to what is asked next
+        _forking.cache_clear()
+        process.kill()
+        raise
+    said = printed.read_text(encoding="utf-8")
+    if status:
+        raise SystemExit(f"{script} failed under valgrind:\n{said}")
+    return said, parts / f"{fork}.callgrind"
 
-    The interpreter is a module of CPython: it is started with as little of CPython as is possible.
-    """
+
+@cache
+def _forking() -> "tuple[subprocess.Popen[str], Path]":
+    """Return a process under valgrind that forks for each script, and where valgrind writes; it ends with its input."""
     found = find_spec("micropython_unix")
     if found is None or found.origin is None:
         raise SystemExit("micropython is not installed: make build installs it")
-    parts = folder / f"{script}.{Path(argument).name}.callgrind"
-    command = ["valgrind", "--tool=callgrind", "--smc-check=all-non-file", f"--callgrind-out-file={parts}"]
-    command += [f"--dump-before={MARK}", sys.executable, "-S", "-c", PYTHON.format(str(Path(found.origin).parent))]
-    path = [*map(str, modules), str(measure.HERE / "micropython"), ".frozen"]
-    # Nothing of this environment: what is in it lies on the stack, and the same stack counts the same.
-    environment = {"PYTHONHASHSEED": "0", "MICROPYPATH": os.pathsep.join(path)}
-    command += [str(measure.HERE / "micropython" / script), argument]
-    return measure.said(command, env=environment, cwd=folder), parts
+    parts = Path(tempfile.mkdtemp(prefix="codegen-cost-"))
+    command = ["valgrind", "--tool=callgrind", "--smc-check=all-non-file", f"--callgrind-out-file={parts}/%p.callgrind"]
+    command += [f"--dump-before={MARK}", sys.executable, "-S"]  # as little of CPython as is possible
+    process = subprocess.Popen(  # noqa: S603  valgrind, with scripts of this folder
+        [*command, str(measure.HERE / "counted_forks.py"), str(Path(found.origin).parent)],
+        env={
+            "PYTHONHASHSEED": "0"
+        },  # nothing of this environment: it lies on the stack, and the same one counts the same
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,  # on which valgrind says what it is
+        text=True,
+    )
+
+    def end() -> None:
+        process.communicate()
+        shutil.rmtree(parts, ignore_errors=True)
+
+    atexit.register(end)
+    return process, parts
 
 
 def _totals(parts: Path, count: int) -> list[int]:

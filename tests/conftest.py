@@ -171,7 +171,8 @@ def _run_of(item: pytest.Item) -> object:
     if item.get_closest_marker("days") is None:
         return item
     assert isinstance(item, pytest.Function)
-    return item.path, item.callspec.params.get("interpreter") if hasattr(item, "callspec") else item
+    params = item.callspec.params if hasattr(item, "callspec") else {}
+    return item.path, params["check"][0] if "check" in params else params.get("interpreter")
 
 
 @pytest.hookimpl(optionalhook=True)

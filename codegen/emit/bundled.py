@@ -4,6 +4,7 @@ import ast
 import builtins
 from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import chain, count
 
 from codegen.emit.bundles import Bundle, bundles_of, fixed_names, numbers_of
@@ -196,7 +197,13 @@ def _left(module: Module, name: str, places: Places, asked: Container[str]) -> s
 
 def _is_constant(module: Module, name: str) -> bool:
     """Return whether a name is one that only the compiler knows."""
-    return name[0] == "_" and any(constant_of(node) == name for node in module.tree.body)
+    return name[0] == "_" and name in _constants(module.tree)
+
+
+@lru_cache(maxsize=256)
+def _constants(tree: ast.Module) -> frozenset[str | None]:
+    """Return the names of the constants of a module."""
+    return frozenset(map(constant_of, tree.body))
 
 
 def _is_short(name: str) -> bool:

@@ -101,8 +101,9 @@ def _loaded(modules: Mapping[str, Module], started: Module) -> list[str]:
 
 def _perhaps(module: Module) -> Iterator[str]:
     """Yield what a module imports under a condition: where it is refused, there is another one."""
+    always = set(module.tree.body)
     for node in outside_functions(module.tree.body):
-        if node not in module.tree.body:
+        if node not in always:
             yield from sources_of(node)
 
 

@@ -525,6 +525,7 @@ def more_steps_of_state():
 STEPS = 12
 SCANS = 300
 FRAMES = 100
+TOGETHER = 48
 PARTS = {
     "steps": steps_of_state,
     "more steps": more_steps_of_state,
@@ -539,17 +540,25 @@ PARTS = {
     "times": times_of_readings,
 }
 
+
+def tell_sums(steps):
+    """Print the sum of each step, as a list: many in a line, since each line is a call of the system for both ends."""
+    told, begin = [], "["
+    for step in steps:  # one by one: there are as many as there are messages, times numbers
+        told.append(str(crc32(str(step).encode())))
+        if len(told) == TOGETHER:
+            print(begin + ",".join(told))
+            told, begin = [], ","
+    print(begin + ",".join(told) + "]" if told or begin == "[" else "]")
+
+
 if __name__ == "__main__":
     of = sys.argv.index("of")
     NUMBERS = [int(number) for number in sys.argv[1:of]]
     begin = "{"
     for name in sys.argv[of + 1 :]:
-        print(f"{begin}{json.dumps(name)}: [")
+        print(f"{begin}{json.dumps(name)}: ")
         begin = ", "
-        comma = ""
-        for step in PARTS[name]():  # one by one: there are as many as there are messages, times numbers
-            print(f"{comma}{crc32(json.dumps(step).encode())}")
-            comma = ","
-        print("]")
+        tell_sums(PARTS[name]())
         buffers.look()
     print("}")

@@ -2,6 +2,7 @@
 
 import pytest
 from interpreters import checks_of
+from selection import selected
 
 
 def _checks():
@@ -15,12 +16,17 @@ def _cases():
         for criterion, name in _checks():
             shows = [pytest.mark.requirement(criterion)] if criterion else []
             case = f"{interpreter}-{name}" + (f"-{criterion}" if criterion else "")
-            yield pytest.param(interpreter, name, id=case, marks=shows)
+            yield pytest.param((interpreter, name), id=case, marks=shows)
 
 
-@pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
-def test_behaviour(interpreter, name, printed, request):
+def _selected(interpreter):
+    return [name for by, name in selected("test_behaviour") if by == interpreter]
+
+
+@pytest.mark.parametrize("check", list(_cases()))
+def test_behaviour(check, printed):
     """The board and the state behave as the requirements say, and the steady cycle allocates nothing."""
-    found = printed(interpreter, "behaviour.py", item=request.node)
+    interpreter, name = check
+    found = printed(interpreter, "behaviour.py", lambda: _selected(interpreter))
     assert "" not in found, found[""]
     assert found[name] is None, found[name]

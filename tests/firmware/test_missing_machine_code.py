@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from generated_suite import run_suite
 from whole_program import whole_program
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -54,7 +55,6 @@ def test_a_part_of_viper_that_is_missing_is_survived(program: Path, kind: str) -
 
 def test_the_generated_suite_notices_machine_code_that_does_not_compile(program: Path) -> None:
     break_machine_code(program / "firmware", FAULTS["ViperTypeError"])
-    command = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-q", "-k", "machine_code", "test_counterparts.py"]
-    done = subprocess.run(command, cwd=program / "tests", capture_output=True, text=True, check=False)
-    assert done.returncode == 1, done.stdout + done.stderr
+    done = run_suite(program / "tests", "test_counterparts.py", options=("-k", "machine_code", "--assert=rewrite"))
+    assert done.returncode == 1, done.stdout
     assert "ViperTypeError" in done.stdout

@@ -3,6 +3,7 @@
 How long it takes, `make suite` prints; a test counts how often the clock moves, which is the same on any computer.
 """
 
+import ast
 import json
 import os
 import subprocess
@@ -49,3 +50,18 @@ def test_what_takes_long_is_listed_as_long() -> None:
     moves = json.loads(done.stdout)
     assert len(moves) > 100
     assert {check: count for check, count in moves.items() if count > MOST} == {}
+
+
+def test_all_checks_of_a_script_are_found() -> None:
+    """The suite parses a list of checks alone, not the whole script: it finds the same."""
+    scripts = scripts_of(ROVER / "tests")
+    found = 0
+    for path in [*scripts.files("tests/*_checks.py"), scripts.path_of("tests", "behaviour.py")]:
+        statements = [each for each in ast.parse(path.read_text()).body if isinstance(each, ast.Assign)]
+        values = {ast.unparse(each.targets[0]): each.value for each in statements}
+        for name in ("CHECKS", "LONG"):
+            written = list(values[name].elts) if name in values else []
+            checks = scripts.checks_of(path.name, name)
+            assert list(map(ast.unparse, checks)) == list(map(ast.unparse, written)), path.name
+            found += len(checks)
+    assert found > 300

@@ -20,6 +20,8 @@ LEFT_OUT = ("day", "heap", "station", "generation", "announcement", "return", "l
 NO_NETWORK = "datagrams_over_the_loopback"  # this MicroPython has none
 CHECKS = scripts_of(ROOT / "generated" / "tests").files("tests/*_checks.py")
 SCRIPTS = [path.name.removesuffix("_checks.py") for path in CHECKS]
+PARTS = 3
+"""Processes that share the scripts: each compiles the firmware, and this interpreter is slow."""
 
 
 @pytest.fixture(scope="module")
@@ -54,14 +56,11 @@ def test_suite_passes_with_words_of_32_bits(suite: Path, file: str) -> None:
     assert done.returncode == 0, done.stdout[-3000:]
 
 
-@pytest.mark.parametrize("script", [script for script in SCRIPTS if script not in LEFT_OUT])
-def test_program_passes_with_words_of_32_bits(suite: Path, script: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.long
+@pytest.mark.parametrize("part", range(PARTS))
+def test_program_passes_with_words_of_32_bits(suite: Path, part: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The program's checks, all but what NO_NETWORK names: none finds anything, as the suite's tests demand of it."""
-    monkeypatch.setenv("MICROPYTHON", str(MICROPYTHON32))
-    outcomes = json.loads(scripts_of(suite).run_under("micropython", f"{script}_checks.py", "9"))  # a port of nobody's
-    outcomes.pop(NO_NETWORK, None)
-    assert outcomes
-    assert not {check: found for check, found in outcomes.items() if found and not found.startswith("left out: ")}
+    hold(suite, [script for script in SCRIPTS if script not in LEFT_OUT][part::PARTS], monkeypatch)
 
 
 @pytest.mark.parametrize("project", ["rows", "wide_values"])
@@ -74,12 +73,19 @@ def test_wide_numbers_with_words_of_32_bits(project: str, tmp_path: Path) -> Non
         assert done.returncode == 0, done.stdout[-3000:]
 
 
-@pytest.mark.parametrize("script", ["bytewise", "parameter", "storage"])
-def test_bytewise_parameters_with_words_of_32_bits(
-    bytewise: Path, script: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_bytewise_parameters_with_words_of_32_bits(bytewise: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whole parameters as their bytes, of every type, with numbers beyond those that such a MicroPython has small."""
+    hold(bytewise, ["bytewise", "parameter", "storage"], monkeypatch)
+
+
+def hold(suite: Path, names: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run the checks of scripts in one process, which compiles the firmware once: none finds anything."""
     monkeypatch.setenv("MICROPYTHON", str(MICROPYTHON32))
-    outcomes = json.loads(scripts_of(bytewise).run_under("micropython", f"{script}_checks.py", "9"))
-    assert outcomes
+    scripts = scripts_of(suite)
+    checks = {name: [entry.elts[0].id for entry in scripts.checks_of(f"{name}_checks.py")] for name in names}
+    assert all(checks.values())
+    asked = [f"{name} {check}" for name in names for check in checks[name] if check != NO_NETWORK]
+    told = scripts.run_under("micropython", "checks_run.py", "9", *asked)  # a port of nobody's
+    outcomes = dict(map(json.loads, told.splitlines()))
+    assert list(outcomes) == asked
     assert not {check: found for check, found in outcomes.items() if found and not found.startswith("left out: ")}

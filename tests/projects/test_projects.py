@@ -24,19 +24,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from generated_suite import suite_is_green
+from generated_suite import COMMON, DAYS, suite_is_green
 from in_process import build
 
 PROJECTS = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
 WHOLE = {"radio_rover", "guarded", "sensors", "own_dialect", "slow_readings", "watched_boat"}
 """Whose checks of the whole program run; the checks of others, whose modules are the same, are about what they have."""
-DAYS = "day_across_the_wrap or heap_is_constant_over_a_day"
-COMMON = (
-    f"{DAYS} or storage or parameter or service or loop or steady or arming or link or stream or health"
-    " or watchdog or micropython-station or micropython-stop"
-)
-"""The scripts of the program that are about modules that every project has alike."""
 
 
 @pytest.mark.parametrize("project", sorted(path.parent.name for path in PROJECTS.glob("*/specs")))

@@ -1,15 +1,18 @@
 # Generated from templates/tests/selection.py: do not edit.
-# Inputs: 23ba58081804655c
-"""Finds the selected tests of a function: one run of a script is for all of them."""
+# Inputs: d2b941f90110057e
+"""Knows the checks of the selected tests: one run of a script is for all of them."""
+
+_checks = {}
 
 
-def selected(item):
-    """Return the parameters of each selected test of a function, with the interpreter of `item` and its marker days."""
-    kind = _kind(item)
-    items = item.session.items
-    others = [each for each in items if each.path == item.path and each.originalname == item.originalname]
-    return [each.callspec.params for each in others if _kind(each) == kind]
+def note(items):
+    """Note what tests have as their parameter `check`, by the names of their functions."""
+    _checks.clear()
+    for item in items:
+        if hasattr(item, "callspec") and "check" in item.callspec.params:
+            _checks.setdefault(item.originalname, []).append(item.callspec.params["check"])
 
 
-def _kind(item):
-    return item.callspec.params["interpreter"], item.get_closest_marker("days") is None
+def selected(function):
+    """Return the parameter `check` of each selected test of a function, in their order."""
+    return _checks.get(function, ())

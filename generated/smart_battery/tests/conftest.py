@@ -1,11 +1,12 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 8e83acee54329490
+# Inputs: 38eee584095399b8
 """Runs the cases and checks of this suite, once for each interpreter, and marks the tests for their results.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
 called requirement, and in codegen-inputs the hash of the specification that the tests were made of.
 """
 
+import gc
 import json
 import os
 import re
@@ -14,14 +15,18 @@ import time
 
 import pytest
 from interpreters import CASES, HERE, LARGE_HEAP, files, path_of, told_by
-from selection import selected
+from selection import note
 
 GOES_ON_S = 2  # who makes a result says so as often
 GONE_S = 60  # who has not said so for so long makes none
 
+_process = {"is_worker": False}  # of pytest-xdist; a fixture that asked for it would be asked with each test
+
 
 def pytest_configure(config):
-    """Make the markers known."""
+    """Make the markers known, and cycles be looked for rarely: what tests are made of stays."""
+    gc.set_threshold(200_000, 20, 20)
+    _process["is_worker"] = hasattr(config, "workerinput")
     config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
     config.addinivalue_line(
         "markers", "days: goes through minutes or days of simulated time, which takes longer than all other tests"
@@ -36,6 +41,11 @@ def pytest_collection_modifyitems(items):
             shown = [name for mark in item.iter_markers("requirement") for name in mark.args]
             noted = [*(("requirement", name) for name in dict.fromkeys(shown)), inputs]
             item.user_properties += [found for found in noted if found not in item.user_properties]
+
+
+def pytest_collection_finish(session):
+    """Note which checks are selected."""
+    note(session.items)
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
@@ -62,13 +72,13 @@ def modules():
 
 
 @pytest.fixture(scope="session")
-def once(request, tmp_path_factory):
+def once(tmp_path_factory):
     """Return a call that keeps results, JSON, by name: each is made once, however many processes pytest-xdist has.
 
     So is one that cannot be made: the result is what went wrong, by the name "", and all that ask for it fail at once.
     """
     base = tmp_path_factory.getbasetemp()
-    shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
+    shared = base.parent if _process["is_worker"] else base  # of all workers of this run
     known = {}
 
     def by(name, make):
@@ -84,15 +94,11 @@ def once(request, tmp_path_factory):
 def printed(once):
     """Return a call for what a script prints, as JSON, in one run of it.
 
-    A script that is given the names of checks runs these alone: those of all tests like `item` that are selected.
+    A script that is given the names of checks runs these alone: `names` is a call for them.
     """
 
-    def by(interpreter, script, item=None):
-        def run():
-            names = [each["name"] for each in selected(item)] if item else ()
-            return told_by(interpreter, script, *names)
-
-        return once(f"{interpreter}-{script}", run)
+    def by(interpreter, script, names=tuple):
+        return once(f"{interpreter}-{script}", lambda: told_by(interpreter, script, *names()))
 
     return by
 

@@ -1,11 +1,12 @@
 # Generated from templates/tests/interpreters.py.j2: do not edit.
-# Inputs: b1242a7363061895
+# Inputs: ec7f0d7885ae201a
 """Runs scripts of this suite with the firmware and the mocks, under CPython or MicroPython."""
 
 import ast
 import json
 import os
 import queue
+import re
 import shutil
 import subprocess
 import sys
@@ -27,6 +28,9 @@ No board has so much. What the firmware needs is counted, and a heap that grows 
 """
 LARGE_HEAP = "64m"
 """The same for what holds all cases at once."""
+
+TUPLES = re.compile(r"^\w+ = \((?:\n(?:.*\n)*?\)|.*\))$", re.MULTILINE)
+"""Assignments of a tuple, from the beginning of a line to the end of that or another one."""
 
 SILENT_S = 120
 """A script that prints nothing for so long hangs. In all it may take longer: that grows with the vehicle."""
@@ -52,8 +56,8 @@ def micropython():
 
 @cache
 def _lists_of(script):
-    """Return the lists of a script by name, as they are written there: it is not run."""
-    statements = ast.parse(path_of("tests", script).read_text()).body
+    """Return the lists of a script by name, as they are written there: it is not run, and nothing else of it parsed."""
+    statements = ast.parse("\n".join(TUPLES.findall(path_of("tests", script).read_text(encoding="utf-8")))).body
     found = [each for each in statements if isinstance(each, ast.Assign) and isinstance(each.value, ast.Tuple)]
     return {ast.unparse(each.targets[0]): each.value.elts for each in found}
 

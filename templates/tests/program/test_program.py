@@ -33,18 +33,19 @@ def _cases():
                 marks = [pytest.mark.requirement(*criteria)] if criteria else []
                 marks += [pytest.mark.days] if is_long else []
                 case = "-".join((interpreter, script, name, *criteria))
-                yield pytest.param(interpreter, script, name, id=case, marks=marks)
+                yield pytest.param((interpreter, is_long, script, name), id=case, marks=marks)
 
 
 @pytest.fixture(scope="session")
 def checked(once):
-    """Return a call for the finding of a check, in the run of all those like `item` that are selected."""
+    """Return a call for the finding of a check, in the run of all those that are selected and like it."""
 
-    def by(interpreter, script, name, item):
-        is_long = item.get_closest_marker("days") is not None
+    def by(check):
+        *kind, script, name = check
+        interpreter, is_long = kind
 
         def run():
-            asked = [(each["script"], each["name"]) for each in selected(item)]
+            asked = [(script, name) for *one, script, name in selected("test_program") if one == kind]
             return outcomes(interpreter, asked, LONG_LIMIT_S if is_long else LIMIT_S)
 
         found = once(f"{interpreter}-{'long' if is_long else 'program'}", run)
@@ -54,10 +55,10 @@ def checked(once):
     return by
 
 
-@pytest.mark.parametrize(("interpreter", "script", "name"), list(_cases()))
-def test_program(interpreter, script, name, checked, request):
+@pytest.mark.parametrize("check", list(_cases()))
+def test_program(check, checked):
     """The vehicle does what the criterion says."""
-    outcome = checked(interpreter, script, name, request.node)
+    outcome = checked(check)
     if outcome is not None and outcome.startswith("left out: "):
         pytest.skip(outcome)
     assert outcome is None, outcome

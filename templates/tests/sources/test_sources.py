@@ -18,12 +18,13 @@ def _cases():
                 criterion = CRITERIA[source["name"]].get(aspect)
                 shows = [pytest.mark.requirement(criterion)] if criterion else []
                 name = f"{source['name']}-{check}"
-                yield pytest.param(interpreter, name, id=f"{interpreter}-{name}", marks=shows)
+                yield pytest.param((interpreter, name), id=f"{interpreter}-{name}", marks=shows)
 
 
-@pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
-def test_source(interpreter, name, printed):
+@pytest.mark.parametrize("case", list(_cases()))
+def test_source(case, printed):
     """The sensor is asked, kept and told of as the specification says."""
+    interpreter, name = case
     found = printed(interpreter, "sources_behaviour.py")
     assert "" not in found, found[""]
     assert found[name] is None, found[name]
