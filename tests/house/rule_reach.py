@@ -7,7 +7,7 @@ load. A method runs where anything loads an attribute of its name: too much coun
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import codegen
@@ -28,6 +28,7 @@ class Unit:
     attributes: frozenset[str]
 
 
+@cache
 def sources() -> dict[str, str]:
     """The text of each module by its dotted name."""
     paths = {path: path.relative_to(PACKAGE).with_suffix("").parts for path in sorted(PACKAGE.rglob("*.py"))}
