@@ -18,6 +18,7 @@ from typing import Any
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
 
 from codegen.tool.cache import cache_folder
 
@@ -39,6 +40,10 @@ os.environ["CODEGEN_CACHE"] = str(CACHE)
 # No timed assertions: a busy machine is no fault of the code, and a failure must be the same for everybody.
 settings.register_profile("codegen", deadline=None, derandomize=True, database=None)
 settings.load_profile("codegen")
+
+# Hypothesis tries numbers that stand in the modules which happen to be imported: other ones in a run of all tests than
+# in that of a single one, where a failure could not be seen again. All of these would be filtered for each new range.
+providers._get_local_constants = lambda: providers._local_constants  # of which there are none
 
 # Nearly nothing here dies in a cycle, and looking for one at every 700 objects takes a sixth of the time.
 gc.set_threshold(200_000, 20, 20)

@@ -33,6 +33,8 @@ def numbered_message(
     """The message whose id stands beside a name that is like its own, or ``below`` it."""
     behind, before = _ID_BEHIND.match(text, end), _ID_BEFORE.search(text, 0, start)
     ids = {int(each["id"]) for each in (behind, before) if each is not None} | ({below} if below is not None else set())
+    if not ids:
+        return None
     name = text[start:end]
     alike = [known for known, message in messages.items() if message.id in ids and _is_alike(name, known)]
     return alike[0] if len(alike) == 1 else None

@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 
 from codegen.frozen import dataclass
 
@@ -42,6 +43,7 @@ def needed_imports(
     return [] if tree is None else list(_Needed(is_there, package, is_main).of(tree.body, is_sure=True))
 
 
+@lru_cache(maxsize=256)
 def _tree(text: str) -> ast.Module | None:
     try:
         return ast.parse(text)

@@ -100,16 +100,12 @@ def _made(
     generated = {path.removesuffix(".py"): text for path, text in wanted.items() if path in unnumbered}
     left = [text for path, text in files.items() if path not in unnumbered or path not in wanted]
     others = [text for text in (*left, *beside) if isinstance(text, str)]
-    short = shortened(with_constants(direct(generated), others), others)
-    texts, names = short.texts, short.names
     started = files.get(STARTED)
-    if STARTED in unnumbered and isinstance(started, str):
-        outside = [text for text in others if text != started]
-        made = bundled(texts, started, names, outside)
-        texts, names, result[STARTED] = made.texts, made.names, made.started
-    texts = with_short_arguments(texts, others)
-    texts = {name: with_signs_of_words(text, architecture) for name, text in texts.items()}
-    prepared = {f"{name}.py": with_frequent_names_first(with_small_classes(text)) for name, text in texts.items()}
+    started = started if STARTED in unnumbered and isinstance(started, str) else None
+    texts, names, started = _prepared(generated, others, started)
+    if started is not None:
+        result[STARTED] = started
+    prepared = {f"{name}.py": with_signs_of_words(text, architecture) for name, text in texts.items()}
     wanted |= prepared
     if names:
         result[TABLE] = table_of(names)
@@ -127,6 +123,27 @@ def _made(
             if fault:
                 _report_fault(path, text, fault, folder, report)
     return {} if report.has_errors else result
+
+
+_Prepared = tuple[Mapping[str, str], Mapping[str, Mapping[str, str]], str | None]
+"""The texts of modules by their names, what short names stand for, by modules, and what the board starts."""
+
+
+def _prepared(modules: Mapping[str, str], others: list[str], started: str | None) -> _Prepared:
+    """Return generated modules as they are compiled, which is done once for all architectures that have them."""
+    name = entry("prepared", tool_digest(), pickled((dict(modules), others, started)))
+    known = cast("_Prepared | None", kept_object(name))
+    if known is None:
+        short = shortened(with_constants(direct(modules), others), others)
+        texts, names = short.texts, short.names
+        if started is not None:
+            made = bundled(texts, started, names, [text for text in others if text != started])
+            texts, names, started = made.texts, made.names, made.started
+        texts = with_short_arguments(texts, others)
+        texts = {each: with_frequent_names_first(with_small_classes(text)) for each, text in texts.items()}
+        known = texts, names, started
+        keep_object(name, known)
+    return known
 
 
 def _python_place(path: str, text: str) -> Place | None:

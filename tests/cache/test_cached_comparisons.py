@@ -89,8 +89,8 @@ def test_after_each_edit_and_commit_it_says_what_a_run_that_knows_nothing_says(p
         commit(project)
         assert compare("HEAD")["changes"] == [], path
         committed = compare("HEAD~1", "HEAD")
-        assert committed == compare("HEAD~1", "HEAD")
         assert told(committed) == told(now)
+    assert committed == compare("HEAD~1", "HEAD")
 
 
 def test_a_dialect_is_read_again_where_a_file_of_it_differs(tmp_path: Path, compare: Compare) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from generated_suite import run_suite
 from in_process import build
+from rover_alone import without_programs
 from whole_program import module_folders
 
 from codegen.diagnostics import Report
@@ -25,6 +26,7 @@ FIRST = '#!/bin/sh\nMICROPYPATH="{folder}:$MICROPYPATH" exec "{micropython}" "$@
 def test_the_suite_passes_with_compiled_modules(architecture: str, tmp_path: Path) -> None:
     """What the suite and the mocks name keeps its name, as what the user's code names does."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    without_programs(tmp_path / "specs")
     if architecture == BYTECODE:
         with (tmp_path / "specs" / "codegen.yaml").open("a") as settings:
             settings.write("machine_code: false\n")

@@ -11,6 +11,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import ModuleType
 
+from rule_reach import nodes_of
+
 from codegen.diagnostics import Rule
 
 HINTS = {
@@ -40,7 +42,7 @@ class Reported:
 def reports(tree: ast.Module, module: ModuleType | Mapping[str, object]) -> Iterator[Reported]:
     """Yield each use of a rule; ``module`` is what the names of the source stand for: the module, or its names."""
     names = dict(vars(module) if isinstance(module, ModuleType) else module)
-    for node in ast.walk(tree):
+    for node in nodes_of(tree):
         if isinstance(node, ast.ImportFrom) and node.module is not None:  # those of functions, too
             late = importlib.import_module(node.module)
             names.update({each.asname or each.name: getattr(late, each.name, None) for each in node.names})

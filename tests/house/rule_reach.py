@@ -7,6 +7,7 @@ load. A method runs where anything loads an attribute of its name: too much coun
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache, lru_cache
 from pathlib import Path
 
 import codegen
@@ -27,15 +28,35 @@ class Unit:
     attributes: frozenset[str]
 
 
+@cache
 def sources() -> dict[str, str]:
     """The text of each module by its dotted name."""
     paths = {path: path.relative_to(PACKAGE).with_suffix("").parts for path in sorted(PACKAGE.rglob("*.py"))}
     return {".".join(("codegen", *parts)).removesuffix(".__init__"): path.read_text() for path, parts in paths.items()}
 
 
+@lru_cache(maxsize=2000)
+def tree_of(text: str) -> ast.Module:
+    """The tree of a module, parsed once for all that look at it."""
+    return ast.parse(text)
+
+
+def nodes_of(top: ast.AST) -> Iterator[ast.AST]:
+    """Every node of a tree, in any order: twice as fast as ``ast.walk``."""
+    waiting = [top]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for value in vars(node).values():
+            if isinstance(value, ast.AST):
+                waiting.append(value)
+            elif isinstance(value, list):
+                waiting += [each for each in value if isinstance(each, ast.AST)]
+
+
 def reported(texts: Mapping[str, str]) -> set[Constant]:
     """The constants that are loaded by what runs."""
-    trees = {name: ast.parse(text) for name, text in texts.items()}
+    trees = {name: tree_of(text) for name, text in texts.items()}
     imports = {name: _imports(tree) for name, tree in trees.items()}
     units = [unit for name, tree in trees.items() for unit in _units(name, tree, imports)]
     running = [unit for unit in units if _is_first(*unit.own)]
@@ -58,7 +79,7 @@ def _is_first(module: str, name: str) -> bool:
 def _imports(tree: ast.Module) -> dict[str, Constant]:
     return {
         alias.asname or alias.name: (node.module or "", alias.name)
-        for node in ast.walk(tree)
+        for node in nodes_of(tree)
         if isinstance(node, ast.ImportFrom)
         for alias in node.names
     }
@@ -96,7 +117,7 @@ def _loaded(
     """Return the constants that loaded names stand for, and the names of attributes."""
     constants: set[Constant] = set()
     attributes: set[str] = set()
-    for node in (found for top in nodes for found in ast.walk(top)):
+    for node in (found for top in nodes for found in nodes_of(top)):
         match node:
             case ast.Name(id=name, ctx=ast.Load()):
                 constants.add(_declared(module, name, imports))

@@ -10,6 +10,7 @@ from types import ModuleType
 
 import pytest
 from hint_reach import HINTS, Reported, reports
+from rule_reach import nodes_of, sources, tree_of
 
 import codegen
 from codegen.claims.reading import Reading
@@ -31,14 +32,9 @@ LONGEST = 100
 
 
 @cache
-def tree_of(name: str) -> ast.Module:
-    return ast.parse(inspect.getsource(importlib.import_module(name)))
-
-
-@cache
 def reported(name: str) -> list[Reported]:
     """What a module reports: a change that ``codegen diff`` tells is no mistake, and says what it reaches instead."""
-    found = reports(tree_of(name), importlib.import_module(name))
+    found = reports(tree_of(sources()[name]), importlib.import_module(name))
     return [each for each in found if not isinstance(each.rule, ChangeRule)]
 
 
@@ -58,7 +54,7 @@ def test_no_finding_falls_back_on_a_rule_that_is_for_many() -> None:
     bare = [
         (name, node.lineno)
         for name in MODULES
-        for node in ast.walk(tree_of(name))
+        for node in nodes_of(tree_of(sources()[name]))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "bad"
         if len(node.args) == 2 and not isinstance(node.args[1], ast.Starred)
         if all(keyword.arg != "hint" for keyword in node.keywords)

@@ -3,6 +3,7 @@
 import importlib
 import pkgutil
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from codegen.diagnostics import Rule
 from codegen.findings.catalogue import rule_catalogue
 
 
+@cache
 def declared() -> dict[Constant, Rule]:
     """Every rule by the module and the name of the constant that declares it."""
     found: dict[int, tuple[Constant, Rule]] = {}
@@ -21,19 +23,17 @@ def declared() -> dict[Constant, Rule]:
             continue
         module = importlib.import_module(info.name)
         for name, value in vars(module).items():
-            if isinstance(value, Rule) and re.search(rf"^{name}\b.* = ", TEXTS[info.name], re.MULTILINE):
+            if isinstance(value, Rule) and re.search(rf"^{name}\b.* = ", sources()[info.name], re.MULTILINE):
                 found[id(value)] = (info.name, name), value
     return dict(found.values())
 
 
 TESTS = Path(__file__).resolve().parents[1]
-TEXTS = sources()
-RULES = declared()
 
 
 def test_ids_are_unique():
     """Two rules with one id would explain each other."""
-    ids = [rule.id for rule in RULES.values()]
+    ids = [rule.id for rule in declared().values()]
     assert len(set(ids)) == len(ids) > 300
     assert set(ids) == rule_catalogue().keys()
 
@@ -60,12 +60,12 @@ UNREPORTED = {
 @pytest.fixture(scope="module")
 def loaded() -> set[Constant]:
     """The constants that what runs loads, with some further modules that nothing else knows."""
-    return reported({**TEXTS, **UNREPORTED, "codegen.rules.in_a_check": IN_A_CHECK})
+    return reported({**sources(), **UNREPORTED, "codegen.rules.in_a_check": IN_A_CHECK})
 
 
 def test_what_can_be_explained_can_be_reported(loaded: set[Constant]):
     """A rule that nothing reports promises a check that is not made."""
-    assert not {rule.id for constant, rule in RULES.items() if constant not in loaded}
+    assert not {rule.id for constant, rule in declared().items() if constant not in loaded}
 
 
 def test_a_rule_that_nothing_reports_is_noticed(loaded: set[Constant]):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from one_path import folder_at_one_path, place_of_projects  # noqa: F401  fixtures
 
 from codegen.commands.codec import read_codec_dialect
 from codegen.diagnostics import Report

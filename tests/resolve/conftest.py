@@ -4,6 +4,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from one_path import folder_at_one_path, place_of_projects  # noqa: F401  fixtures
 
 
 @pytest.fixture

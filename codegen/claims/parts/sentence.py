@@ -63,9 +63,9 @@ class Sentence:
 
     def within(self, start: int, end: int, letters: str) -> Iterator[tuple[int, Term]]:
         """The terms with one of some letters between two offsets of ``marked``, each with its offset."""
-        low = bisect_left(self.offsets, start)
-        for offset in self.offsets[low : bisect_left(self.offsets, end)]:
-            if self.terms[offset].letter in letters:
+        marked, offsets = self.marked, self.offsets
+        for offset in offsets[bisect_left(offsets, start) : bisect_left(offsets, end)]:
+            if marked[offset] in letters:
                 yield offset, self.terms[offset]
 
     def plain(self) -> "Sentence":

@@ -9,6 +9,7 @@ from codegen.claims.parts.sentence import NamedField, Sentence
 from codegen.frozen import dataclass
 from codegen.load.prose import PassageKind
 from codegen.model.dialect.dialect import WireMessage
+from codegen.once import once
 from codegen.pattern import pattern
 from codegen.source import Place
 
@@ -110,14 +111,19 @@ class Span:
 
     def named(self, low: int, high: int) -> Iterator[tuple[int, str]]:
         """The messages that are named between two characters, with their offsets; none of a comparison."""
-        for offset, term in self.sentence.within(low, high, "MF"):
-            value = term.value
-            if is_compared(self.text, offset):
-                continue
-            if isinstance(value, str):
-                yield offset, value
-            elif isinstance(value, NamedField) and value.message is not None:
-                yield offset, value.message
+        return (each for each in _named(self.sentence) if low <= each[0] < high)
+
+
+@once
+def _named(sentence: Sentence) -> tuple[tuple[int, str], ...]:
+    """The messages that a text names, with their offsets; none of a comparison."""
+    found = []
+    for offset, term in sentence.within(0, len(sentence.marked), "MF"):
+        value = term.value
+        name = value.message if isinstance(value, NamedField) else value
+        if isinstance(name, str) and not is_compared(sentence.marked, offset):
+            found.append((offset, name))
+    return tuple(found)
 
 
 def is_compared(text: str, offset: int) -> bool:

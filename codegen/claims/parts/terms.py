@@ -76,6 +76,8 @@ _PLAIN_NUMBER = pattern(
     r"[-+]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,12}(?:,\d{3}){0,3}(?:\.\d{1,12})?(?:[eE]-?\d{1,2})?)(?!\w|\.\d)"
 )
 _WORD = pattern(r"\w+")
+_RUN = pattern(r"\s+|[^\s\"'`]+")
+"""What a short text keeps of words: blanks, and all but quotation marks."""
 _PLACE = pattern(
     r"(?:\w\.[A-Za-z]\w{0,4}:(?:\d{1,6}[:,-])?"
     r"|\b(?:lines?|pages?|steps?|issues?|tickets?|commits?) #?(?:\d{1,6}(?: ?[-\u2013,] ?| to | and ))?)$",
@@ -121,21 +123,19 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
     terms: dict[int, Term] = {}
 
     def plain(start: int, end: int) -> None:
-        for index in range(start, end):
-            character = text[index]
-            if character.isspace():
-                if not marked or marked[-1] == " ":
-                    continue
-                character = " "
-            elif character in "\"'`":
-                continue
-            marked.append(character.lower())
-            at.append(index)
+        for run in _RUN.finditer(text, start, end):
+            begun, ended = run.span()
+            if not text[begun].isspace():
+                marked.extend(map(str.lower, run[0]))
+                at.extend(range(begun, ended))
+            elif marked and marked[-1] != " ":
+                marked.append(" ")
+                at.append(begun)
 
     position = low
     while (found := _TERM.search(text, position, high)) is not None:
         plain(position, found.start())
-        term = _term(found, codes, words, "".join(marked[-24:]), text, high)
+        term = _term(found, codes, words, "".join(marked[-_BEFORE:]), text, high)
         if term is None:
             end = found.end() if found.lastgroup in ("name", "capitals") else found.start() + 1
             if found["name"] and "[" in found["name"]:
@@ -155,6 +155,8 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
     return Sentence("".join(marked), tuple(at), terms, tuple(terms))
 
 
+_BEFORE = 24
+"""Characters before a term by which it may be told what it is."""
 _Made = tuple[str, object]
 """The letter and the value of a term."""
 
@@ -284,7 +286,7 @@ def _name(
     index = bisect_right(codes, (start, len(text))) - 1
     is_code = index >= 0 and end <= codes[index][1]
     if name in words.fields:
-        held = pattern(r"(\d{1,3})\]").fullmatch(rest)
+        held = _INDEX.fullmatch(rest) if rest else None
         value = NamedField(name, None, int(held[1]) if held else None)
         is_name = (
             is_code or "_" in name or any(character.isdigit() for character in name) or name[1:].lower() != name[1:]
@@ -326,7 +328,7 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     """The symbol of a unit; one that is a word as often has to stand where a unit does."""
     if text[max(start - 1, 0) : start] == "/":
         return None  # what something is divided by, "ft/min", where the unit before it is not known
-    if pattern(r"\w+(?:\.|->)[A-Za-z_]").match(text[start : start + 40]):
+    if _VARIABLE.match(text, start, start + 40):
         return None  # the variable of a member, "g.lat"
     unit = _COMPOUND.match(text, start, high)
     stated = worded_unit(unit[0]) if unit is not None else None
@@ -342,6 +344,8 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
     return Term("U", stated, unit[0], start, unit.end(), is_quoted=_is_quoted(text, start, unit.end()))
 
 
+_VARIABLE = pattern(r"\w+(?:\.|->)[A-Za-z_]")
+_INDEX = pattern(r"(\d{1,3})\]")
 _UNIT_KEY = pattern(r"\bunits? ?[:=] ?$")
 """Before the value of a key of YAML, which ends with its line."""
 _PER_SECOND = pattern(r"\sper\ssecond\b")

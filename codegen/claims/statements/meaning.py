@@ -34,6 +34,7 @@ class Meaning:
             name: [word for word in words[shared:] if word not in _IDLE] or words[shared:]
             for name, words in names.items()
         }
+        self._likes: dict[str, frozenset[str]] = {}
 
     @cached_property
     def _texts(self) -> dict[str, list[str]]:
@@ -114,9 +115,9 @@ class Meaning:
             return _EXACT
         if "".join(content) == joined:
             return _EXACT
-        if _all_in(content, tokens) and len(tokens) == len(content) + 1:
+        if len(tokens) == len(content) + 1 and _all_in(content, tokens):
             return _COVERS
-        if len(tokens) > 1 and _all_in(tokens, content) and len(content) == len(tokens) + 1:
+        if len(tokens) > 1 and len(content) == len(tokens) + 1 and _all_in(tokens, content):
             return _COVERS
         return 0
 
@@ -130,10 +131,30 @@ class Meaning:
         return None
 
     def _told(self, entry: EnumEntry, content: Sequence[str]) -> float:
-        known = [*self._names[entry.name], *self._texts[entry.name]]
-        return sum(any(_is_like(word, token) for token in known) for word in content) / len(content)
+        known = self._known[entry.name]
+        return sum(not known.isdisjoint(self._alike(word)) for word in content) / len(content)
+
+    @cached_property
+    def _known(self) -> dict[str, frozenset[str]]:
+        """By entry the words of its name and of its description."""
+        return {name: frozenset((*words, *self._texts[name])) for name, words in self._names.items()}
+
+    @cached_property
+    def _vocabulary(self) -> frozenset[str]:
+        return frozenset().union(*self._known.values())
+
+    def _alike(self, word: str) -> frozenset[str]:
+        """Return the words of all entries that are like a word, looked for once."""
+        found = self._likes.get(word)
+        if found is None:
+            if len(self._likes) >= _MOST:
+                self._likes.clear()
+            found = self._likes[word] = frozenset(token for token in self._vocabulary if _is_like(word, token))
+        return found
 
 
+_MOST = 1000
+"""So many words are remembered with those that are like them."""
 _SHORT = 3
 """A word of so many letters stands for anything."""
 _EVERYWHERE = frozenset((

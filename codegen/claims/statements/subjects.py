@@ -38,7 +38,23 @@ _OF = pattern(r"\)?\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<messa
 
 
 def about(reading: Reading, span: Span, offset: int) -> About | None:
-    """The field whose name stands at an offset; none of a message that the sentence only tells it apart from."""
+    """The field whose name stands at an offset; none of a message that the sentence only tells it apart from.
+
+    A span is of one reading, and every check asks about its names.
+    """
+    known = _known(span)
+    if offset not in known:
+        known[offset] = _found(reading, span, offset)
+    return known[offset]
+
+
+@once
+def _known(_: Span) -> dict[int, About | None]:
+    """What was found at offsets of a span."""
+    return {}
+
+
+def _found(reading: Reading, span: Span, offset: int) -> About | None:
     found = _meant(reading, span, offset)
     if found is not None and _told_apart(span):
         low, high = span.bounds(offset)

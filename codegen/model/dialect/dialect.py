@@ -347,7 +347,10 @@ class WireMessage:
 
     def field(self, name: str) -> WireField | None:
         """The field called ``name``, or None."""
-        return next((field for field in self.fields if field.name == name), None)
+        for each in self.fields:
+            if each.definition.name == name:
+                return each
+        return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -78,11 +78,9 @@ def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, dial
     wires = [message.wire for message in received]
     named = {field.definition.enum for wire in wires for field in wire.fields}
     enums = [enum for name, enum in dialect.enums.items() if name in named]
+    fields, anywhere_in_fields = _fields(wires), _fields(dialect.messages.values())
     for role, names, known, anywhere, what in (
-        *(
-            (role, names, _fields(wires), _fields(dialect.messages.values()), "message")
-            for role, names in spec.roles.fields()
-        ),
+        *((role, names, fields, anywhere_in_fields, "message") for role, names in spec.roles.fields()),
         ("charging", spec.roles.charging, _entries(enums), _entries(dialect.enums.values()), "enum"),
     ):
         place = spec.roles.at(role)
@@ -92,8 +90,10 @@ def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, dial
             report.add(UNPLAYED_ROLE, place, message, did_you_mean(names[0], known))
             continue
         for index, name in enumerate(names):
+            if name in anywhere:
+                continue
             near = get_close_matches(name, sorted(known), n=1, cutoff=_MISSPELT)
-            if name not in anywhere and (near or not name):  # other names may be those of a draft, or of before
+            if near or not name:  # other names may be those of a draft, or of before
                 at = spec.roles.places.get(f"{role}[{index}]", place)
                 hint = f"did you mean {near[0]}?" if near else "leave it out"
                 report.add(UNPLAYED_ROLE, at, f"no {what} of the dialect has {name or repr(name)}", hint)

@@ -39,9 +39,9 @@ def statements(reading: Reading) -> Iterator[tuple[Statement, int, int]]:
     """
     found: list[tuple[int, Statement]] = []
     for block, span in numbered_blocks(spans(reading)):
-        text = span.text
+        found_letters = {term.letter for term in span.sentence.terms.values()}
         for read, letters in _READ:
-            if not letters or any(letter in text for letter in letters):
+            if not letters or not found_letters.isdisjoint(letters):
                 found.extend((block, each) for each in read(reading, span))
     places: dict[tuple[int, str, str, bool], set[object]] = defaultdict(set)
     for block, each in found:
