@@ -1,5 +1,5 @@
 # Generated from templates/tests/counterparts_run.py: do not edit.
-# Inputs: 7ce5ed84629aac65
+# Inputs: 6dc8cdd9c4c17b0e
 """Prints what the firmware makes of the same steps, drawn by lot from a seed, on whatever interpreter reads this file.
 
 Where MicroPython makes machine code, it takes the modules of that, and CPython their counterparts in plain Python: both
@@ -257,7 +257,8 @@ def steps_of_state(seed=1, turns=20):
     """Code sets quantities, readings are taken, time passes, and something is sent: what that leaves, step by step."""
     lot, links = Lot(seed), links_of()
     times_ms = [0, 1, 20, 100, 100, 100, 999, HALF_TURN_MS]
-    times_ms += [age + late for age in AGES_MS for late in (0, 1, -100, -99)]  # 100 ms are over behind a reading
+    ends_ms = [age + late for age in AGES_MS for late in (0, 1, -100, -99)]  # 100 ms are over behind a reading
+    times_ms += [end for end in ends_ms if end >= 0]
     for turn in range(turns):
         mock_time.set_ticks_us(BEFORE_WRAP_US if turn % 2 else 0)
         log = Log()
@@ -304,7 +305,7 @@ def ages_of_state():
                 for age_ms in AGES_MS:
                     for late_ms in late:
                         state.words[:] = words
-                        mock_time.set_ticks_us(now_us + 1000 * (age_ms + late_ms))
+                        mock_time.set_ticks_us(max(0, now_us + 1000 * (age_ms + late_ms)))
                         told.append(forget(state) if name is None else sent(links, state, name, about))
                         told.append(summed(state))
                 yield told

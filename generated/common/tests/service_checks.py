@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 9aaf33880fc62989
+# Inputs: eea6aeebed10bd58
 """Checks of the services: messages of ground stations, and the answers of the whole vehicle."""
 
 from program_bench import (
@@ -18,6 +18,7 @@ from program_bench import (
     needs_arming,
     new_craft,
     payload_of,
+    quieted,
     ready_craft,
     run,
     run_passes,
@@ -151,6 +152,7 @@ def message_follows_the_acknowledgement():
 def full_port_delays_but_does_not_reorder():
     """While the port takes nothing the answers wait; then they come in their order."""
     craft, station = _met()
+    quieted(craft)
     craft.port.room = 0
     asked = [410, 411, 412]
     for number in asked:

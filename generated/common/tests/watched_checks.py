@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: c0d6ba01665bfb4c
+# Inputs: 69c6a96b26afbf33
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import GroundStation, Port, main, mock_time, needs, needs_arming, new_craft
@@ -158,13 +158,20 @@ def a_level_stays_or_is_over():
         assert found, condition
         assert found[0][0] == 0, (condition, found)
         assert bench.failsafe.level < condition[LEVEL], (condition, found)
-        assert bench.craft.texts.last == said + (len(found) if bench.holding() else 1)
+        texts = _said_since(bench, said)
+        assert len(texts) == (len(found) if bench.holding() else 1), texts
         if not bench.failsafe.level:
-            severity, _ = bench.craft.texts.get(said + 1)
+            severity, _ = texts[0]
             assert severity == dialect.MAV_SEVERITY_NOTICE
             _tells(bench, dialect.MAV_STATE_ACTIVE)
         _begins_anew(bench, condition, at, beyond)
     needs(seen, ALONE)
+
+
+def _said_since(bench, number):
+    """Return the texts since one, but for those about the health and what has come back, which values tell, too."""
+    texts = [bench.craft.texts.get(each) for each in range(number + 1, bench.craft.texts.last + 1)]
+    return [text for text in texts if " health: " not in text[1] and not text[1].endswith(" connected")]
 
 
 def _begins_anew(bench, condition, at, beyond):
