@@ -138,6 +138,7 @@ def test_the_message_of_a_codec_is_new_to_each_dialect(
     assert main(["init", "c", "--from", "codec", "--dialect", dialect]) == 0
     wanted = ["--dialect", "c/dialects/mine.xml", "--messages", "HEARTBEAT,TANK_LEVEL", "--out", "lib"]
     assert main(["codec", *wanted]) == 0, capsys.readouterr().out
+    assert (here / "lib" / "messages.py").exists()
 
 
 def test_a_codec_has_no_board(capsys: pytest.CaptureFixture[str]) -> None:
