@@ -77,7 +77,7 @@ _PLAIN_NUMBER = pattern(
 )
 _WORD = pattern(r"\w+")
 _RUN = pattern(r"\s+|[^\s\"'`]+")
-"""What a short text keeps of words: blanks, and all but quotation marks."""
+"""Runs of what a short text keeps of words: blanks, and all but quotation marks."""
 _PLACE = pattern(
     r"(?:\w\.[A-Za-z]\w{0,4}:(?:\d{1,6}[:,-])?"
     r"|\b(?:lines?|pages?|steps?|issues?|tickets?|commits?) #?(?:\d{1,6}(?: ?[-\u2013,] ?| to | and ))?)$",

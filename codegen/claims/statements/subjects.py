@@ -50,7 +50,7 @@ def about(reading: Reading, span: Span, offset: int) -> About | None:
 
 @once
 def _known(_: Span) -> dict[int, About | None]:
-    """What was found at offsets of a span."""
+    """The findings at offsets of a span."""
     return {}
 
 
