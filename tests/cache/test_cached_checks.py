@@ -59,7 +59,7 @@ EDITS = {
 }
 """One change for each kind of file; each is seen in what is found."""
 
-MOST_MODULES = 480
+MOST_MODULES = 490
 """The largest number of modules imported by a check that finds nothing new."""
 
 IMPORTS = """

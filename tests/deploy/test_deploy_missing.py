@@ -416,7 +416,7 @@ def test_the_board_file_of_a_further_program_is_named(project: Path, tmp_path: P
     done, _ = deployed(project, tmp_path / "flash", "--dry-run", "--program", "buoy")
     named = os.path.join("specs", "buoy", "board.yaml")
     words = f"the board is Raspberry Pi Pico 2 W with RP2350, and {named} names Raspberry Pi Pico (RP2040)"
-    assert f"warning other-board: {words}" in done.stdout, done.stdout + done.stderr
+    assert f"error other-chip: {words}" in done.stdout, done.stdout + done.stderr
 
 
 def test_what_board_full_says_is_what_counts(project: Path, tmp_path: Path) -> None:

@@ -174,7 +174,7 @@ def test_a_part_of_the_specification_that_goes_leaves_no_module_and_no_check(tmp
     with (specs / "codegen.yaml").open("a") as file:
         file.write("programs: {sail: sail/codegen.yaml}\n")
     (specs / "sail" / "receives").mkdir(parents=True)
-    (specs / "sail" / "codegen.yaml").write_text("base: ..\nproject: sail\n")
+    (specs / "sail" / "codegen.yaml").write_text("base: ..\nproject: sail\ncomponent_id: MAV_COMP_ID_USER1\n")
     assert run(tmp_path, "build").returncode == 0
     before = texts(output)
     (specs / "commands.yaml").write_text(COMMANDS)

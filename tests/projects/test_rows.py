@@ -175,7 +175,7 @@ def test_initial_is_read_of_each_value(tmp_path, interpreter):
     shutil.copytree(SPECS, tmp_path / "specs")
     state = tmp_path / "specs" / "state.yaml"
     text = state.read_text()
-    initial = {"reals": "0.25", "voltages": "12.5", "counts": "30000", "bigs": "0", "doubles": "-0.1"}
+    initial = {"reals": "0.25", "voltages": "12.5", "counts": "30000", "bigs": "5", "doubles": "-0.1"}
     for name, value in initial.items():
         text = re.sub(f"({name}: .*elements: [0-9]+)", rf"\1, initial: {value}", text)
     state.write_text(text)
@@ -192,5 +192,5 @@ def test_initial_is_read_of_each_value(tmp_path, interpreter):
     )
     assert done.returncode == 0, done.stdout + done.stderr
     found, after = map(json.loads, done.stdout.splitlines())
-    assert found == [[7] * 20, [12.5] * 3, [30000] * 4, [0] * 2, [0.25] * 4, [-0.1] * 3]
+    assert found == [[7] * 20, [12.5] * 3, [30000] * 4, [5] * 2, [0.25] * 4, [-0.1] * 3]
     assert after == [7, None]

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/twin_checks.py: do not edit.
-# Inputs: 5ac94cb76262d1b9
+# Inputs: 2623a5f970f80330
 """Somebody else with the ids of this program on its link: people are told, and of its own frames that come back not."""
 
 from binascii import hexlify
@@ -128,7 +128,7 @@ def what_is_watched_is_what_goes_out():
         layout = layout_of(next(each for each in messages.ALL if number == each.ID))
         sizes = {field[1]: calcsize(field[0]) for field in layout.values()}
         assert sizes[start] == count, (number, start, count)
-        if place is None:
+        if place is None or not watch._numbers:  # with numbers that are fixed nothing is watched
             continue
         assert sizes[place] == 1, (number, place)
         craft.port.frames = []
