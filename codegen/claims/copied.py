@@ -80,11 +80,10 @@ def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
     found: dict[_Words, set[_Words]] = defaultdict(set)
     of_fields = {field.definition.description for message in dialect.messages.values() for field in message.fields}
     for text in _descriptions(dialect):
-        sentences = _END.split(text)
-        fewest = _FIRST if len(sentences) == 1 and text in of_fields else _FEWEST
-        for sentence in sentences:
-            words = tuple(_WORD.findall(sentence))
-            if len(words) >= fewest:
+        fewest = _FIRST if text in of_fields else _FEWEST
+        for part, least in ((text, fewest), *((sentence, _FEWEST) for sentence in _END.split(text))):
+            words = tuple(_WORD.findall(part))
+            if len(words) >= least:
                 found[words[:_FIRST]].add(words)
     return {first: tuple(those) for first, those in found.items()}
 

@@ -32,8 +32,8 @@ def _declared(line: str) -> "re.Match[str] | None":
     return None if found is None or _COMMENT.search(line, 0, found.start()) else found
 
 
-_OF_LIBRARY = pattern(r"^(?:mavlink_)?(?:msg_)?|(?<=[a-z0-9])_t$")
-"""Around the name of a message in the name of a type: "msg_altitude", "mavlink_altitude_t"."""
+_OF_LIBRARY = pattern(r"^(?:mavlink_)?(?:msg_)?|^MVMessage(?=[A-Z])|(?<=[a-z0-9])_t$")
+"""Around the name of a message in the name of a type: "msg_altitude", "mavlink_altitude_t", "MVMessageAltitude"."""
 
 
 def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | None]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from codegen.claims import ruled_out
+from codegen.claims.enum_names import entry_values
 from codegen.claims.parts.span import Span
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
@@ -278,22 +279,32 @@ def _finding(
     return reading.found(rule, span.place(offset), f"{subject.name} {value} {words.strip()}", text, hint)
 
 
+_HEAD = pattern(r"\s*(?:[a-z]+ )*(?:enum|class)\b")
+_HEAD_OR_NOTE = pattern(r"\b(?:enum|class)\b")
+
+
 def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     """Constants of code and members of its enums, whose names end as those of entries do."""
     scope: _Subject | None = None
+    declared_as = ""  # the enum whose members come up to the next brace, whatever comments name
     for span in parts:
         if not span.is_code:
             scope = None
             continue
         named = [str(term.value) for _, term in span.sentence.within(0, len(span.text), "E")]
-        if named and (span.is_comment or pattern(r"\benum\b|\bclass\b").search(span.text)):
+        is_within = scope is not None and scope.name == declared_as
+        is_head = (_HEAD.match if is_within else _HEAD_OR_NOTE.search)(span.text) is not None
+        if named and (is_head or (span.is_comment and not is_within)):
             scope = _Subject(named[-1], reading.enums[named[-1]])
+            declared_as = named[-1] if is_head and not span.is_comment else declared_as
             continue
         declared = pattern(r"\b(?:enum|class)(?: class)? (?P<name>[a-z_]\w*|[PMCE])").search(span.text)
         if declared is not None:
             called = _enum_called(reading, span, declared)
             scope = called or (scope if "enum" in declared[0] else None)
+            declared_as = scope.name if scope is not None else ""
             continue
+        declared_as = "" if span.text.lstrip().startswith("}") else declared_as
         if span.text.lstrip().startswith("}") or re.match(
             r"\s*(?:struct|def|fn|pub fn|impl|void|int main)\b", span.text
         ):
@@ -304,7 +315,7 @@ def constants(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
         name = found["name"]
         value = 1 << int(found["value"].partition("<<")[2]) if "<<" in found["value"] else int(found["value"], 0)
         meant = meaning(scope.enum).meant_otherwise(value, _words(name), is_name=True)
-        if meant is not None:
+        if meant is not None and entry_values(reading.enums).get(name.upper()) != value:
             yield _finding(reading, span, scope, meant, value, _offset(span), name)
 
 
