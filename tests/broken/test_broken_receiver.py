@@ -45,3 +45,16 @@ def test_a_role_that_nothing_plays_is_told(tmp_path, monkeypatch, capsys):
     found = capsys.readouterr().out
     assert "specs/receiver.yaml:14:11: warning unplayed-role: no message that is received has serial_numbr" in found
     assert "did you mean serial_number?" in found
+
+
+def test_two_tables_of_one_message_are_told(tmp_path, monkeypatch, capsys):
+    """A receiver cannot tell of which of them a frame is."""
+    changed_copy(Case("", RECEIVER, "component", "component"), tmp_path)
+    messages = tmp_path / "specs" / "messages"
+    table = (messages / "battery_info.yaml").read_text()
+    (messages / "battery_info_again.yaml").write_text(table.replace("BATTERY_INFO\n", "BATTERY_INFO\nas: again\n", 1))
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 1
+    found = capsys.readouterr().out
+    assert "error bad-receiver: BATTERY_INFO has several tables, " in found, found
+    assert "look alike to a receiver" in found

@@ -95,6 +95,7 @@ CASES = [
     Case("bad-table-name", FIX, "as: fix", "as: §gps_input", "says nothing"),
     Case("duplicate-table", "receives/gps_input_2.yaml", "as: second_receiver", "as: §fix", "fix has a table already"),
     Case("nothing-receives", MODE, "receive: HEARTBEAT", "receive: §FILE_TRANSFER_PROTOCOL", "read the beginning of", 1),
+    Case("cannot-receive", RC, "{state: rc.rudder}", '{state: §"rc.rudder[0]"}', "a part of rc.rudder, and a field sets a whole quantity"),
 ]  # fmt: skip
 
 MORE = {

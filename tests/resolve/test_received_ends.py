@@ -1,5 +1,6 @@
 """Received numbers that a quantity cannot keep, its steps being fine, are an error unless somebody states an end."""
 
+import math
 import shutil
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 
 from codegen.diagnostics import Report
 from codegen.project.systems import read_systems
+from codegen.resolve.dialect.special_numbers import is_among
 
 SPECS = Path(__file__).resolve().parents[1] / "projects" / "received" / "specs"
 FIRST = "      left: {doc: Left wheel., unit: m}\n"
@@ -42,3 +44,11 @@ def test_it_is_said_where_a_word_ends(
     found = [each for each in report if each.rule.id == "cannot-receive"]
     assert [each.message.rpartition("in ")[2] for each in found] == [ends] * bool(ends)
     assert all("coarser steps" in str(each.hint) for each in found)
+
+
+def test_nan_is_among_numbers_that_have_it() -> None:
+    """It equals nothing, itself included: NaN as a value that leaves things as they are would never be one."""
+    assert is_among(math.nan, (0, math.nan))
+    assert not is_among(math.nan, (0, 1))
+    assert is_among(1, (math.nan, 1))
+    assert not is_among(2, (math.nan, 1))
