@@ -1,7 +1,7 @@
 """Claims in lines of code about messages, fields and entries: constants, and comments beside the fields of a struct."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from codegen.claims.enclosing import types_around
 from codegen.claims.enum_names import entry_values
@@ -55,10 +55,11 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     entries = entry_values(reading.enums)
     for code in reading.prose.code:
         yield from _listed(reading, code)
-        yield from _units(reading, code)
+        types = tuple(types_around(reading, code))
+        yield from _units(reading, code, types)
         about: WireMessage | None = None
         seen = [(number, name) for number, name in reading.sightings if code.place.line <= number]
-        for line, around in zip(code.lines, types_around(reading, code), strict=True):
+        for line, around in zip(code.lines, types, strict=True):
             yield from _constants(reading, line, entries)
             yield from _comments(reading, line)
             near = [name for number, name in seen if number <= line.place.line][-1:]
@@ -93,10 +94,10 @@ _MEMBER = pattern(
 )
 
 
-def _units(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+def _units(reading: Reading, code: CodeBlock, types: Sequence[WireMessage | None]) -> Iterator[Diagnostic]:
     """``@Units("mV")`` above a member of a class of the message's name, with other notes between them."""
     noted: tuple[Line, re.Match[str]] | None = None
-    for line, around in zip(code.lines, types_around(reading, code), strict=True):
+    for line, around in zip(code.lines, types, strict=True):
         found = _UNITS.match(line.text)
         member = _DECLARED.match(line.text)
         if found is not None:
@@ -126,7 +127,7 @@ def _constants(reading: Reading, line: Line, entries: Mapping[str, int]) -> Iter
     place = _at(line, found.start("value"))
     of_id = _BY_ID.fullmatch(name)
     if of_id is not None:
-        named = _by_id(reading).get(int(of_id["id"]))
+        named = by_id(reading.messages).get(int(of_id["id"]))
         if named is not None:
             yield from number_claims(reading, named, of_id["role"].lower(), number, place)
         return
@@ -172,8 +173,9 @@ def _alone(reading: Reading, line: Line, near: list[str]) -> Iterator[Diagnostic
 
 
 @once
-def _by_id(reading: Reading) -> Mapping[int, WireMessage]:
-    return {message.id: message for message in reading.messages.values()}
+def by_id(messages: Mapping[str, WireMessage]) -> Mapping[int, WireMessage]:
+    """Return messages, which documents about one dialect share, by their ids."""
+    return {message.id: message for message in messages.values() if message.id >= 0}
 
 
 def _of_type(reading: Reading, line: Line, message: WireMessage) -> Iterator[Diagnostic]:

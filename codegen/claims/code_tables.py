@@ -3,12 +3,11 @@
 import re
 from collections.abc import Iterator, Mapping
 
-from codegen.claims.code_facts import number_claims
+from codegen.claims.code_facts import by_id, number_claims
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.model.dialect.dialect import WireMessage
-from codegen.once import once
 from codegen.pattern import pattern
 
 _NAME = r"[A-Z][A-Z0-9_]{2,60}"
@@ -47,14 +46,9 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 own = _role(line.text if line.text.rstrip().endswith("{") else line.text[: opened.start()])
                 role = own or (role if line.text.startswith((" ", "\t")) else None)
             if role is not None:
-                yield from _pairs(reading, line, role, _by_id(reading.messages))
+                yield from _pairs(reading, line, role)
             if line.text.startswith(("}", "]", ")")):
                 role = None
-
-
-@once
-def _by_id(messages: Mapping[str, WireMessage]) -> dict[int, WireMessage]:
-    return {message.id: message for message in messages.values() if message.id >= 0}
 
 
 def _role(head: str) -> str | None:
@@ -90,9 +84,9 @@ def _always(reading: Reading, line: Line) -> Iterator[Diagnostic]:
             yield from _found(reading, line, message, _ROLE_OF_KEY.get(role, role), key, "value")
 
 
-def _pairs(reading: Reading, line: Line, role: str, by_id: Mapping[int, WireMessage]) -> Iterator[Diagnostic]:
+def _pairs(reading: Reading, line: Line, role: str) -> Iterator[Diagnostic]:
     """``"NAME": 84`` of a table whose name says what the numbers are, and ``24: 24`` where they are no ids."""
     for found in _NAMED.finditer(line.text):
         yield from _found(reading, line, reading.messages.get(found["name"]), role, found, "number")
     for found in _BY_ID.finditer(line.text) if role != "id" else ():
-        yield from _found(reading, line, by_id.get(int(found["id"])), role, found, "number")
+        yield from _found(reading, line, by_id(reading.messages).get(int(found["id"])), role, found, "number")

@@ -1,13 +1,12 @@
 """Numbers in the reach of a field beside words that its description has for another one: "zero for end of log"."""
 
-import math
 from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.parts.span import is_data
 from codegen.claims.rules import SENTINEL
 from codegen.claims.statements.fields import number
-from codegen.claims.statements.values.special import Special, content, specials
+from codegen.claims.statements.values.special import Special, content, is_value, specials
 from codegen.claims.weighed.clauses import clause
 from codegen.claims.weighed.comparison import Comparison, traits
 from codegen.claims.weighed.pairs import Pair
@@ -43,7 +42,7 @@ def of_special(pair: Pair, value: int | float | Fraction) -> Iterator[Comparison
     if best.value in others or not (words & near or words <= said):
         return  # the right value stands there as well, or nothing near the number says what it means
     of_others = {each.value for other in pair.fields for each in specials(other.definition.description)}
-    is_right = best.value == float(value) or (math.isnan(best.value) and math.isnan(value))
+    is_right = is_value(best, float(value))
     found = traits(
         all_words=words <= near,
         several_words=len(words & near) > 1,
