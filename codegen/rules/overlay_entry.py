@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.dialect.carried_entries import too_narrow, words
+from codegen.model.dialect.carried_entries import Carrier, is_beyond, widest, words
 from codegen.model.dialect.dialect import EnumEntry
 from codegen.model.system import System
 
@@ -17,20 +17,21 @@ RULE = Rule(
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every entry that an overlay adds."""
+    """Every entry that an overlay adds, but for one whose value is corrected: that is told at the correction."""
     dialect = system.dialect
-    messages = [message.definition for message in dialect.messages.values()] if dialect.overlays else []
-    for enum in dialect.enums.values() if dialect.overlays else ():
-        for entry in enum.entries:
-            carrier = too_narrow(entry, enum.name, messages, dialect.enums) if _is_new(entry, system) else None
-            if carrier is not None:
-                text, hint = words(entry, enum.name, carrier)
-                message, field = carrier
-                related = ((field.place, f"{message.name}.{field.name} is declared here"),)
-                yield Diagnostic(entry.place, RULE, f"{entry.name}: {text}", hint, related)
+    if not dialect.overlays:
+        return
+    corrected = {each.part for each in dialect.corrections if each.attribute == "value"}
+    messages = [message.definition for message in dialect.messages.values()]
+    for enum in dialect.enums.values():
+        added = [each for each in enum.entries if each.place.file in dialect.overlays and each.name not in corrected]
+        carrier = widest(enum.name, messages, dialect.enums) if added else None
+        if carrier is not None:
+            yield from (_told(entry, enum.name, carrier) for entry in added if is_beyond(entry, carrier))
 
 
-def _is_new(entry: EnumEntry, system: System) -> bool:
-    """Return whether an overlay has the entry, and no correction its value, which is told at the correction."""
-    is_corrected = any(each.part == entry.name and each.attribute == "value" for each in system.dialect.corrections)
-    return entry.place.file in system.dialect.overlays and not is_corrected
+def _told(entry: EnumEntry, enum: str, carrier: Carrier) -> Diagnostic:
+    text, hint = words(entry, enum, carrier)
+    message, field = carrier
+    related = ((field.place, f"{message.name}.{field.name} is declared here"),)
+    return Diagnostic(entry.place, RULE, f"{entry.name}: {text}", hint, related)

@@ -8,21 +8,23 @@ from codegen.model.dialect.wire_types import WIRE_TYPES
 Carrier = tuple[MessageDefinition, FieldDefinition]
 
 
-def too_narrow(
-    entry: EnumEntry, enum: str, messages: Iterable[MessageDefinition], enums: Mapping[str, EnumDefinition]
-) -> Carrier | None:
-    """Return the widest field that has an enum, where not even that one carries the value of an entry.
+def widest(enum: str, messages: Iterable[MessageDefinition], enums: Mapping[str, EnumDefinition]) -> Carrier | None:
+    """Return the widest field that has an enum.
 
     None where nothing has the enum, and where a float does: that carries any number, as parameters of commands do.
     """
+    carriers = [(message, each) for message in messages for each in message.fields if each.enum == enum]
+    if not carriers or not all(WIRE_TYPES[field.type].is_integer for _, field in carriers):
+        return None
     parameters = (each for other in enums.values() for command in other.entries for each in command.parameters)
     if any(dict(parameter.attributes).get("enum") == enum for parameter in parameters):
         return None
-    carriers = [(message, each) for message in messages for each in message.fields if each.enum == enum]
-    if not all(WIRE_TYPES[field.type].is_integer for _, field in carriers):
-        return None
-    widest = max(carriers, key=lambda each: WIRE_TYPES[each[1].type].maximum, default=None)
-    return None if widest is None or entry.value <= WIRE_TYPES[widest[1].type].maximum else widest
+    return max(carriers, key=lambda each: WIRE_TYPES[each[1].type].maximum)
+
+
+def is_beyond(entry: EnumEntry, carrier: Carrier) -> bool:
+    """Return whether a field does not carry the value of an entry."""
+    return entry.value > WIRE_TYPES[carrier[1].type].maximum
 
 
 def words(entry: EnumEntry, enum: str, carrier: Carrier) -> tuple[str, str]:

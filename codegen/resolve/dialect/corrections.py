@@ -4,7 +4,7 @@ from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule
-from codegen.model.dialect.carried_entries import too_narrow, words
+from codegen.model.dialect.carried_entries import is_beyond, widest, words
 from codegen.model.dialect.dialect import EnumDefinition, MessageDefinition, Standing
 from codegen.resolve.dialect.corrected import (
     CORRECTION_ATTRIBUTE,
@@ -105,8 +105,8 @@ def _check_carried(correction: "Correction", result: Corrected, report: Report) 
     entry = enum.entry(correction.entry or "") if enum else None
     if enum is None or entry is None or correction.param is not None or "value" not in correction.set:
         return
-    carrier = too_narrow(entry, enum.name, result.messages.values(), result.enums)
-    if carrier is not None:
+    carrier = widest(enum.name, result.messages.values(), result.enums)
+    if carrier is not None and is_beyond(entry, carrier):
         text, hint = words(entry, enum.name, carrier)
         message, field = carrier
         related = [(field.place, f"{message.name}.{field.name} is declared here")]
