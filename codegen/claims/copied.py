@@ -75,16 +75,23 @@ def _around(part: Passage | CodeBlock, place: Place) -> _Text:
 
 
 @once
+def _spoken(dialect: Dialect) -> Mapping[str, _Words]:
+    """Return the words of each description."""
+    return {text: tuple(_WORD.findall(text)) for text in _descriptions(dialect)}
+
+
+@once
 def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
     """Return the sentences of all descriptions, and the whole ones of fields, by their first words."""
     found: dict[_Words, set[_Words]] = defaultdict(set)
     of_fields = {field.definition.description for message in dialect.messages.values() for field in message.fields}
-    for text in _descriptions(dialect):
-        fewest = _FIRST if text in of_fields else _FEWEST
-        for part, least in ((text, fewest), *((sentence, _FEWEST) for sentence in _END.split(text))):
-            words = tuple(_WORD.findall(part))
-            if len(words) >= least:
-                found[words[:_FIRST]].add(words)
+    for text, spoken in _spoken(dialect).items():
+        if len(spoken) >= (_FIRST if text in of_fields else _FEWEST):
+            found[spoken[:_FIRST]].add(spoken)
+        parts = _END.split(text)
+        for sentence in (tuple(_WORD.findall(part)) for part in parts) if len(parts) > 1 else ():
+            if len(sentence) >= _FEWEST:
+                found[sentence[:_FIRST]].add(sentence)
     return {first: tuple(those) for first, those in found.items()}
 
 
@@ -95,10 +102,11 @@ def _line_of(text: _Text, line: int) -> _Words:
 @once
 def _whole(dialect: Dialect) -> frozenset[_Words]:
     """Return the words of each description that is of two or more, which may be all of a comment: "/// Servo 16"."""
-    return frozenset(words for text in _descriptions(dialect) if len(words := tuple(_WORD.findall(text))) > 1)
+    return frozenset(words for words in _spoken(dialect).values() if len(words) > 1)
 
 
 def _descriptions(dialect: Dialect) -> Iterator[str]:
+    """Yield the descriptions of messages, fields, enums, entries and parameters; some of them more than once."""
     for message in dialect.messages.values():
         yield message.definition.description
         yield from (field.definition.description for field in message.fields)
