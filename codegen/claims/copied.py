@@ -4,7 +4,7 @@ Generated libraries, and pages made of the XML, have the descriptions of all fie
 of other fields, of parts of an array and of older versions what the dialect says of them, and is right by definition.
 """
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
@@ -25,8 +25,6 @@ _FEWEST = 5
 """Words of any other sentence: "0 if unknown" and "16-bit unsigned integer" may be said of anything."""
 _XML = ("xml", "html")
 """Languages of definitions, which state attributes beside their descriptions: whether these agree is a claim."""
-_AROUND = 8
-"""Lines of code before and behind a place that may have one sentence, broken where lines were full."""
 
 _Words = tuple[str, ...]
 
@@ -42,33 +40,33 @@ def is_copied(reading: Reading, finding: Diagnostic) -> bool:
     """Return whether a finding is within a sentence of a description in the dialect, word by word."""
     place = finding.place
     return any(
-        _is_within(reading, _around(part, place), place)
+        _is_within(reading.reference.dialect, _text_of(part), place)
         for part in parts_at(reading, place.line)
         if isinstance(part, Passage) or part.language not in _XML
     )
 
 
-def _is_within(reading: Reading, text: _Text, place: Place) -> bool:
-    at = bisect_right(text.places, (place.line, place.column)) - 1
-    if _line_of(text, place.line) in _whole(reading.reference.dialect):
+def _is_within(dialect: Dialect, text: _Text, place: Place) -> bool:
+    line = slice(bisect_left(text.places, (place.line, 0)), bisect_left(text.places, (place.line + 1, 0)))
+    if text.words[line] in _whole(dialect):
         return True
-    sentences = _sentences(reading.reference.dialect)
+    at = bisect_right(text.places, (place.line, place.column)) - 1
+    sentences = _sentences(dialect)
     return any(
         start + len(sentence) > at and text.words[start : start + len(sentence)] == sentence
-        for start in range(at + 1)
+        for start in range(max(0, at + 1 - _longest(dialect)), at + 1)
         for sentence in sentences.get(text.words[start : start + _FIRST], ())
     )
 
 
-def _around(part: Passage | CodeBlock, place: Place) -> _Text:
-    """Return the words of a passage, or of the lines of code around a place."""
+@once
+def _text_of(part: Passage | CodeBlock) -> _Text:
     if isinstance(part, Passage):
         found = [(each[0], part.place_at(each.start())[1:]) for each in _WORD.finditer(part.text)]
     else:
-        lines = [line for line in part.lines if abs(line.place.line - place.line) <= _AROUND]
         found = [
             (each[0], (line.place.line, line.place.column + each.start()))
-            for line in lines
+            for line in part.lines
             for each in _WORD.finditer(line.text)
         ]
     return _Text(tuple(word for word, _ in found), tuple(at for _, at in found))
@@ -95,8 +93,10 @@ def _sentences(dialect: Dialect) -> Mapping[_Words, tuple[_Words, ...]]:
     return {first: tuple(those) for first, those in found.items()}
 
 
-def _line_of(text: _Text, line: int) -> _Words:
-    return tuple(word for word, at in zip(text.words, text.places, strict=True) if at[0] == line)
+@once
+def _longest(dialect: Dialect) -> int:
+    """Return the number of words of the longest sentence."""
+    return max((len(words) for those in _sentences(dialect).values() for words in those), default=0)
 
 
 @once

@@ -1,5 +1,7 @@
 """Text without its markup, each character still at its place."""
 
+import sys
+from collections import Counter
 from typing import Any
 
 import pytest
@@ -107,8 +109,20 @@ def test_no_document_stops_the_check(check: Any, text: str) -> None:
 )  # fmt: skip
 @pytest.mark.timeout(40)
 def test_a_hostile_text_costs_what_it_is_long(check: Any, unit: str) -> None:
-    """What grew with the square of the length would run into the limit of time."""
-    assert len(check(unit * (15_000 // len(unit)))) <= 10_000
+    """One of twice the length takes twice the calls, not four times as many; a search that backtracks for ever is cut."""
+    shorter, longer = (calls_of(check, unit * (length // len(unit))) for length in (2_500, 5_000))
+    assert longer < 3 * shorter
+
+
+def calls_of(check: Any, text: str) -> int:
+    """Return how many functions are called to check a text."""
+    called: Counter[str] = Counter()
+    sys.setprofile(lambda _frame, event, _about: called.update((event,)))
+    try:
+        check(text)
+    finally:
+        sys.setprofile(None)
+    return called["call"] + called["c_call"]
 
 
 @pytest.mark.parametrize(
