@@ -8,6 +8,7 @@ import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 
 from population.answer import STALE_S, Answer
 from population.expected import Carried, carried
@@ -67,8 +68,13 @@ class State:
         return tuple(each for each in found if each is not None)
 
 
-def make_cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Case]:
-    """All cases of a message: the extremes of every field, random values, each unknown alone, and ages."""
+@lru_cache(maxsize=64)
+def make_cases(answers: tuple[Answer, ...], seed: int, rounds: int) -> tuple[Case, ...]:
+    """Return all cases of a message: the extremes of every field, random values, each unknown alone, and ages."""
+    return tuple(_cases(answers, seed, rounds))
+
+
+def _cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Case]:
     dice = random.Random(f"{seed} {answers[0].field.message} cases")
     state = State(answers)
     known = [[setting for setting in extremes(each) if not _withholds(each, setting)] for each in answers]

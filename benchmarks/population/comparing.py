@@ -52,7 +52,7 @@ def prove(
 ) -> Outcome:
     """Build a project of some messages, and compare what it sends in each form; ``module`` is pymavlink's."""
     tables, refused = build(dialect, messages, folder, seed)
-    cases = {name: list(make_cases(answers, seed, rounds)) for name, answers in tables.items()}
+    cases = {name: make_cases(tuple(answers), seed, rounds) for name, answers in tables.items()}
     write_cases(folder, tables, cases)
     outcome = Outcome(refused=refused)
     for answers in tables.values():

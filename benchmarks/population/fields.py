@@ -4,7 +4,7 @@ The corrections that come with codegen are data, each with the words of the dial
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from fractions import Fraction
 from functools import cache
@@ -28,7 +28,7 @@ class Enum:
     """An enum: its entries without pymavlink's mark of the end, and whether they are flags."""
 
     name: str
-    entries: dict[int, str]
+    entries: dict[int, str] = field(hash=False)
     is_bitmask: bool
 
 

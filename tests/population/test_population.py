@@ -30,10 +30,16 @@ def messages() -> dict[str, Message]:
     return read_messages(LARGEST, ardupilotmega)
 
 
+@pytest.fixture(scope="module")
+def few(messages: dict[str, Message]) -> list[Message]:
+    """Messages that have every kind of field."""
+    return chosen(messages)
+
+
 @pytest.mark.parametrize("part", range(PARTS))
-def test_every_kind_of_field_carries_what_was_set(messages: dict[str, Message], tmp_path: Path, part: int) -> None:
+def test_every_kind_of_field_carries_what_was_set(few: list[Message], tmp_path: Path, part: int) -> None:
     """Machine code, plain Python and words of 32 bits send the same, and it is right to the last bit."""
-    outcome = prove(LARGEST, ardupilotmega, chosen(messages)[part::PARTS], tmp_path, rounds=1)
+    outcome = prove(LARGEST, ardupilotmega, few[part::PARTS], tmp_path, rounds=1)
     assert not outcome.differences
     assert outcome.refused.keys() <= KNOWN.keys(), outcome.refused
     assert outcome.proven
@@ -41,9 +47,8 @@ def test_every_kind_of_field_carries_what_was_set(messages: dict[str, Message], 
     assert sum(outcome.withheld.values())
 
 
-def test_the_choice_has_every_kind_of_field(messages: dict[str, Message]) -> None:
+def test_the_choice_has_every_kind_of_field(messages: dict[str, Message], few: list[Message]) -> None:
     """Nothing that occurs in the dialect is left to the whole proof alone; that has every message once."""
-    few = chosen(messages)
     assert len(few) < len(messages) / 4
     every = {trait for message in messages.values() for trait in traits(message)}
     assert {trait for message in few for trait in traits(message)} == every
