@@ -45,8 +45,8 @@ settings.load_profile("codegen")
 # in that of a single one, where a failure could not be seen again. All of these would be filtered for each new range.
 providers._get_local_constants = lambda: providers._local_constants  # of which there are none
 
-# Nearly nothing here dies in a cycle, and looking for one at every 700 objects takes a sixth of the time.
-gc.set_threshold(200_000, 20, 20)
+# Nearly nothing here dies in a cycle, as in codegen itself, which looks for none either: the end of the run does once.
+gc.disable()
 
 # What a shell runs in the background ignores Ctrl-C, and so would every program that a test starts and interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
