@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
-from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.model.spec.spec import Requirement
 from codegen.model.vehicle import Citation
 from codegen.source import Place
@@ -13,6 +13,17 @@ UNKNOWN_REQUIREMENT = Rule(
     "A table cites a requirement or a criterion that no document in requirements/ has. "
     "Cite an existing one as ID or ID.number; older ids work where the document lists them as aliases.",
     remedy="write its document in requirements, or cite one that is there as ID or ID.number",
+)
+WITHDRAWN_REQUIREMENT = Rule(
+    "withdrawn-requirement",
+    "A table cites a document whose status says that it does not hold any more: withdrawn, rejected, superseded, "
+    "obsolete, deprecated, retired or cancelled. What the row says has nobody left who asks for it, and a trace would "
+    "show it as covered. Cite the document that came after, or take the row out.",
+    Severity.WARNING,
+    remedy="cite the document that came after, or take the row out",
+)
+_NO_LONGER = frozenset(
+    ("withdrawn", "rejected", "superseded", "obsolete", "deprecated", "retired", "cancelled", "canceled")
 )
 UNKNOWN_ASPECT = Rule(
     "unknown-aspect",
@@ -37,6 +48,11 @@ def cite(text: str, place: Place, index: Mapping[str, Requirement], report: Repo
     if requirement is None:
         report.add(UNKNOWN_REQUIREMENT, place, f"no requirement document is called {name}", did_you_mean(name, index))
         return None
+    if _NO_LONGER.intersection(requirement.status.lower().replace(",", " ").split()[:1]):
+        related = [(requirement.place, f"{requirement.id} is here")]
+        report.add(
+            WITHDRAWN_REQUIREMENT, place, f"the status of {requirement.id} is {requirement.status}", None, related
+        )
     if not dot:
         return Citation(requirement, None)
     for criterion in requirement.criteria:
