@@ -1,5 +1,6 @@
 """Values that are known at build time: an entry, a constant, a fact of the dialect, unknown."""
 
+import json
 import struct
 from collections.abc import Iterator
 
@@ -152,7 +153,7 @@ def read_entry(covers: Elements, name: str, key: str, scope: Scope) -> int | Non
 
 
 def _told(value: Value) -> str:
-    return f'"{value}"' if isinstance(value, str) else shown_value(value)
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else shown_value(value)
 
 
 def _version(covers: Elements, name: str, scope: Scope) -> FixedAnswer | None:

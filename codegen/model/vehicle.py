@@ -1,5 +1,6 @@
 """The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
 
+import json
 import math
 from collections.abc import Mapping
 from dataclasses import replace
@@ -186,7 +187,7 @@ class Quantity(Cited):
         """Return what it is at the start, for people."""
         if self.initial is None:
             return "unknown"
-        return f'"{self.initial}"' if isinstance(self.initial, str) else str(self.initial)
+        return json.dumps(self.initial, ensure_ascii=False) if isinstance(self.initial, str) else str(self.initial)
 
     @property
     def words(self) -> int:

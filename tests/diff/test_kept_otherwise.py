@@ -12,6 +12,7 @@ from codegen.diff.report.review import review
 from codegen.diff.system.carrying import fields_by_source
 from codegen.diff.system.system import compare_systems
 from codegen.model.system import System
+from codegen.model.units.unit import unit_named
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.project.systems import read_systems
 
@@ -210,6 +211,19 @@ def test_fewer_values_and_shorter_texts_are_asked_about(rover: System) -> None:
         there, back = (compare_systems((one,), (other,)).changes for one, other in (sides, sides[::-1]))
         assert [each for each in there if each.doubt.startswith(doubt)]
         assert not [each for each in back if each.doubt.startswith(doubt)]
+
+
+def test_a_text_with_the_end_of_a_line_and_a_number_without_unit_can_be_read(rover: System) -> None:
+    """An end of a line is no blank, and "kept as load in" says nothing."""
+    quantities = [one for each in rover.components.values() for one in each.quantities.values()]
+    text = replace(quantities[0], kind=QuantityKind.TEXT, initial="on\n", spec=replace(quantities[0].spec, text=8))
+    sides = (with_quantity(rover, each) for each in (text, replace(text, initial="on ")))
+    (changed,) = compare_systems(*((each,) for each in sides)).changes
+    assert [changed.old, changed.new] == ['initially "on\\n"', 'initially "on "']
+    plain = next(each for each in quantities if not each.stored.name and each.kind is QuantityKind.NUMBER)
+    sides = (with_quantity(rover, each) for each in (plain, replace(plain, stored=unit_named("m"))))
+    told = [(each.old, each.new) for each in compare_systems(*((each,) for each in sides)).changes]
+    assert (f"kept as {plain.attribute}", f"kept as {plain.attribute} in m") in told
 
 
 def with_quantity(system: System, quantity: Quantity) -> System:

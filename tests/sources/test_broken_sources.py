@@ -139,7 +139,7 @@ CASES = [
     ("an only one that is summed up", AMPERES.replace("unit: A, stored: mA, min: -20, max: 20",
      "outputs: {drawn: {unit: A, stored: mA, min: -20, max: 20}}"), f"{CURRENT}{CONSUMED}", []),
     ("a list", SONAR, DEPTH.replace("source: sonar", "source: [sonar, sonar]"),
-     ["boat has 1 instances, and depth 2 sources"]),
+     ["boat has 1 instances, and depth 2 sources", "hint: a list has one for each: [sensor_1.depth]"]),
     ("a unit", SONAR, "depth: {doc: d, unit: s, stored: ms, source: sonar}",
      ["unit-mismatch: sonar is in mm, not in ms"]),
     ("a boolean", SONAR, "wet: {doc: d, boolean: true, initial: false, source: sonar}",

@@ -132,10 +132,10 @@ def _quantity(quantity: Quantity) -> Subject:
     smallest, largest = (_limit(limit, stored, quantity.storage) for limit in (quantity.minimum, quantity.maximum))
     facts = (
         Fact("unit", unit, rules.QUANTITY_UNIT, spec.at("unit"), doubt=coded),
-        Fact("kept", f"as {quantity.attribute} in {stored}{_width(quantity)}", rules.QUANTITY_UNIT, spec.at("stored")),
+        Fact("kept", _kept(quantity), rules.QUANTITY_UNIT, spec.at("stored")),
         Fact(
             "steps",
-            amount(quantity.steps, f"{stored} each {quantity.unit.name}"),
+            amount(quantity.steps, f"{stored} each {unit}" if unit else ""),
             rules.QUANTITY_UNIT,
             spec.at("stored"),
         ),
@@ -166,6 +166,12 @@ def _quantity(quantity: Quantity) -> Subject:
 def _limit(limit: int | Fraction, stored: str, storage: Storage) -> str:
     """A limit; nothing where it is only that of what holds the number."""
     return "" if limit in storage.limits else amount(limit, stored)
+
+
+def _kept(quantity: Quantity) -> str:
+    """Return the attribute that keeps a value, in which unit and width."""
+    stored = quantity.stored.name
+    return f"as {quantity.attribute}{' in ' if stored or quantity.length else ''}{stored}{_width(quantity)}"
 
 
 def _width(quantity: Quantity) -> str:
