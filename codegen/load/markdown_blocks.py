@@ -80,7 +80,7 @@ class Inline:
 
 @cache
 def parse_blocks(text: str, path: str) -> tuple[Block, ...]:
-    """The blocks of a text that have lines; every text is Markdown, and HTML blocks are left out.
+    """The blocks of a text that have lines; every text is Markdown, and of HTML blocks the tables are read.
 
     Places count from 1 and name the absolute form of ``path``.
     """
@@ -119,8 +119,14 @@ def read_inline(written: str) -> Inline:
 def _blocks(tokens: Sequence["Token"], lines: Sequence[str], path: str) -> Iterator[Block]:
     depth = 0
     begins_item = False
+    read = 0
     for index, token in enumerate(tokens):
-        if token.type in ("bullet_list_open", "ordered_list_open", "bullet_list_close", "ordered_list_close"):
+        if token.map is not None and token.map[0] < read:
+            continue  # it is in a table of HTML with an empty line, at which Markdown ends a block of HTML
+        if token.type == "html_block" and token.map is not None and "<table" in token.content.lower():
+            read = _end_of_tables(lines, token.map)
+            yield from _html_tables(lines, token.map[0], read, path, depth)
+        elif token.type in ("bullet_list_open", "ordered_list_open", "bullet_list_close", "ordered_list_close"):
             depth += token.nesting
         elif token.type == "list_item_open":
             begins_item = True
@@ -138,6 +144,21 @@ def _blocks(tokens: Sequence["Token"], lines: Sequence[str], path: str) -> Itera
             else:
                 yield Block(BlockKind.PARAGRAPH, found, depth=depth, begins_item=begins_item)
             begins_item = False
+
+
+def _end_of_tables(lines: Sequence[str], rows: Sequence[int]) -> int:
+    """Return the number of the line behind tables of HTML: they go on behind an empty line until they are closed."""
+    ends = (number for number in range(rows[1], len(lines) + 1) if "</table" in lines[number - 1].lower())
+    return next(ends, len(lines))
+
+
+def _html_tables(lines: Sequence[str], first: int, end: int, path: str, depth: int) -> Iterator[Block]:
+    """The tables in some lines of HTML, as Markdown would have them."""
+    from codegen.load.html_tables import tables_of  # noqa: PLC0415  few documents have any
+
+    for rows in tables_of(lines[first:end]):
+        found = tuple(Line(row.text, Place(path, first + row.line + 1, row.column + 1)) for row in rows)
+        yield Block(BlockKind.PARAGRAPH, found, depth=depth)
 
 
 def _located(content: str, first: int, lines: Sequence[str], path: str) -> tuple[Line, ...]:
