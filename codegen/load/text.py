@@ -28,8 +28,8 @@ FILE_NOT_UTF8 = Rule(
     "Specifications are UTF-8 text. The place is the first byte that is not; save the file as UTF-8.",
     unreadable=True,
 )
-UNMERGED = Rule(
-    "unmerged",
+OPEN_CONFLICT = Rule(
+    "open-conflict",
     "Git has left both sides of a conflict in the file, between lines that begin with <<<<<<<, ======= and >>>>>>>. "
     "Nothing of it is read: a requirement would have the markers in its text, and a table both values. Take what is "
     "meant of both sides, and remove these three lines.",
@@ -79,7 +79,7 @@ def decode_text(data: bytes, path: str, report: Report) -> str | None:
         return None
     line = line_of_conflict(text)
     if line is not None:
-        report.add(UNMERGED, Place(os.path.abspath(path), line), "a conflict of a merge is open here")
+        report.add(OPEN_CONFLICT, Place(os.path.abspath(path), line), "a conflict of a merge is open here")
         return None
     return text
 

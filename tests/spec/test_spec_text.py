@@ -73,7 +73,7 @@ def test_an_open_conflict_of_a_merge_is_not_read(text: str, line: int | None) ->
     if line is None:
         assert (read, found(report)) == (text.removeprefix("\ufeff"), [])
     else:
-        assert (read, found(report)) == (None, [("unmerged", "a.md", line, 1)])
+        assert (read, found(report)) == (None, [("open-conflict", "a.md", line, 1)])
         assert report.exit_code == 2
 
 
