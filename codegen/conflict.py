@@ -5,7 +5,7 @@ import re
 from codegen.pattern import pattern
 
 _CONFLICT = pattern(
-    r"^<{7} [^\n]*\n(?P<ours>.*?)(?:^\|{7}[^\n]*\n.*?)?^={7}\r?\n(?P<theirs>.*?)^>{7} [^\n]*\n?",
+    r"^<<<<<<< [^\n]*\n(?P<ours>.*?)(?:^\|{7}[^\n]*\n.*?)?^={7}\r?\n(?P<theirs>.*?)^>{7} [^\n]*\n?",
     re.MULTILINE | re.DOTALL,
     needs="<<<<<<< ",
 )
