@@ -27,6 +27,6 @@ def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System
         return report.exit_code
     what = f"{len(links)} of the links from {done.criteria[0]}" if links else str(len(done.criteria))
     removed = f", {len(done.dropped)} removed" if done.dropped else ""
-    shown = "codegen build brings the page of the trace up to date"
-    print(f"{shown_path(done.path)}: {what} accepted{removed}; {shown}", file=sys.stderr)
+    print(f"{shown_path(done.path)}: {what} accepted{removed}", file=sys.stderr)
+    print("next: codegen build, as docs/trace.html shows what was reviewed", file=sys.stderr)
     return 0

@@ -88,7 +88,7 @@ def _marked_tests(systems: Sequence[System], files: Files, report: Report) -> li
     if not systems:
         return []
     own = within(systems[0].spec.project.place.file, files)
-    folders = [path for path, place in _folders_of_tests(systems).items() if not own.is_refused(path, place, report)]
+    folders = [path for path, place in folders_of_tests(systems).items() if not own.is_refused(path, place, report)]
     return read_tests_below(folders, own, report)
 
 
@@ -123,7 +123,7 @@ def trace_lock_path(project_file: str) -> str:
     return os.path.join(os.path.dirname(os.path.abspath(project_file)), TRACE_LOCK)
 
 
-def _folders_of_tests(systems: Iterable[System]) -> dict[str, Place]:
+def folders_of_tests(systems: Iterable[System]) -> dict[str, Place]:
     """The absolute paths of the folders with tests that are written by hand, and where they are listed."""
     projects = [(system.spec.folder, system.spec.project) for system in systems]
     listed = {

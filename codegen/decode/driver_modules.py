@@ -18,15 +18,17 @@ def driver_module(path: str, text: str) -> DriverModule:
     return DriverModule(path, None if found.is_open else found.names, found.classes, found.shapes, found.fault)
 
 
-def user_modules(sources: Iterable[SourceSpec], specification: str, files: Files) -> dict[str, DriverModule]:
-    """Return by their names the modules of sensors that say ``class: MODULE.CLASS``.
+def user_modules(
+    sources: Iterable[SourceSpec], app: str | None, specification: str, files: Files
+) -> dict[str, DriverModule]:
+    """Return by their names the module ``app``, and those of sensors that say ``class: MODULE.CLASS``.
 
     ``specification`` is the folder of the specification, and that of the project is the one above. One that is not
     there is left out: it can lie on the board, and deploying tells where it does not. Their texts change nothing of
     what is generated, so that they are no inputs of it.
     """
     found = {}
-    for name in sorted(_classes(sources)):
+    for name in sorted(_named(sources, app)):
         read = _read(name, specification, files)
         if read is not None:
             found[name] = driver_module(*read)
@@ -40,7 +42,7 @@ def stores_of(
 
     The specification is that of :func:`user_modules`.
     """
-    waiting = sorted(_classes(sources) | ({app} if app else set()))
+    waiting = sorted(_named(sources, app))
     seen: set[str] = set()
     found: list[StateStore] = []
     for name in waiting:  # it grows
@@ -57,9 +59,9 @@ def stores_of(
     return tuple(found)
 
 
-def _classes(sources: Iterable[SourceSpec]) -> set[str]:
-    """Return the names of the modules in which classes of the user read sensors."""
-    return {getattr(source, "class_name", "").rpartition(".")[0] for source in sources} - {""}
+def _named(sources: Iterable[SourceSpec], app: str | None) -> set[str]:
+    """Return the names of the module ``app``, and of those in which classes of the user read sensors."""
+    return {app or "", *(getattr(source, "class_name", "").rpartition(".")[0] for source in sources)} - {""}
 
 
 def _read(name: str, specification: str, files: Files) -> tuple[str, str] | None:
@@ -68,5 +70,5 @@ def _read(name: str, specification: str, files: Files) -> tuple[str, str] | None
     path = next((each for each in (f"{below}.py", os.path.join(below, "__init__.py")) if files.is_file(each)), None)
     if path is None or files.is_in_tree(path) != files.is_in_tree(specification):
         return None
-    text = files.read_text(path, Report())
-    return None if text is None else (path, text)
+    data = files.read_bytes(path, Report())
+    return None if data is None else (path, data.decode("utf-8-sig", "replace"))  # Python says what is wrong with it

@@ -154,6 +154,7 @@ class _SpecReader:
             return None
         if vehicle is None and self._used(PROGRAM_FILE) in self._hashes:
             return None  # what is said about a project without a program would not hold
+        app = (vehicle.code or CodeSpec(place=vehicle.place)).module if vehicle else None
         return Spec(
             folder=self._base,
             own_folder=self._folder,
@@ -176,13 +177,8 @@ class _SpecReader:
             drivers=drivers,
             broken_drivers=broken_drivers,
             own_drivers=self._own_drivers,
-            user_modules=user_modules(board.sources.values(), self._base, self._files),
-            state_stores=stores_of(
-                board.sources.values(),
-                (vehicle.code or CodeSpec(place=vehicle.place)).module if vehicle else None,
-                self._base,
-                self._files,
-            ),
+            user_modules=user_modules(board.sources.values(), app, self._base, self._files),
+            state_stores=stores_of(board.sources.values(), app, self._base, self._files),
             other_overlays=tuple(sorted(self._overlays.others)),
             other_corrections=tuple(self._overlays.spare),
         )

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from codegen.derivations.follows import amounts
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
@@ -37,11 +38,16 @@ _BEGINNING = (MeasuredSpec, EstimateSpec, IntegralSpec, LeftSpec, LastsSpec)
 
 @dataclass(frozen=True, slots=True)
 class CountsReturns(Derivation):
-    """Counts up when ``gone``, a boolean of the component, was true at a good reading and is not at a later one."""
+    """Counts up when ``gone``, a boolean of the component, was true at a good reading and is not at a later one.
+
+    ``least`` are stored units, of which ``steps`` make one ``unit``, of what that boolean follows.
+    """
 
     gone: str
     least: tuple[int, ...] = ()
     stale_ms: int | None = None
+    steps: Fraction = Fraction(1)
+    unit: str = ""
 
     @property
     def counts(self) -> str | None:
@@ -58,7 +64,7 @@ class CountsReturns(Derivation):
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("counts returns of", self.gone, "counts_returns_of")
         if self.least:
-            yield DerivationFact("back from", ", ".join(map(str, self.least)), "back_from")
+            yield DerivationFact("back from", amounts(self.least, self.steps, self.unit), "back_from")
         if self.stale_ms is not None:
             yield DerivationFact("what code sets counts for", f"{self.stale_ms} ms", "restarting_stale_after")
 
@@ -94,7 +100,13 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
     stale_ms = None
     if written.restarting_stale_after is not None:
         stale_ms = around.time_ms("restarting_stale_after", written.restarting_stale_after)
-    return CountsReturns(gone, () if around.failed else _back_from(written, around), stale_ms)
+    if around.failed or written.back_from is None:
+        return CountsReturns(gone, stale_ms=stale_ms)
+    follows = others[gone].written(FollowsSpec)
+    followed = (follows.follows if follows else None) or ""
+    steps = around.steps_of(followed) if followed in others else None
+    unit = others[followed].unit if followed in others else None
+    return CountsReturns(gone, _back_from(written, around), stale_ms, steps or Fraction(1), unit or "")
 
 
 def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, ...]:

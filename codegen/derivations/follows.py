@@ -1,6 +1,6 @@
 """A boolean that is true while another quantity has reached a limit, is below one, or lies between two."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -33,8 +33,8 @@ BAD_FOLLOWING = Rule(
 class Follows(Derivation):
     """True while ``quantity`` of the same component is known and at least a limit, or below it.
 
-    ``limits`` has one for each instance, in stored units of that quantity. With ``floors`` it is below the limit and at
-    least the floor.
+    ``limits`` has one for each instance, in stored units of that quantity, of which ``steps`` make one ``unit``. With
+    ``floors`` it is below the limit and at least the floor.
     """
 
     quantity: str
@@ -42,6 +42,8 @@ class Follows(Derivation):
     is_below: bool
     spec: FollowsSpec
     floors: tuple[int, ...] = ()
+    steps: Fraction = Fraction(1)
+    unit: str = ""
 
     @property
     def follows(self) -> str | None:
@@ -102,8 +104,8 @@ class Follows(Derivation):
         return (self.quantity,)
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
-        limits = ", ".join(str(limit) for limit in self.limits)
-        limits += f" and at least {', '.join(map(str, self.floors))}" if self.floors else ""
+        limits = amounts(self.limits, self.steps, self.unit)
+        limits += f" and at least {amounts(self.floors, self.steps, self.unit)}" if self.floors else ""
         yield DerivationFact("true while", f"{self.quantity} is {self._word} {limits}", "follows")
 
     def words(self, quantity: Quantity) -> str:
@@ -126,6 +128,11 @@ class Follows(Derivation):
         if not self.floors or floor is None:
             return words
         return f"{words} and at least {floor if isinstance(floor, str) else decimal(floor)}{times}"
+
+
+def amounts(stored: Iterable[int], steps: Fraction, unit: str) -> str:
+    """Return stored numbers in the unit of which they are steps: the same words for the same amounts, however kept."""
+    return ", ".join(f"{decimal(number / steps)} {unit}".rstrip() for number in stored)
 
 
 def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> Follows | None:
@@ -157,7 +164,9 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
         message = f"nothing is at least this and below the other limit of {written.follows}"
         around.bad("at_least", message, BAD_FOLLOWING, hint="make at_least the smaller one, or leave out one of both")
     is_below = "below" in found
-    return Follows(written.follows, found["below" if is_below else "at_least"], is_below, written, floors)
+    steps = around.steps_of(written.follows) or Fraction(1)
+    chosen = found["below" if is_below else "at_least"]
+    return Follows(written.follows, chosen, is_below, written, floors, steps, followed.unit or "")
 
 
 def _followed(name: str, around: Surroundings) -> QuantitySpec | None:

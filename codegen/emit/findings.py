@@ -1,18 +1,21 @@
 """Findings of a plan: files that must not be overwritten, that nobody generates, or that are out of date."""
 
+from codegen.conflict import line_of_conflict
 from codegen.diagnostics import Report, Rule, Severity
-from codegen.emit.plan import Change, Plan
+from codegen.emit.plan import Change, Plan, PlannedFile
 
 EDITED_BY_HAND = Rule(
     "edited-by-hand",
     "A generated file was changed by hand since codegen wrote it, and what would be written now would undo that. "
     "Nothing was written. Move the change to the specification or the template, or give it up with build --force; "
     "build --diff shows what would be lost.",
+    remedy="look at it with --diff, or undo the edit with --force",
 )
 FOREIGN_FILE = Rule(
     "foreign-file",
     "A file that codegen did not write is where a generated file belongs, and its content differs. Nothing was "
     "written. Move the file away, or let build --force overwrite it.",
+    remedy="move it away, or overwrite it with --force",
 )
 NO_LONGER_GENERATED = Rule(
     "no-longer-generated",
@@ -34,6 +37,8 @@ STALE_OUTPUT = Rule(
     remedy="run codegen build, and commit what it changes",
 )
 
+_CONFLICT = ("a conflict of a merge is open in it", "--force writes it anew: merge the specification alone")
+
 _STALE = {
     Change.NEW: ("it is missing", "run the command without --check"),
     Change.CHANGED: ("it is out of date", "run the command without --check"),
@@ -51,11 +56,18 @@ def report_refusals(plan: Plan, report: Report) -> None:
     """Report the files that forbid the build (errors, unless it is forced), and those that will stay behind."""
     if not plan.force:
         for file in plan.those(Change.EDITED):
-            message = "it was edited by hand, so nothing is written"
-            report.add(EDITED_BY_HAND, plan.place(file.path), message, "--diff shows the edit, --force undoes it")
+            message, hint = "it was edited by hand", "--diff shows the edit, --force undoes it"
+            if _is_in_conflict(file):
+                message, hint = _CONFLICT
+            report.add(EDITED_BY_HAND, plan.place(file.path), f"{message}, so nothing is written", hint)
         for file in plan.those(Change.FOREIGN):
-            message = "this file, which codegen did not write, is in the way, so nothing is written"
-            report.add(FOREIGN_FILE, plan.place(file.path), message, "move it away, or overwrite it with --force")
+            message, hint = (
+                "this file, which codegen did not write, is in the way",
+                "move it away, or overwrite it with --force",
+            )
+            if _is_in_conflict(file):
+                message, hint = _CONFLICT
+            report.add(FOREIGN_FILE, plan.place(file.path), f"{message}, so nothing is written", hint)
     for file in plan.those(Change.ORPHAN, Change.EDITED_ORPHAN):
         if file not in plan.removals:
             message, _ = _STALE[file.change]
@@ -69,6 +81,8 @@ def report_stale(plan: Plan, report: Report) -> None:
         message, hint = _STALE[file.change]
         if file in plan.removals:
             hint = "run the command without --check, which removes it"
+        if _is_in_conflict(file):
+            message, hint = _CONFLICT
         report.add(STALE_OUTPUT, plan.place(file.path), message, hint)
 
 
@@ -80,3 +94,8 @@ def report_strays(plan: Plan, report: Report) -> None:
         for path in plan.leftovers:
             message = "an interrupted build left this unfinished file behind"
             report.add(STRAY_FILE, plan.place(path), message, "--clean removes it")
+
+
+def _is_in_conflict(file: PlannedFile) -> bool:
+    """Return whether git has left both sides of a merge in a file."""
+    return file.old is not None and line_of_conflict(file.old.decode("utf-8", "replace")) is not None

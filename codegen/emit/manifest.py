@@ -9,6 +9,7 @@ from posixpath import normpath
 from string import hexdigits
 from typing import Any
 
+from codegen.conflict import line_of_conflict, sides_of_conflicts
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.emit.folder import MANIFEST
 from codegen.frozen import dataclass
@@ -77,7 +78,11 @@ def read_manifest(content: bytes | None, place: Place, report: Report) -> Manife
     if content is None:
         return Manifest()
     try:
-        held = json.loads(content.decode("utf-8"))
+        text = content.decode("utf-8")
+        merged = None if line_of_conflict(text) is None else _of_both_sides(text)
+        if merged is not None:
+            return merged
+        held = json.loads(text)
     except json.JSONDecodeError as fault:
         hint = "resolve the merge conflict in it, or delete it and build" if b"<<<<<<<" in content else None
         where = Place(place.file, fault.lineno, fault.colno)
@@ -93,6 +98,23 @@ def read_manifest(content: bytes | None, place: Place, report: Report) -> Manife
         report.add(MANIFEST_DAMAGED, place, f"the manifest cannot be believed: {damage}")
         return Manifest()
     return Manifest(**held)
+
+
+def _of_both_sides(text: str) -> Manifest | None:
+    """Return what both branches of a merge have written, which git put into one manifest; None if it is not to be told.
+
+    What is theirs is what a build was about to write: a file can be of either.
+    """
+    try:
+        ours, theirs = (json.loads(side) for side in sides_of_conflicts(text))
+    except json.JSONDecodeError:
+        return None
+    if any(not isinstance(side, dict) or "files" not in side or _damage(side) for side in (ours, theirs)):
+        return None
+    first, second = Manifest(**ours), Manifest(**theirs)
+    return Manifest(
+        first.files, {**second.orphans, **first.orphans}, {**second.pending, **first.pending, **second.files}
+    )
 
 
 def stays_inside(path: str) -> bool:

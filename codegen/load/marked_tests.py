@@ -53,9 +53,11 @@ def has_marks(data: bytes) -> bool:
 
 def marked_tests(data: bytes, path: str, report: Report) -> list[MarkedTest]:
     """The tests of a file that are marked; one that is no Python has none, after a finding."""
-    text = decode_text(data, path, Report())
+    found = Report()
+    text = decode_text(data, path, found)
     if text is None:
-        report.add(TEST_SYNTAX, Place(path), "what its tests show is not known: it is not UTF-8")
+        first = next(iter(found))
+        report.add(TEST_SYNTAX, first.place, f"what its tests show is not known: {first.message}")
         return []
     try:
         module = ast.parse(text)

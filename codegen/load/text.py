@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Callable
 
+from codegen.conflict import line_of_conflict
 from codegen.diagnostics import Report, Rule
 from codegen.source import Place
 
@@ -26,6 +27,14 @@ FILE_NOT_UTF8 = Rule(
     "file-not-utf8",
     "Specifications are UTF-8 text. The place is the first byte that is not; save the file as UTF-8.",
     unreadable=True,
+)
+OPEN_CONFLICT = Rule(
+    "open-conflict",
+    "Git has left both sides of a conflict in the file, between lines that begin with <<<<<<<, ======= and >>>>>>>. "
+    "Nothing of it is read: a requirement would have the markers in its text, and a table both values. Take what is "
+    "meant of both sides, and remove these three lines.",
+    unreadable=True,
+    remedy="take what is meant of both sides, and remove the lines with <<<<<<<, ======= and >>>>>>>",
 )
 FILE_TOO_LARGE = Rule(
     "file-too-large",
@@ -56,10 +65,10 @@ def real_path(path: str, follow: Callable[[str], str] = os.path.realpath) -> str
 
 
 def decode_text(data: bytes, path: str, report: Report) -> str | None:
-    """``data`` as UTF-8 text, or None after a diagnostic at the first byte that is not UTF-8."""
+    """``data`` as UTF-8 text; None after a diagnostic at the first byte that is not UTF-8, or at an open conflict."""
     start = len(_BYTE_ORDER_MARK) if data.startswith(_BYTE_ORDER_MARK) else 0
     try:
-        return data[start:].decode("utf-8")
+        text = data[start:].decode("utf-8")
     except UnicodeDecodeError as problem:
         position = start + problem.start
         hint = "save the file as UTF-8"
@@ -68,6 +77,11 @@ def decode_text(data: bytes, path: str, report: Report) -> str | None:
         place = _place_of_byte(data, start, position, os.path.abspath(path))
         report.add(FILE_NOT_UTF8, place, f"byte 0x{data[position]:02x} is not UTF-8", hint)
         return None
+    line = line_of_conflict(text)
+    if line is not None:
+        report.add(OPEN_CONFLICT, Place(os.path.abspath(path), line), "a conflict of a merge is open here")
+        return None
+    return text
 
 
 def _place_of_byte(data: bytes, start: int, position: int, path: str) -> Place:

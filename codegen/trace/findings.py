@@ -77,6 +77,12 @@ OUTDATED_RESULTS = Rule(
     "there is now: they show nothing. Run the tests again, after a build.",
     Severity.WARNING,
 )
+LOST_TESTS = Rule(
+    "results-without-test",
+    "A file of results has some of a file of tests that is not there any more: it was deleted or renamed since. What "
+    "they show counts, as tests can lie elsewhere. Run the tests again, and give these results alone.",
+    Severity.WARNING,
+)
 UNDATED_RESULTS = Rule(
     "results-undated",
     "A file of results has some of tests written by hand that do not say with which specification they were run, so "

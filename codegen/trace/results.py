@@ -137,6 +137,20 @@ def hand_written_results(found: Iterable[TestResult], trace: Trace) -> list[Test
     return [each for each in found if each.inputs is None and any(trace.called(name) for name in each.shows)]
 
 
+def files_that_are_gone(
+    found: Iterable[TestResult], trace: Trace, folders: Collection[str], names: Collection[str]
+) -> tuple[str, ...]:
+    """Return the files of tests written by hand that have results, lie below one of ``folders``, and are not there.
+
+    ``names`` are those of all files below these folders: pytest counts from the folder of its settings, so that a file
+    of the same name elsewhere below them may be the one.
+    """
+    files = {_file_and_class(each.module)[0] for each in hand_written_results(found, trace) if each.module}
+    return tuple(
+        sorted(each for each in files if set(folders) & set(each.split("/")[:-1]) and each.split("/")[-1] not in names)
+    )
+
+
 def undated_results_of_suites(found: Iterable[TestResult], trace: Trace) -> list[TestResult]:
     """Return the results of generated suites that do not say of which specification they are."""
     suites: dict[str, list[Test]] = defaultdict(list)

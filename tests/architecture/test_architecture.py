@@ -14,13 +14,14 @@ from codegen.answers.kind import KindOfAnswer
 
 PACKAGE = Path(codegen.__file__).parent
 
-GROUND = {"frozen", "once", "pattern", "source", "diagnostics"}
+GROUND = {"conflict", "frozen", "once", "pattern", "source", "diagnostics"}
 READING = {"load", "decode", "resolve", "rules"}
 
 MAY_IMPORT: dict[str, set[str]] = {
     "frozen": set(),
     "once": set(),
     "pattern": {"tool"},
+    "conflict": {"pattern"},
     "source": {"frozen"},
     "diagnostics": {"frozen", "source"},
     "model": {"frozen", "once", "source"},

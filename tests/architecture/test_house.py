@@ -11,7 +11,18 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "codegen"
 
-LOOSE = {"__init__", "__main__", "pytest_plugin", "diagnostics", "frozen", "measure", "once", "pattern", "source"}
+LOOSE = {
+    "__init__",
+    "__main__",
+    "pytest_plugin",
+    "conflict",
+    "diagnostics",
+    "frozen",
+    "measure",
+    "once",
+    "pattern",
+    "source",
+}
 """The modules at the root: where runs begin, what projects name in their settings, and what every stage stands on."""
 
 OTHERS = {

@@ -44,6 +44,7 @@ def test_another_release_is_one_finding(project: Path) -> None:
     assert "pip download --no-deps pymavlink==2.4.49" in (hint or "")
     assert ".whl:ardupilotmega ardupilotmega" in (hint or "")
     assert f"dialect_version: {INSTALLED}" in (hint or "")
+    assert "--base-pymavlink" in (hint or ""), "the review of the commit that states another release"
 
 
 def test_a_release_that_is_given_is_compared_as_it_is(project: Path) -> None:

@@ -91,6 +91,7 @@ UNSEEN = {
     "Shown.decimals": "follows from the text as it is written",
     "Shown.unknown": "follows from the text as it is written",
     "Failsafe.can_arm": "follows from whether anything is armed, which is compared",
+    "Follows.steps": "those of what is followed; limits are compared as amounts, and 0 is 0 in any",
     "FixedAnswer.meaning": "words for the value that is compared",
 }
 """Attributes that are not changed here, and why."""

@@ -132,6 +132,27 @@ def test_what_is_heard_otherwise_fails_and_stands_in_the_headline(
     assert fails(found, ["breaking", "person"])
 
 
+@pytest.mark.parametrize("is_full", [False, True])
+def test_another_order_of_streams_is_told(before: tuple[System, ...], is_full: bool) -> None:
+    """What goes first is a question where a link cannot carry them all; a stream more or less is no other order."""
+    main = before[0]
+    if is_full:
+        slow = tuple(
+            replace(each, spec=replace(each.spec, baud=300)) if each.spec.baud else each for each in main.links
+        )
+        main = replace(main, links=slow)
+    first, *others = main.streams.items()
+    moved = compare_systems((main,), (replace(main, streams=dict([*others, first])),)).changes
+    assert [change.rule.id for change in moved] == ["stream-order-changed"]
+    (change,) = moved
+    assert change.old is not None
+    assert change.old.split(", ") == list(main.streams)
+    assert change.new == ", ".join([*(name for name, _ in others), first[0]])
+    assert change.doubt == (f"whether {first[0]} may be left out on radio" if is_full else "")
+    gone = compare_systems((main,), (replace(main, streams=dict(others)),)).changes
+    assert "stream-order-changed" not in {change.rule.id for change in gone}
+
+
 @pytest.mark.parametrize(
     ("key", "said"),
     [

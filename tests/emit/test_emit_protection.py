@@ -156,6 +156,29 @@ def test_a_damaged_manifest_is_reported_and_renewed(output: Path, build: Any, te
     assert build({"a.py": "2\n"}).rules == []
 
 
+def test_after_a_merge_both_manifests_count_and_open_conflicts_are_called_so(
+    output: Path, build: Any, tree: Tree
+) -> None:
+    """What one of two branches has written is no file of somebody else; what git wrote into is not overwritten."""
+    build({"a.py": "1\n", "b.py": "1\n", "lost.py": "1\n"})
+    theirs = build({"a.py": "2\n", "b.py": "2\n", "firmware/new.py": "2\n"}, clean=True) and tree()
+    second = (output / "manifest.json").read_text()
+    build({"a.py": "3\n", "b.py": "1\n"}, clean=True)
+    first = (output / "manifest.json").read_text()
+    (output / "manifest.json").write_text(f"<<<<<<< HEAD\n{first}=======\n{second}>>>>>>> other\n")
+    (output / "a.py").write_text("<<<<<<< HEAD\n3\n=======\n2\n>>>>>>> other\n")
+    for path in ("b.py", "firmware/new.py"):
+        (output / path).parent.mkdir(exist_ok=True)
+        (output / path).write_bytes(theirs[path])
+    refused = build({"a.py": "4\n", "b.py": "4\n"}, vacated=("firmware/",))
+    assert refused.rules == [("edited-by-hand", "a.py")], "b.py and new.py are theirs"
+    (finding,) = refused.report
+    assert finding.message == "a conflict of a merge is open in it, so nothing is written"
+    assert finding.hint == "--force writes it anew: merge the specification alone"
+    assert build({"a.py": "4\n", "b.py": "4\n"}, vacated=("firmware/",), force=True).rules == []
+    assert tree() == {"a.py": b"4\n", "b.py": b"4\n"}
+
+
 @pytest.mark.parametrize("text", ["[]", '{"name": "a web application"}', "3"])
 def test_a_manifest_of_something_else_is_a_foreign_file(output: Path, build: Any, text: str) -> None:
     output.mkdir()

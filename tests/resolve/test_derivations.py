@@ -1,5 +1,6 @@
 """Derivations as written are resolved, by one kind for each quantity."""
 
+from fractions import Fraction
 from pathlib import Path
 from typing import get_args
 
@@ -89,6 +90,21 @@ def test_what_follows_a_limit_is_known_for_each_state(
     limits = (12, 25) if is_below else (13, 26)
     follows = Follows("voltage", limits, is_below, FollowsSpec(place=Place("state.yaml")))
     assert follows.value(quantity, {"battery.voltage": stored}, instance) == int(holds)
+
+
+def test_a_limit_is_told_in_the_unit_of_what_is_followed(system: System) -> None:
+    """As codegen diff compares it: one amount has the same words in any steps, one count of other steps has others."""
+    quantity = system.components["battery"].quantities["over_voltage"]
+    spec = FollowsSpec(place=Place("state.yaml"))
+    told = [
+        Follows("air", limits, is_below=True, spec=spec, steps=steps, unit="degC").facts(quantity)
+        for limits, steps in (((-200,), Fraction(100)), ((-20,), Fraction(10)), ((-200,), Fraction(10)))
+    ]
+    assert [fact.text for facts in told for fact in facts] == [
+        "air is below -2 degC",
+        "air is below -2 degC",
+        "air is below -20 degC",
+    ]
 
 
 @pytest.mark.parametrize(

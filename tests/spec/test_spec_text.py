@@ -54,6 +54,29 @@ def test_a_byte_that_is_not_utf8_is_named_by_line_and_column(
     assert report.exit_code == 2
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("a: 1\n<<<<<<< HEAD\nb: 1\n=======\nb: 2\n>>>>>>> other\n", 2),
+        ("\ufeff<<<<<<< HEAD\r\nb: 1\r\n=======\r\n>>>>>>> other\r\n", 1),
+        ("x\r\n<<<<<<< HEAD\r\nb: 1\r\n=======\r\n>>>>>>> other", 2),
+        ("<<<<<<< ours\n1\n||||||| base\n0\n=======\n2\n>>>>>>> theirs\n", 1),
+        ("1. Text\n   <<<<<<< HEAD\n   1\n   =======\n   2\n   >>>>>>> other\n", None),
+        ("Title\n=======\n\n<<<<<<< is what git writes\n", None),
+        ("<<<<<<< a\n>>>>>>> b\n", None),
+    ],
+)
+def test_an_open_conflict_of_a_merge_is_not_read(text: str, line: int | None) -> None:
+    """Both sides would be in a requirement, or in a table; what only tells of markers is text."""
+    report = Report()
+    read = decode_text(text.encode(), "a.md", report)
+    if line is None:
+        assert (read, found(report)) == (text.removeprefix("\ufeff"), [])
+    else:
+        assert (read, found(report)) == (None, [("open-conflict", "a.md", line, 1)])
+        assert report.exit_code == 2
+
+
 def test_what_is_no_readable_file_is_reported_where_it_is_asked_for(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "file").write_text("x")

@@ -56,6 +56,24 @@ def test_results_of_another_one_show_nothing(
     assert "tests/test_beat.py:4:36: tests/test_beat.py::test_beats: 2 of another specification" in said
 
 
+def test_a_file_of_tests_that_is_gone_is_told(
+    project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What it showed goes on counting, as tests can lie elsewhere: then nothing is said of it."""
+    own = inputs_of(project.trace()[1])
+    elsewhere = ("bench.test_motor", "test_it", "passed", ("FR-1.1",), None)
+    path = junit("r.xml", *BEATS, elsewhere, specification=own)
+    project.run("--results", path, "--fail-on", "none")
+    assert "results-without-test" not in capsys.readouterr().out
+    (project.folder / "tests" / "test_beat.py").rename(project.folder / "tests" / "test_pulse.py")
+    project.run("--results", path, "--fail-on", "none")
+    said = capsys.readouterr().out
+    assert (
+        "r.xml:1:1: warning results-without-test: there is no tests/test_beat.py any more, and its results cou" in said
+    )
+    assert said.count("results-without-test") == 1
+
+
 def test_a_changed_table_outdates_them(project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]) -> None:
     path = junit("r.xml", *BEATS, specification=inputs_of(project.trace()[1]))
     assert status(project, capsys, "FR-1.3", path) == "passed; 2 passed"

@@ -39,7 +39,8 @@ def is_stated_version(project: Project, files: Files, report: Report) -> bool:
     name = "common" if path is None else os.path.splitext(os.path.basename(path))[0]
     hint = (
         f"what differs: pip download --no-deps {SOURCE}=={wanted}, then codegen diff {SOURCE}-{wanted}-....whl:{name} "
-        f"{name}; then state it: dialect_version: {installed}"
+        f"{name}; then state it: dialect_version: {installed}. codegen diff reads what states "
+        f"{wanted} with that file at --base-pymavlink or --head-pymavlink"
     )
     report.add(OTHER_DIALECT_VERSION, project.at("dialect_version"), f"{installed} is installed, not {stated}", hint)
     return False

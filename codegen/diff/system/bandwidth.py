@@ -1,10 +1,11 @@
 """The share of the links that telemetry takes, before and after: whole frames at the default rates of their streams."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from codegen.diff.change import Change, changed
-from codegen.diff.system.behaviour_rules import BANDWIDTH, OVERLOADED
+from codegen.diff.system.behaviour_rules import BANDWIDTH, OVERLOADED, STREAM_ORDER
 from codegen.frozen import dataclass
 from codegen.model.price import NOTHING, Range, capacity, message_price, price_on, sent_messages, total
 from codegen.model.program import BoardLink
@@ -113,6 +114,33 @@ def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fra
         effect,
         messages=sorted({table.wire.name for system in (old, new) for table in system.messages if table.name in names}),
         rows=[row.name for row in found.rows if row.old != row.new],
+    )
+
+
+def order_changes(found: Bandwidth, old: System, new: System) -> Iterator[Change]:
+    """One where streams of both versions stand in another order; a question where a link cannot carry them all."""
+    before, after = ([name for name in system.streams if _is_used(name, old, new)] for system in (old, new))
+    if before == after:
+        return
+    moved = next(name for name, known in zip(after, before, strict=True) if name != known)
+    full = [link.name for link in found.links if link.share > _ALL]
+    change = changed(
+        STREAM_ORDER,
+        "order of streams",
+        ", ".join(before),
+        ", ".join(after),
+        (old.streams[moved].spec.place, new.streams[moved].spec.place),
+        "the first ones go before the others where not all finds room",
+        rows=before,
+    )
+    yield replace(change, doubt=f"whether {after[-1]} may be left out on {', '.join(full)}") if full else change
+
+
+def _is_used(name: str, *systems: System) -> bool:
+    """Return whether all of several versions have a stream, and messages that belong to it."""
+    return all(
+        name in system.streams and any(each.stream and each.stream.name == name for each in system.messages)
+        for system in systems
     )
 
 

@@ -159,6 +159,12 @@ STREAM_REMOVED = _inside("stream-removed", "There is a stream less: who asks for
 STREAM_RATE = _inside(
     "stream-rate-changed", "A stream is sent at another rate, can be asked for at another, or by other means."
 )
+STREAM_ORDER = _inside(
+    "stream-order-changed",
+    "Streams stand in another order in streams.yaml, which is the one in which their messages go out: of what is due "
+    "at once, the first ones take the turns of a pass and the room that a link has left, the last ones wait or are "
+    "left out.",
+)
 BANDWIDTH = _inside(
     "bandwidth-changed",
     "The telemetry takes more or less of the links at the default rates than the threshold allows "

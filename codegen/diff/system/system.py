@@ -10,7 +10,7 @@ from codegen.diff.dialect.hearing import dropped, heard_in
 from codegen.diff.dialect.used import used_of
 from codegen.diff.judging.softening import softened
 from codegen.diff.own_places import at_own_places
-from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
+from codegen.diff.system.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth, order_changes
 from codegen.diff.system.board import board_subjects
 from codegen.diff.system.carrying import carried_on, fed_by_facts, written_otherwise
 from codegen.diff.system.commanded_otherwise import renamed
@@ -86,6 +86,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             *subject_changes(said_before[name], said_after[name]),
             *driver_changes(known, system),
             *bandwidth_changes(compared, system, known, threshold),
+            *order_changes(compared, known, system),
         ]
         judged = heard_in(heard_otherwise(own, known, system), notices)
         called = tuple(dict.fromkeys((name, called_before.get(name, name))))

@@ -5,6 +5,7 @@ from codegen.model.failsafe import Clause, FailsafeText, Shown
 from codegen.model.vehicle import Component, Quantity
 from codegen.pattern import pattern
 from codegen.resolve.failsafes.finding import BAD_FAILSAFE
+from codegen.resolve.failsafes.shown_unit import other_unit
 from codegen.source import Place
 
 NAME, LEVEL, VALUE = "name", "level", "value"
@@ -67,6 +68,11 @@ def _parts(
             known = [NAME, LEVEL, *([VALUE] if watched else []), *(component.quantities if component else ())]
             message = f"a text has no {{{name}}} to show"
             report.add(BAD_FAILSAFE, place, message, did_you_mean(name, known) or f"it can show {', '.join(known)}")
+            return None
+        shown = other_unit(quantity, written[end:])
+        if shown is not None:
+            message = f"{quantity.path} is shown in {quantity.unit.name}, and the text goes on with {shown}"
+            report.add(BAD_FAILSAFE, place, message, f"{field[0].removeprefix(before)} {quantity.unit.name}")
             return None
         instead = _apart(unknown or "unknown", written[end:])
         parts.append(Shown(quantity, int(decimals) if decimals else _decimals(quantity), instead))
