@@ -151,7 +151,8 @@ class Surroundings:
         names = (written.source,) if isinstance(written.source, str) else written.source
         if len(names) != len(self.parts):
             message = f"{self.component} has {len(self.parts)} instances, and {self.name} {len(names)} sources"
-            hint = "a list has one for each: [" + ", ".join(f"first_{self.name}" for _ in self.parts) + "]"
+            each = ", ".join(f"{self.name}_{number}" for number, _ in enumerate(self.parts, 1))
+            hint = f"a list has one for each: [{each}]"
             self.bad("source", message, UNKNOWN_SOURCE, hint)
             return ()
         found = [self._output(name) for name in names]
