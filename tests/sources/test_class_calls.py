@@ -136,7 +136,7 @@ def test_an_output_of_32_bits_takes_two_values(folder: Path, capsys: Any) -> Non
     (drivers / "laser.py").write_text(CLASS.replace("[0]", "(0, 0, 0)"))
     ((line, hint),) = errors(folder, LASER, capsys)
     assert line.endswith("Laser of laser.py makes values with 3, and 4 are read")
-    assert hint == 'in __init__: self.values = array("i", [UNKNOWN] * 4), two each of lon'
+    assert hint == 'in __init__: self.values = array("i", [UNKNOWN] * 4), two each of lon, whose limits need 32 bits'
     (drivers / "laser.py").write_text(CLASS.replace("[0]", "(0, 0, 0, 0)"))
     assert errors(folder, LASER, capsys) == []
 

@@ -169,7 +169,7 @@ def _use(declared: DriverSpec, outputs: Sequence[Output]) -> Use:
     count = sum(output.storage.words for output in outputs)
     wide = [output.name for output in outputs if output.storage.words > 1]
     values = f'in __init__: self.values = array("i", [UNKNOWN] * {count})'
-    values += f", two each of {', '.join(wide)}" if wide else ""
+    values += f", two each of {', '.join(wide)}, whose limits need 32 bits" if wide else ""
     lengths = {"values": count} if len(outputs) == len(declared.outputs) else {}  # of others nobody knows
     return Use(first, tuple(declared.keys), {"begin": (), "poll": ("now_ms",)}, {"values": values}, lengths)
 
