@@ -76,7 +76,7 @@ class ClockAnswer(KindOfAnswer):
         can_be_unknown = source.initial is None
         withholds = can_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
         if can_be_unknown and sentinel is None and not withholds:
-            no_sentinel(covers, "clock", "the time since 1970", scope.report, instead="")
+            no_sentinel(covers, "clock", "the time since 1970", scope.report)
             return None
         unknown = int(sentinel) if can_be_unknown and sentinel is not None else None
         return cls(covers, source, steps, unknown, withholds)

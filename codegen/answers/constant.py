@@ -9,7 +9,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.measure import nearest_float, read_amount, read_real
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Value
-from codegen.model.code.letters import NUL, cut
+from codegen.model.code.letters import NUL, cut, on_one_line
 from codegen.model.code.storage import Storage
 from codegen.model.dialect.dialect import Kind, WireField
 from codegen.model.units.unit import NUMBER, Unit, decimal
@@ -68,9 +68,12 @@ def _text(written: str | Fraction, field: WireField, place: Place, report: Repor
     if isinstance(written, Fraction):
         hint = f"'{decimal(written)}'"
     elif NUL in written:
-        problem, hint = "has a NUL in it, which ends a text", f"'{cut(written, field.count)}'"
+        problem, hint = "has a NUL in it, which ends a text", f"'{on_one_line(cut(written, field.count))}'"
     elif len(written.encode()) > field.count:
-        problem, hint = f"is {len(written.encode())} bytes long in UTF-8", f"'{cut(written, field.count)}' would fit"
+        problem, hint = (
+            f"is {len(written.encode())} bytes long in UTF-8",
+            f"'{on_one_line(cut(written, field.count))}' would fit",
+        )
     else:
         return written, "text"
     report.add(BAD_CONSTANT, place, f"{field.name} is a text of at most {field.count} bytes, and this {problem}", hint)

@@ -29,19 +29,15 @@ BAD_SOURCE = Rule(
 WITHHELD = Step("unknown", "the message is withheld", ("no number of the field means unknown",), ())
 
 
-def no_sentinel(
-    covers: Elements, key: str, what: str, report: Report, instead: str = "give the quantity an 'initial' value, or "
-) -> None:
-    """Report that ``what``, which stands under a key of the table, can be unknown and its field cannot say so.
-
-    ``instead`` is what else than to withhold the message could be done.
-    """
+def no_sentinel(covers: Elements, key: str, what: str, report: Report) -> None:
+    """Report that ``what``, which stands under a key of the table, can be unknown and its field cannot say so."""
+    initial = "" if key == "clock" else "give the quantity an 'initial' value, or "  # a clock has none
     report.add(
         NO_SENTINEL,
         covers.written.at(key),
         f"{what} can be unknown, and {covers.field.name} has no value that says so",
-        f"{instead}withhold the message with 'send: while_known', or, where the "
-        "dialect states a sentinel in words, add it to the corrections file",
+        f"{initial}withhold the message with 'send: while_known', or, where the dialect states a sentinel in words, "
+        "add it to the corrections file",
         [(covers.field.definition.place, f"{covers.field.name} is declared here")],
     )
 

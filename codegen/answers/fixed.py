@@ -1,6 +1,5 @@
 """Values that are known at build time: an entry, a constant, a fact of the dialect, unknown."""
 
-import json
 import struct
 from collections.abc import Iterator
 
@@ -14,6 +13,7 @@ from codegen.model.answers.account import Aspect, Origins, Trait, Words
 from codegen.model.answers.answer import Elements
 from codegen.model.answers.known import Known, Value, shown_value
 from codegen.model.answers.step import Step
+from codegen.model.code.letters import on_one_line
 from codegen.model.code.payload_code import PayloadCode
 from codegen.model.dialect.dialect import Kind, SentinelForm
 from codegen.model.spec.population import FieldAnswer
@@ -153,7 +153,7 @@ def read_entry(covers: Elements, name: str, key: str, scope: Scope) -> int | Non
 
 
 def _told(value: Value) -> str:
-    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else shown_value(value)
+    return f'"{on_one_line(value)}"' if isinstance(value, str) else shown_value(value)
 
 
 def _version(covers: Elements, name: str, scope: Scope) -> FixedAnswer | None:

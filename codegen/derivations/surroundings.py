@@ -151,8 +151,8 @@ class Surroundings:
         names = (written.source,) if isinstance(written.source, str) else written.source
         if len(names) != len(self.parts):
             message = f"{self.component} has {len(self.parts)} instances, and {self.name} {len(names)} sources"
-            each = (f"sensor_{number}.{self.name}" for number in range(1, len(self.parts) + 1))
-            hint = f"a list has one for each: [{', '.join(each)}]"
+            each = ", ".join(f"{self.name}_{number}" for number, _ in enumerate(self.parts, 1))
+            hint = f"a list has one for each: [{each}]"
             self.bad("source", message, UNKNOWN_SOURCE, hint)
             return ()
         found = [self._output(name) for name in names]

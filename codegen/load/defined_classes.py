@@ -42,12 +42,14 @@ def _bound(body: Iterable[ast.stmt]) -> Iterator[str]:
 def _class(node: ast.ClassDef, known: Mapping[str, PythonClass]) -> PythonClass:
     methods: dict[str, Signature | None] = {}
     attributes: set[str] = set()
+    lengths: dict[str, int] = {}
     is_open = bool(node.keywords or node.decorator_list)
     for base in reversed(node.bases):
         own = known.get(base.id) if isinstance(base, ast.Name) else None
         if own is not None:
             methods |= own.methods
             attributes |= own.attributes
+            lengths |= own.lengths
         is_open = is_open or (own.is_open if own else not (isinstance(base, ast.Name) and base.id == "object"))
     for statement in node.body:
         if isinstance(statement, _FUNCTION):
@@ -65,7 +67,46 @@ def _class(node: ast.ClassDef, known: Mapping[str, PythonClass]) -> PythonClass:
     used = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
     used |= {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
     is_open = is_open or bool(opening) or bool(used & {"setattr", "__dict__", "exec", "locals"})
-    return PythonClass(node.lineno, methods, frozenset(attributes), is_open)
+    made = Counter(_changed(node))
+    lengths = {name: length for name, length in lengths.items() if not made[name]}
+    lengths |= {name: length for name, length in _lengths(node) if made[name] == 1}
+    return PythonClass(node.lineno, methods, frozenset(attributes), is_open, lengths)
+
+
+def _changed(node: ast.ClassDef) -> Iterator[str]:
+    """Yield each attribute as often as it is stored, and that of which a method is called, which may add to it."""
+    for each in ast.walk(node):
+        match each:
+            case ast.Attribute(attr=name, ctx=ast.Store() | ast.Del()):
+                yield name
+            case ast.Call(func=ast.Attribute(value=ast.Attribute(attr=name))):
+                yield from (name, name)
+
+
+def _lengths(node: ast.ClassDef) -> Iterator[tuple[str, int]]:
+    """Yield the attributes of objects that are made as an array or a list of a length that stands there."""
+    for each in ast.walk(node):
+        match each:
+            case ast.Assign(targets=[ast.Attribute(value=ast.Name(id="self"), attr=name)], value=value):
+                length = _length(value)
+                if length is not None:
+                    yield name, length
+
+
+def _length(value: ast.expr) -> int | None:
+    """Return how many elements an expression has, where it shows that."""
+    match value:
+        case ast.Call(func=ast.Name(id="array") | ast.Attribute(attr="array"), args=[_, inner], keywords=[]):
+            return _length(inner)
+        case ast.List(elts=elements) | ast.Tuple(elts=elements):
+            return None if any(isinstance(each, ast.Starred) for each in elements) else len(elements)
+        case (
+            ast.BinOp(left=inner, op=ast.Mult(), right=ast.Constant(value=int(times)))
+            | ast.BinOp(left=ast.Constant(value=int(times)), op=ast.Mult(), right=inner)
+        ):
+            length = _length(inner)
+            return None if length is None else length * times
+    return None
 
 
 def _names(node: ast.AST) -> tuple[str, ...]:

@@ -1,6 +1,5 @@
 """The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
 
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import replace
@@ -9,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.model.code.letters import words_of
+from codegen.model.code.letters import on_one_line, words_of
 from codegen.model.code.storage import Storage
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.model.quantities.basis import Basis
@@ -187,7 +186,7 @@ class Quantity(Cited):
         """Return what it is at the start, for people."""
         if self.initial is None:
             return "unknown"
-        return json.dumps(self.initial, ensure_ascii=False) if isinstance(self.initial, str) else str(self.initial)
+        return f'"{on_one_line(self.initial)}"' if isinstance(self.initial, str) else str(self.initial)
 
     @property
     def words(self) -> int:

@@ -23,8 +23,8 @@ from codegen.source import Place
 RULE = Rule(
     "coarse-quantity",
     "A quantity is kept in whole units, since the table says no other 'stored' unit, and a field carries finer steps, "
-    "or is received in steps between them: what lies between is rounded away. Write 'stored' to say how finely it is "
-    "kept, even where whole units are meant. "
+    "or is received in steps between them, or the sensor of another instance gives finer ones: what lies between is "
+    "rounded away. Write 'stored' to say how finely it is kept, even where whole units are meant. "
     "A quantity that goes out in float fields alone, and that nothing compares, is kept as a float. What a class of "
     "the project's gives (driver user) is no float: it is rounded to whole units of its output in board.yaml before it "
     "is kept, so that 'stored' has to stand there.",
@@ -54,6 +54,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         for quantity in component.quantities.values():
             yield from _of_one_step(quantity, ends.get(quantity.path))
             yield from _of_coarser_output(quantity, system)
+            yield from _of_finer_output(quantity)
         yield from _estimated(component)
         for basis in component.counted_on:
             for given in _in_whole_units(basis.quantity, system):
@@ -97,6 +98,26 @@ def _of_coarser_output(quantity: Quantity, system: System) -> Iterator[Diagnosti
             kept = ((quantity.spec.at("stored"), f"{quantity.path} is kept so here"),)
             hint = f"stored: {quantity.stored.name} at the output, or stored: {output.unit.name} at the quantity"
             yield Diagnostic(declared.at("stored"), RULE, text, hint, kept)
+
+
+def _of_finer_output(quantity: Quantity) -> Iterator[Diagnostic]:
+    """Yield the quantity of several instances that is kept as the sensor of the first gives it, where another is finer.
+
+    With ``stored`` the table has said how finely, whatever a sensor gives.
+    """
+    gives = quantity.derivation.gives
+    if quantity.kind is not QuantityKind.NUMBER or quantity.spec.stored is not None or not gives:
+        return
+    name, output, factor = min(gives, key=lambda given: given[2])
+    if factor < 1:
+        first, finest = (f"{name}.{output.name}".rstrip(".") for name, output in (gives[0][:2], (name, output)))
+        yield Diagnostic(
+            quantity.spec.at("source"),
+            RULE,
+            f"{quantity.path} is kept in {quantity.stored.name or 'steps'} as {first} gives it, and {finest} gives "
+            f"{output.unit.name or 'finer ones'}",
+            f"stored: {output.unit.name}" if output.unit.name else None,
+        )
 
 
 def _in_field(answer: Answer, message: str, system: System) -> Iterator[Diagnostic]:

@@ -46,9 +46,17 @@ def _is_treated(stated: StatedValue, taken: ReceivedField) -> bool:
     """Return whether the table says what becomes of the number: it lists it, or lets nobody take it for a value."""
     spec, number = taken.spec, stated.number
     is_beyond = not taken.low <= number <= taken.high
+    if _is_said_by_another(stated, taken):
+        return True
     if is_beyond or spec.unchanged == () or spec.unknown == () or number in (*taken.unchanged, *taken.absent):
         return True
     return number == taken.sentinel and not stated.is_left
+
+
+def _is_said_by_another(stated: StatedValue, taken: ReceivedField) -> bool:
+    """Return whether the words have the number stand for invalid, and the table asks the field by which they say so."""
+    description = taken.field.definition.description
+    return "invalid" in stated.words.lower() and any(each.field.name in description for each in taken.provisos)
 
 
 def _finding(table: Reception, taken: ReceivedField, stated: StatedValue) -> Diagnostic:

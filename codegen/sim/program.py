@@ -35,12 +35,12 @@ class SimulatedProgram:
     ``messages`` are the names of those of its dialect by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
     ``mocked`` are the modules that stand in for what its sensors are connected to, ``left_out`` those of the user's
-    sensors where no code of the user runs. ``load`` predicts how busy its board
-    is, or says why nothing does. ``restart_cause`` is what its board tells after a restart. ``ends`` are those of its
-    links over TCP, by their names: its servers listen on this computer alone, its clients connect to who gets its UDP.
-    ``deaf`` are the names of those that take nothing of what the scenario sends, since nobody signs it, ``bridge``
-    is the cable in whose place UDP stands on a board without a network, ``spoken`` the one by which the scenario
-    speaks where the network takes nothing.
+    sensors where no code of the user runs, each with the class of the vehicle if it is the module of that, too.
+    ``load`` predicts how busy its board is, or says why nothing does. ``restart_cause`` is what its board tells after
+    a restart. ``ends`` are those of its links over TCP, by their names: its servers listen on this computer alone, its
+    clients connect to who gets its UDP. ``deaf`` are the names of those that take nothing of what the scenario sends,
+    since nobody signs it, ``bridge`` is the cable in whose place UDP stands on a board without a network, ``spoken``
+    the one by which the scenario speaks where the network takes nothing.
     """
 
     name: str
@@ -61,7 +61,7 @@ class SimulatedProgram:
     actions: tuple[str, ...] = ()
     guards: tuple[Guard, ...] = ()
     mocked: tuple[str, ...] = ()
-    left_out: tuple[str, ...] = ()
+    left_out: tuple[tuple[str, str | None], ...] = ()
     load: TrafficLoad | str = ""
     restart_cause: int | None = None
     ends: Mapping[str, LinkEnd] = field(default_factory=dict)
@@ -157,7 +157,7 @@ def _program(
         actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
         guards=guards(system),
         mocked=tuple(_mocked(system)),
-        left_out=() if code else tuple(dict.fromkeys(each.imported for each in system.polled if each.imported)),
+        left_out=() if code else tuple(_left_out(system)),
         load=traffic_load(system),
         ends=dict(_ends(system)),
         restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
@@ -173,6 +173,13 @@ def _ends(system: System) -> Iterator[tuple[str, LinkEnd]]:
             yield link.name, LinkEnd("127.0.0.1", link.spec.tcp_server)
         elif link.spec.tcp_client is not None:
             yield link.name, LinkEnd(None, link.spec.tcp_client)
+
+
+def _left_out(system: System) -> Iterator[tuple[str, str | None]]:
+    """Yield the modules of the user's sensors, each with the class of the user's vehicle that stands in it, or None."""
+    program = system.program
+    for module in dict.fromkeys(each.imported for each in system.polled if each.imported):
+        yield module, program.class_name if program and program.module == module else None
 
 
 def _mocked(system: System) -> Iterator[str]:

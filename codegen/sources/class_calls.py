@@ -1,6 +1,7 @@
 """The class of a sensor beside what the firmware calls of it, as far as its source shows it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from difflib import get_close_matches
 
 from codegen.diagnostics import Rule
@@ -13,9 +14,9 @@ from codegen.sources.kind import Around
 UNFIT_DRIVER_CLASS = Rule(
     "unfit-driver-class",
     "The class of a sensor cannot be used as the firmware uses it: its constructor does not take what it is made with, "
-    "a method that is called is missing or takes other arguments, or nothing sets its values. The board would find "
-    "that out at the start, or at the first turn of the sensor. A class that inherits from another module, or of which "
-    "the source does not show all, is not looked at.",
+    "a method that is called is missing or takes other arguments, nothing sets its values, or these are more or fewer "
+    "than its outputs take. The board would find that out at the start, or at the first turn of the sensor. A class "
+    "that inherits from another module, or of which the source does not show all, is not looked at.",
     remedy="write the class as the firmware uses it: docs/sources.md has one",
 )
 
@@ -24,13 +25,15 @@ UNFIT_DRIVER_CLASS = Rule(
 class Use:
     """The use of a class: it is made with ``first`` by their places and ``names`` by name, then ``calls`` are called.
 
-    These have so many arguments by their places. ``attributes`` are read; a line shows what sets each.
+    These have so many arguments by their places. ``attributes`` are read; a line shows what sets each. ``lengths`` are
+    how many elements some of these have to have.
     """
 
     first: tuple[str, ...]
     names: tuple[str, ...]
     calls: dict[str, tuple[str, ...]]
     attributes: dict[str, str]
+    lengths: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def made(self) -> str:
@@ -81,4 +84,9 @@ def _calling(shape: PythonClass, use: Use) -> Sequence[tuple[str, str]]:
 
 def _reading(shape: PythonClass, use: Use) -> Sequence[tuple[str, str]]:
     lacking = [] if shape.is_open else [name for name in use.attributes if name not in shape.attributes]
-    return [(f"has no {name}, which is read", use.attributes[name]) for name in lacking]
+    found = [(f"has no {name}, which is read", use.attributes[name]) for name in lacking]
+    for name, length in use.lengths.items():
+        shown = shape.lengths.get(name, length)
+        if shown != length:
+            found.append((f"makes {name} with {shown}, and {length} are read", use.attributes[name]))
+    return found

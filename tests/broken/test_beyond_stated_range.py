@@ -116,6 +116,25 @@ def test_limits_beyond_the_words_are_told(checked, message, field, quantity, say
     assert hint in found
 
 
+def test_a_constant_and_a_parameter_beyond_the_words(checked, tmp_path):
+    """Where no quantity fills the field, too."""
+    parameters = tmp_path / "specs" / "parameters.yaml"
+    line = "  WAY: {doc: d, unit: deg, default: 0, min: -90, max: 270, step: 1}\n"
+    parameters.write_text((parameters.read_text() if parameters.exists() else "parameters:\n") + line)
+    other = tmp_path / "specs" / "messages" / "other.yaml"
+    other.write_text(
+        "message: ATTITUDE\nas: other\nrequirement: FR-1.1\nstream: only\nothers: unknown\nfields:\n"
+        "  time_boot_ms: {clock: boot}\n  roll: {constant: 4 rad}\n  pitch: {constant: 180 deg}\n"
+        "  yaw: {parameter: WAY}\n  rollspeed: {constant: 9}\n  pitchspeed: {constant: 0}\n  yawspeed: {constant: 0}\n"
+    )
+    roll, yaw = checked("VFR_HUD", "heading", "unit: deg, min: 0, max: 360")
+    assert (
+        "roll is 4 rad, and the words of ATTITUDE.roll say '-pi..+pi'   hint: write one from -3.14159 to 3.14159"
+        in roll
+    )
+    assert "WAY goes up to 270 deg, and the words of ATTITUDE.yaw say '-pi..+pi'   hint: fill it with a para" in yaw
+
+
 @pytest.mark.parametrize(
     ("message", "field", "quantity", "keys"),
     [

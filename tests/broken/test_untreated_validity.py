@@ -156,6 +156,7 @@ def test_a_field_that_is_taken_whatever_others_say_is_told(checked, message, fie
     ("message", "fields", "head"),
     [
         ("MANUAL_CONTROL", ["aux1: {state: added.figure, when: {enabled_extensions: bit 2}}"], ""),
+        ("MANUAL_CONTROL", ["s: {state: added.figure, when: {enabled_extensions: bit 0}}"], ""),  # "0 if invalid"
         ("MANUAL_CONTROL", ["aux1: {state: added.figure}", "enabled_extensions: {state: added.judge}"], ""),
         ("MANUAL_CONTROL", ["aux1: {state: added.figure}"], "where: {enabled_extensions: 4}\n"),
         ("ORBIT_EXECUTION_STATUS", ["z: {state: added.metres, when: {frame: MAV_FRAME_GLOBAL}}"], ""),

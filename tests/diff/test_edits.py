@@ -200,6 +200,16 @@ EDITS: dict[str, tuple[str, str, str, list[str]]] = {
             "BATTERY_STATUS_V2.status_flags: ",
         ],
     ),
+    "a line feed in a text": (
+        "specs/messages/smart_battery_info.yaml",
+        "device_name: {constant: two packs}",
+        'device_name: {constant: "two\\npacks"}',
+        [
+            "specs/messages/smart_battery_info.yaml:13:3: error population-constant-changed: SMART_BATTERY_INFO.device_name: "
+            'value "two packs" (text) -> value "two\\npacks" (text); not in CRC_EXTRA; needs a person: whether '
+            "two\\npacks is what receivers are to be told in place of two packs",
+        ],
+    ),
 }
 
 

@@ -512,6 +512,11 @@ BITES = {
     "now_ms - 1073741324": ("now_ms - 1073741323", "chan1_raw-too-old"),
     "(value + 50) // 100": ("(value + 49) // 100", "yaw-half"),
     "if counts[2]:  # MAVLink 1": ("if counts[2] > 1:  # MAVLink 1", "MAVLink-1"),
+    "0xC47A and (wire[20] | wire[21] << 8) == 0x0": ("0xC47A and wire[20] == 0x0", "alt-beside--1000.0-12"),
+    "(wire[0] | wire[1] << 8)\n    return counts[0]": (
+        "(wire[0] | wire[1] << 8)\n    return counts[1]",
+        "custom_mode-lowest",  # what is plausible is not told
+    ),
 }
 
 

@@ -117,6 +117,7 @@ EXPECTED: dict[str, Any] = {
         "error: sonar: OSError: no file",
         "error: sonar: ValueError: no echo",
         "error: needle: no answer at 0x1e on I2C 0",
+        "error: needle: has 3 values, and 2 are declared",
     ],
     # Every 20 ms are 50 Hz; 600 pulses every 333 us after a pause; 9000 every 100 us; faster than can be told.
     "pulses": [

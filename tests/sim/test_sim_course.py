@@ -187,9 +187,20 @@ def test_a_whole_number_of_64_bits_is_set_as_it_is(tmp_path: Path, runtime: Runt
 
 LEFT_OUT = """
 import json
+import sys
 import sim
-sim.leave_out("thermometer")
-sim.leave_out("json")
+
+
+class Module:
+    Vehicle = "the plain one"
+
+
+sim.leave_out("thermometer", None)
+sim.leave_out("json", None)
+sim.leave_out("boat", "Boat")
+sys.modules["vehicle"] = Module
+import boat
+assert boat.Boat == "the plain one"
 try:
     __import__("thermometer", None, None, ["Thermometer"]).Thermometer()
 except ImportError as error:
@@ -199,7 +210,10 @@ except ImportError as error:
 
 @pytest.mark.parametrize("runtime", Runtime)
 def test_code_that_is_left_out_says_so(tmp_path: Path, runtime: Runtime) -> None:
-    """Its module lies in the folder of the project: that there is none would be untrue. What is there is imported."""
+    """Its module lies in the folder of the project: that there is none would be untrue. What is there is imported.
+
+    The vehicle runs without the code of the user that stands in the same module.
+    """
     (tmp_path / "left.py").write_text(LEFT_OUT)
     path = {"MICROPYPATH": f".frozen:{MOCKS}", "PYTHONPATH": str(MOCKS)}
     command = [find_interpreter(runtime), str(tmp_path / "left.py")]

@@ -13,6 +13,7 @@ PROJECT = Path(__file__).resolve().parents[1] / "projects" / "minimal"
 
 SONAR = "sonar: {driver: user, class: sonar.Sonar, unit: m, stored: mm, min: 0, max: 100}"
 SHAKEN = "sonar: {driver: user, class: sonar.Sonar, unit: G, stored: mm/s/s, min: -16, max: 16}"
+TWO = f"{SONAR}\n  far: {SONAR[7:].replace('mm', 'dm')}\ninstances:\n  boat: [{{}}, {{}}]"
 DEPTH = "depth: {doc: Depth., unit: m, stored: mm, source: sonar}"
 IMU = "imu: {driver: user, class: imu.Imu, outputs: {roll: {unit: rad, stored: mrad}, pitch: {unit: rad}}}"
 
@@ -101,6 +102,11 @@ CASES = [
     *((f"what all sensors have: {name}", SONAR.replace("sonar:", f"{name}:"), "",
        [f"2:3: error bad-source-driver: {name} cannot be the name"]) for name in ("every", "turn", "watch")),
     ("a rate", SONAR.replace("}", ", rate: 2000 Hz}"), DEPTH, ["bad-time: 2000 Hz is not a rate"]),
+    ("steps of another instance", TWO,
+     "depth: {doc: d, unit: m, source: [far, sonar], stale_after: 1 s}",
+     ["warning coarse-quantity: boat.depth is kept in dm as far gives it, and sonar gives mm", "hint: stored: mm"]),
+    ("steps of another instance, meant", TWO,
+     "depth: {doc: d, unit: m, stored: dm, source: [far, sonar], stale_after: 1 s}", []),
     ("a slow rate", SONAR.replace("}", ", rate: 0.001 Hz}"), DEPTH, ["bad-source-driver: sonar is asked less than"]),
     ("a step", SONAR.replace("mm", "ms"), DEPTH, ["error unit-mismatch: m cannot be rounded to ms"]),
     ("a step with pi between", SONAR.replace("unit: m, stored: mm", "unit: rad, stored: cdeg"), "",
@@ -139,7 +145,7 @@ CASES = [
     ("an only one that is summed up", AMPERES.replace("unit: A, stored: mA, min: -20, max: 20",
      "outputs: {drawn: {unit: A, stored: mA, min: -20, max: 20}}"), f"{CURRENT}{CONSUMED}", []),
     ("a list", SONAR, DEPTH.replace("source: sonar", "source: [sonar, sonar]"),
-     ["boat has 1 instances, and depth 2 sources", "hint: a list has one for each: [sensor_1.depth]"]),
+     ["boat has 1 instances, and depth 2 sources", "hint: a list has one for each: [depth_1]"]),
     ("a unit", SONAR, "depth: {doc: d, unit: s, stored: ms, source: sonar}",
      ["unit-mismatch: sonar is in mm, not in ms"]),
     ("a boolean", SONAR, "wet: {doc: d, boolean: true, initial: false, source: sonar}",

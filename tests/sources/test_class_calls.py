@@ -76,6 +76,9 @@ FITTING = [
     CLASS.replace("def poll", "def pol") + "\n\nLaser.poll = Laser.pol\n",
     CLASS.replace("class Laser:", "class Laser:\n    values = None\n").replace("self.values", "self.kept"),
     CLASS.replace("def poll", "def pol") + "\n\nclass Laser(Laser):\n    pass\n",
+    CLASS.replace("[0]", "[0] * COUNT"),
+    CLASS.replace("[0])", "[])\n        self.values.append(0)"),
+    CLASS.replace("[0])", "[])\n        self.values = array('i', [0])"),
 ]
 
 
@@ -105,6 +108,12 @@ UNFIT = [
         "has no values, which is read",
         'in __init__: self.values = array("i", [UNKNOWN] * 1)',
     ),
+    (
+        "[0]",
+        "[0] * 2",
+        "makes values with 2, and 1 are read",
+        'in __init__: self.values = array("i", [UNKNOWN] * 1)',
+    ),
 ]
 
 
@@ -117,6 +126,19 @@ def test_a_class_that_the_firmware_cannot_use(
     ((line, told),) = errors(folder, LASER, capsys)
     assert line.startswith(f"specs/drivers/laser.yaml:2:8: error unfit-driver-class: Laser of laser.py {message}")
     assert told == hint
+
+
+def test_an_output_of_32_bits_takes_two_values(folder: Path, capsys: Any) -> None:
+    """A driver with one value for each output would have each number behind such a one be another's."""
+    drivers = folder / "specs" / "drivers"
+    lines = "lat: {unit: deg, stored: degE7, min: -90, max: 90}, lon: {unit: deg, stored: degE7, min: -180, max: 180}"
+    (drivers / "laser.yaml").write_text(DRIVER.replace("outputs: {", f"outputs: {{{lines}, "))
+    (drivers / "laser.py").write_text(CLASS.replace("[0]", "(0, 0, 0)"))
+    ((line, hint),) = errors(folder, LASER, capsys)
+    assert line.endswith("Laser of laser.py makes values with 3, and 4 are read")
+    assert hint == 'in __init__: self.values = array("i", [UNKNOWN] * 4), two each of lon, whose limits need 32 bits'
+    (drivers / "laser.py").write_text(CLASS.replace("[0]", "(0, 0, 0, 0)"))
+    assert errors(folder, LASER, capsys) == []
 
 
 USERS = [

@@ -52,12 +52,13 @@ from array import array
 
 from polling import UNKNOWN
 
+COUNT = 5
 GIVES = [None, None, None]
 
 
 class Ubx:
     def __init__(self, opened):
-        self.values = array("i", [UNKNOWN] * 5)
+        self.values = array("i", [UNKNOWN] * COUNT)
 
     def begin(self):
         pass

@@ -13,6 +13,7 @@ from codegen.diff.system.trace_rules import CITATION, DOC
 from codegen.model.answers.account import Aspect
 from codegen.model.answers.answer import Answer
 from codegen.model.answers.known import Value
+from codegen.model.code.letters import on_one_line
 from codegen.model.dialect.dialect import Kind
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.model.units.unit import decimal
@@ -208,12 +209,20 @@ def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answe
         if sentinel is not None and any(_is_same(after, value) for value in sentinel.values):
             effect = "receivers hear nothing of it any more"
             return replace(change, effect=effect, notice=Notice.NONE, breaks=_STATION)
-        return replace(change, effect=f"always {after}, which receivers take for what is so now", breaks=_STATION)
+        return replace(
+            change, effect=f"always {_plain(after)}, which receivers take for what is so now", breaks=_STATION
+        )
     if before is not None and after is not None and not _is_same(before, after):
-        return replace(change, doubt=f"whether {after} is what receivers are to be told in place of {before}")
+        return replace(
+            change, doubt=f"whether {_plain(after)} is what receivers are to be told in place of {_plain(before)}"
+        )
     if before is None and after is None:
         return _from_elsewhere(change, old[0], new[0])
     return change
+
+
+def _plain(value: Value) -> str:
+    return on_one_line(value) if isinstance(value, str) else str(value)
 
 
 def _from_elsewhere(change: Change, old: Answer, new: Answer) -> Change:

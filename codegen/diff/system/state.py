@@ -132,7 +132,7 @@ def _quantity(quantity: Quantity) -> Subject:
     smallest, largest = (_limit(limit, stored, quantity.storage) for limit in (quantity.minimum, quantity.maximum))
     facts = (
         Fact("unit", unit, rules.QUANTITY_UNIT, spec.at("unit"), doubt=coded),
-        Fact("kept", _kept(quantity), rules.QUANTITY_UNIT, spec.at("stored")),
+        Fact("kept", f"as {quantity.attribute}{_kept_in(quantity)}", rules.QUANTITY_UNIT, spec.at("stored")),
         Fact(
             "steps",
             amount(quantity.steps, f"{stored} each {unit}" if unit else ""),
@@ -168,10 +168,10 @@ def _limit(limit: int | Fraction, stored: str, storage: Storage) -> str:
     return "" if limit in storage.limits else amount(limit, stored)
 
 
-def _kept(quantity: Quantity) -> str:
-    """Return the attribute that keeps a value, in which unit and width."""
-    stored = quantity.stored.name
-    return f"as {quantity.attribute}{' in ' if stored or quantity.length else ''}{stored}{_width(quantity)}"
+def _kept_in(quantity: Quantity) -> str:
+    """Return the steps and the width in which it is kept; a plain number of one word has neither to tell."""
+    has_steps = quantity.stored.name or quantity.length
+    return f"{f' in {quantity.stored.name}' if has_steps else ''}{_width(quantity)}"
 
 
 def _width(quantity: Quantity) -> str:

@@ -17,6 +17,11 @@ def cut(text: str, size: int) -> str:
     return data[:end].decode()
 
 
+def on_one_line(text: str) -> str:
+    """Return a text for people, with what would end their line, or show as nothing, as Python writes it."""
+    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text)
+
+
 def words_of(size: int) -> int:
     """Return how many words keep so many bytes."""
     return -(-size // 2)

@@ -172,6 +172,11 @@ class Source(ABC):
         return None
 
     @property
+    def declared_values(self) -> int | None:
+        """Return how many values the driver has to have; None where it is not the project's, and so has them."""
+        return None
+
+    @property
     def tests(self) -> tuple[str, ...]:
         """The files of the generated suite that check its driver, by their paths below codegen/sources.
 

@@ -1,6 +1,7 @@
 """Classes of Python as their source shows them: how they are made, and which methods and attributes they have."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 
 from codegen.frozen import dataclass
 
@@ -40,9 +41,12 @@ class PythonClass:
 
     ``methods`` have a signature, or None where it cannot be told. ``attributes`` are all its names, those of its
     objects, too. ``is_open``: it can have others, which the source does not show. ``line`` is that of its head.
+    ``lengths`` are those of attributes that it makes at one place alone, as an array or a list of a length that stands
+    there.
     """
 
     line: int
     methods: Mapping[str, Signature | None]
     attributes: frozenset[str]
     is_open: bool
+    lengths: Mapping[str, int] = field(default_factory=dict)

@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 
 from codegen.diagnostics import did_you_mean
@@ -50,6 +50,10 @@ class OwnSource(Source):
     @property
     def keeps_limits(self) -> bool:
         return False
+
+    @property
+    def declared_values(self) -> int:
+        return sum(output.storage.words for output in self.outputs)
 
     @property
     def own_modules(self) -> Mapping[str, str]:
@@ -117,6 +121,8 @@ class OwnSource(Source):
 def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: OwnDriver) -> OwnSource | None:
     """Return the sensor, with its keys as the driver declares them; None after a finding."""
     declared = driver.spec
+    found = [declared_output(name, output, around) for name, output in declared.outputs.items()]
+    outputs = tuple(each[0] for each in found if each is not None)
     reader = KeyReader(declared, around)
     wrong = reader.check()
     if not _CLASS.fullmatch(declared.class_name):
@@ -127,7 +133,7 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
     else:
         check_class(declared.class_name, driver.module, declared.at("class"), around)
         if not wrong:
-            check_use(declared.class_name, driver.module, declared.at("class"), _use(declared), around)
+            check_use(declared.class_name, driver.module, declared.at("class"), _use(declared, outputs), around)
     file = os.path.basename(declared.place.file)
     owner = taken_by(file)
     if owner is not None:
@@ -151,19 +157,21 @@ def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: O
             if board is not None:
                 around.pin(f"keys.{name}", int(value), board.free, name, board)
                 inputs.append(PinUse(int(value), f"keys.{name}", board.free))
-    found = [declared_output(name, output, around) for name, output in declared.outputs.items()]
     wires = _wires(declared, spec, around)
     if around.failed or (declared.bus is not None and wires is None) or None in found:
         return None
-    outputs = tuple(each[0] for each in found if each is not None)
     return OwnSource(polling, outputs, driver, wires, tuple(arguments), tuple(inputs))
 
 
-def _use(declared: DriverSpec) -> Use:
+def _use(declared: DriverSpec, outputs: Sequence[Output]) -> Use:
     """Return what the firmware calls of the class: it is made with the function that opens its bus, and the keys."""
     first = ("opened",) if declared.bus else ()
-    values = f'in __init__: self.values = array("i", [UNKNOWN] * {len(declared.outputs)})'
-    return Use(first, tuple(declared.keys), {"begin": (), "poll": ("now_ms",)}, {"values": values})
+    count = sum(output.storage.words for output in outputs)
+    wide = [output.name for output in outputs if output.storage.words > 1]
+    values = f'in __init__: self.values = array("i", [UNKNOWN] * {count})'
+    values += f", two each of {', '.join(wide)}, whose limits need 32 bits" if wide else ""
+    lengths = {"values": count} if len(outputs) == len(declared.outputs) else {}  # of others nobody knows
+    return Use(first, tuple(declared.keys), {"begin": (), "poll": ("now_ms",)}, {"values": values}, lengths)
 
 
 class _Keys:

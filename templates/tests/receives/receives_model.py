@@ -5,19 +5,25 @@ import struct
 from fractions import Fraction
 
 GROUND_STATION = 6  # MAV_TYPE_GCS
+QUIET_MS = 10000  # between two texts about numbers of one table that are not plausible
 AS_IT_WAS = object()  # what the outcome is of a number that leaves the quantity alone
 FLOATS = {"float": "<f", "double": "<d"}
 
 
 class Model:
-    """A vehicle that knows what was received: `known` by component and attribute, `taken` and `refused` by table."""
+    """A vehicle that knows what was received: `known` by component and attribute, `taken` and `refused` by table.
+
+    `told` has the fields of which it says that their numbers are not plausible.
+    """
 
     def __init__(self, facts):
         self._facts = facts
         self._now_ms = 0
         self._heard = set()
         self._until_ms = {}
+        self._told_ms = {}
         self.known = {}
+        self.told = []
         self.taken = {table["name"]: 0 for table in facts["tables"]}
         self.refused = {table["name"]: {} for table in facts["tables"]}
         for table in facts["tables"]:
@@ -40,8 +46,18 @@ class Model:
         for table in self._facts["tables"]:
             if table["message"] == message and self._is_for(table, values, sender):
                 self.taken[table["name"]] += 1
+                refused = None
                 for field in table["fields"]:
-                    self._take(table["name"], field, values, version, types)
+                    if self._take(table["name"], field, values, version, types) is Ellipsis:
+                        refused = field["label"]
+                if refused is not None:
+                    self._tell(table["name"], refused)
+
+    def _tell(self, table, label):
+        """Say of the last field of a message that it is not plausible, unless something like it was just said."""
+        if self._now_ms - self._told_ms.get(table, -QUIET_MS) >= QUIET_MS:
+            self._told_ms[table] = self._now_ms
+            self.told.append(f"{table}.{label}")
 
     def _is_for(self, table, values, sender):
         # MAVLink 1 has no extensions: one that is not there is 0.
@@ -65,7 +81,7 @@ class Model:
         else:
             outcome = _number(field, values[field["field"]], types[field["field"]])
         if outcome is AS_IT_WAS:
-            return
+            return outcome
         if outcome is None:
             self.known[path] = self.known[path] if field["kind"] == "boolean" else field["initial"]
         elif outcome is Ellipsis:
@@ -75,6 +91,7 @@ class Model:
             self.known[path] = outcome
             if field["stale_ms"] is not None:
                 self._until_ms[path] = self._now_ms + field["stale_ms"]
+        return outcome
 
 
 def _path(field):

@@ -21,7 +21,7 @@ def known(state, paths):
 
 
 def outcome(steps, paths, calls):
-    """Return what is known after the steps of a case, what was counted by table, what was called, and faults."""
+    """Return what is known after the steps of a case, what was counted by table, called and told, and faults."""
     craft = Craft()
     connection = craft.connections[0]
     for path in paths:  # the bench knows some value of everything
@@ -43,7 +43,9 @@ def outcome(steps, paths, calls):
         for _ in range(3):
             connection.run(now_ms)
     counts = {table: [each.taken, each.refused] for table, each in connection.receptions.items()}
-    return known(craft.state, paths), counts, called, connection.faults
+    texts = [text.split(" not plausible: ") for _, text in craft.said()]
+    told = sorted([parts[0] for parts in texts if len(parts) > 1])
+    return known(craft.state, paths), counts, called, told, connection.faults
 
 
 def counting(called, table):

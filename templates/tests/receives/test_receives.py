@@ -76,12 +76,13 @@ def _cases():
 
 @pytest.mark.parametrize("number", list(_cases()))
 def test_receives(number, played, outcomes):
-    """Quantities, what was taken and refused, and what was called, are what the tables make of the frames."""
+    """Quantities, what was taken, refused, called and told, are what the tables make of the frames."""
     _, model = played[number]
-    known, counts, called, faults = outcomes[number]
+    known, counts, called, told, faults = outcomes[number]
     assert known == {path: _text(value) for path, value in model.known.items()}
     assert counts == {table: [model.taken[table], model.refused[table]] for table in model.taken}
     assert called == {table: model.taken[table] for table in called}
+    assert told == sorted(model.told)
     assert faults == 0
 
 

@@ -140,7 +140,7 @@ def _made():
 
     def maker(name):
         def make(*given, **named):
-            driver = Driver(max([facts["values"] for facts in SOURCES]) + 1)
+            driver = Driver(max([facts["values"] for facts in SOURCES if facts["made"]["call"] == name]))
             driver.made = Written(name)(*given, **named).text
             return driver
 

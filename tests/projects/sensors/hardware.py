@@ -2,6 +2,7 @@
 
 import json
 import sys
+from array import array
 
 sys.path[:0] = ["generated/firmware", "generated/mocks"]
 
@@ -373,6 +374,18 @@ found["strong field"] = [state.compass.heading_cdeg, state.compass.field]
 # What a class of the user raises is told by its name, what a bus does not answer by the place on it.
 
 
+class Many:
+    """A compass with a value more than its outputs take: nobody knows which belongs to which."""
+
+    values = array("i", [1, 2, 3])
+
+    def begin(self):
+        pass
+
+    def poll(self, _now_ms):
+        return True
+
+
 class Failing:
     error = OSError("no file")
 
@@ -391,6 +404,10 @@ for Failing.error in (OSError("no file"), ValueError("no echo")):
     sources.sonar.turn()
     raised.append(told[-1])
 state, sources = fresh()
+sources.needle.turn()
+raised.append(told[-1])
+state, sources = fresh()
+sources.needle.driver = Many()
 sources.needle.turn()
 found["raised"] = raised + [told[-1]]
 

@@ -91,6 +91,7 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
     names |= {(source.module, source.opened.partition("(")[0]) for source in system.polled}
     names |= {("listening", "Listener")} if listeners else set()
     names |= {("polling", "Poller")} if len(listeners) < len(sources) else set()
+    names |= {("polling", "Fault")} if any(source.declared_values is not None for source in system.polled) else set()
     names |= {(module_name(source.clock_modules[0]), "set_clock") for source in clocked}
     modules = ["machine"] if any("machine." in source.opened for source in system.polled) else []
     modules.append("time")
@@ -202,6 +203,9 @@ def _broken(argument: str) -> str:
 def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterator[str]:
     """Put all values into their words; where not all of them are new at once, those that are."""
     behind = sum(output.storage.words for output in source.outputs)
+    if source.declared_values is not None:
+        yield f"if len(values) != {source.declared_values}:"
+        yield f'    raise Fault(f"has {{len(values)}} values, and {source.declared_values} are declared")'
     if not source.tells_new:
         for each in given:
             yield from _keeping(each, keeps_limits=source.keeps_limits)

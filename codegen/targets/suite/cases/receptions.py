@@ -85,6 +85,13 @@ class _Cases:
             yield self._case(
                 f"{taken.label}-{name}", by_sentinel, self._message(taken=taken), self._message(values, taken=taken)
             )
+        for name, value in _beside_values(taken).items():
+            yield self._case(
+                f"{taken.label}-{name}",
+                by_sentinel,
+                self._message(taken=taken),
+                self._message({taken.label: value}, taken=taken),
+            )
         for number in taken.unchanged:
             steps = (self._message(taken=taken), self._message({taken.label: number}, taken=taken))
             yield self._case(f"{taken.label}-unchanged-{number}", by_sentinel, *steps)
@@ -295,6 +302,25 @@ def _unknown_values(taken: ReceivedField) -> dict[str, Value]:
     found |= {f"unknown-{number}": number for number in taken.absent}
     if taken.field.type.kind is Kind.FLOAT:
         found |= {"nan": float("nan"), "infinite": float("inf"), "minus-infinite": -float("inf")}
+    return found
+
+
+_BITS = {"f": (12, 16), "d": (32, 48)}
+"""Bits that make of a whole number as a float another one that all interpreters print alike."""
+
+
+def _beside_values(taken: ReceivedField) -> dict[str, Value]:
+    """Return numbers that differ from a special one in one bit, of each byte: they have none of its meaning."""
+    field, found = taken.field, dict[str, Value]()
+    for number in () if taken.is_text else taken.special:
+        is_usual = field.type.is_integer or (number and float(number).is_integer())
+        for bit in _BITS.get(field.type.code, range(0, 8 * field.type.size, 8)) if is_usual else ():
+            code = f"<{field.type.code}"
+            bits = bytearray(struct.pack(code, number))
+            bits[bit // 8] ^= 1 << bit % 8
+            (beside,) = struct.unpack(code, bits)
+            if beside not in taken.special:
+                found[f"beside-{number}-{bit}"] = beside
     return found
 
 
