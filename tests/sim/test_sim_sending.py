@@ -75,6 +75,7 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
         "at: 4 s, send: PING",
         "at: 5 s, send: RC_CHANNELS_OVERRIDE, fields: {chan1_raw: 1600}, every: 500 ms, for: 1 s",
         "at: 7 s, send: COMMAND_INT, fields: {param1: NaN, param2: .nan, param3: -.inf, z: .inf, x: INT32_MAX, y: -1}",
+        'at: 8 s, send: GPS_STATUS, fields: {"satellite_azimuth[1]": 24 deg}',
     )
     assert findings == []
     assert all(isinstance(event, Sending) for event in events)
@@ -108,7 +109,7 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
         common.MAVLink_command_int_message(
             1, 1, 0, 0, 0, 0, math.nan, math.nan, -math.inf, 0, 0x7FFFFFFF, -1, math.inf
         ),
-        None,
+        common.MAVLink_gps_status_message(0, *[[0] * 20] * 3, [0, 17, *[0] * 18], [0] * 20),  # in steps of 360/255 deg
     ]
     packed = []
     for message in expected:
@@ -118,7 +119,7 @@ def test_frames_are_those_of_pymavlink(tmp_path: Path, runtime: Runtime) -> None
     assert frames == packed
     assert received == sum(map(len, frames))
     after_restart, _ = heard(5_200)
-    assert [bool(frame) for frame in after_restart] == [at_ms in (5_500, 7_000) for at_ms in times], (
+    assert [bool(frame) for frame in after_restart] == [at_ms in (5_500, 7_000, 9_000) for at_ms in times], (
         "nothing is sent again"
     )
 
