@@ -189,6 +189,7 @@ def test_two_tables_for_one_message_cite_each_other(folder: Path) -> None:
     (finding,) = report
     assert (finding.rule.id, finding.place) == ("duplicate-table", Place(str(folder / "messages/z.yaml"), 2, 10))
     assert [place for place, _ in finding.related] == [Place(str(folder / "messages/b.yaml"), 1, 10)]
+    assert finding.hint == "'as: NAME' gives one of them a name of its own"
 
 
 def test_missing_corrections_are_reported_where_they_are_named(folder: Path) -> None:
