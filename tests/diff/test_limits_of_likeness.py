@@ -1,7 +1,5 @@
 """Limits of what compares names and texts of two versions: exactly at a limit, and one letter or word beside it."""
 
-from fractions import Fraction
-
 import pytest
 
 from codegen.diff.judging.alignment import Word, _shared_ends, _together, aligned
@@ -93,7 +91,7 @@ def test_differences_that_are_a_word_apart() -> None:
 
 def test_what_texts_share() -> None:
     found = aligned("mast pump hose sail", "mast pump keel sail")
-    assert (found.kept, found.longest, found.share) == (3, 4, Fraction(3, 4))
+    assert (found.kept, found.longest, found.share) == (3, 4, 0.75)
     (piece,) = found.pieces
     assert (piece.gone, piece.come, piece.was, piece.now) == (("hose",), ("keel",), " hose", " keel")
     assert piece.is_exchange

@@ -10,6 +10,8 @@ from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
 from codegen.source import Place
 from codegen.targets.codec.enums import WIDTH, enums_text
 from codegen.targets.firmware.messages import sending
+from codegen.targets.firmware.program import main_loop
+from codegen.targets.receiver import view
 from codegen.targets.suite.amounts import minute
 from codegen.targets.suite.amounts.minute import Phase
 from codegen.targets.suite.cases import receptions
@@ -117,3 +119,26 @@ def test_bits_of_a_signed_field(most: int, bits: int, number: int) -> None:
     """All bits count that the field has, and no others."""
     field: Any = SimpleNamespace(type=SimpleNamespace(size=1, maximum=most))
     assert receptions._signed(field, bits) == number
+
+
+@pytest.mark.parametrize(("name", "rank"), [("SAIL_2", 0), ("SAIL", 2), ("KEEL", 1)])
+def test_new_generations_are_preferred_and_old_ones_last(name: str, rank: int) -> None:
+    """One of no generation stands between both; of those that are alike the higher id goes first."""
+    generations = [SimpleNamespace(new=("SAIL_2",), old=("SAIL",)), SimpleNamespace(new=("MAST_2",), old=("MAST",))]
+    system: Any = SimpleNamespace(generations=generations)
+    message: Any = SimpleNamespace(name=name, wire=SimpleNamespace(id=7))
+    assert view._preference(message, system) == (rank, -7)
+
+
+@pytest.mark.parametrize(
+    ("arming", "has_load", "words"),
+    [("", False, {"ready", "load_dpct"}), (None, True, {"load_dpct"}), (None, False, set())],
+)
+def test_words_that_the_main_loop_sets(
+    monkeypatch: pytest.MonkeyPatch, arming: str | None, has_load: bool, words: set[str]
+) -> None:
+    """Who can arm asks for the load, whether or not it is sent."""
+    monkeypatch.setattr(main_loop, "_has_load", lambda _: has_load)
+    system: Any = None
+    program: Any = SimpleNamespace(spec=SimpleNamespace(arming=arming))
+    assert main_loop.own_words(system, program) == words
