@@ -7,10 +7,12 @@ from typing import Any, cast
 import pytest
 
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry
+from codegen.model.units.unit import unit_named
 from codegen.source import Place
 from codegen.targets.codec.enums import WIDTH, enums_text
 from codegen.targets.firmware.messages import sending
 from codegen.targets.firmware.program import main_loop
+from codegen.targets.firmware.readings import measured_view
 from codegen.targets.receiver import view
 from codegen.targets.suite.amounts import minute
 from codegen.targets.suite.amounts.minute import Phase
@@ -142,3 +144,22 @@ def test_words_that_the_main_loop_sets(
     system: Any = None
     program: Any = SimpleNamespace(spec=SimpleNamespace(arming=arming))
     assert main_loop.own_words(system, program) == words
+
+
+@pytest.mark.parametrize(
+    ("unit", "offset", "formula"),
+    [
+        ("V", None, "adc / 4095 * 3.3 * 2.5"),
+        ("mV", None, "adc / 4095 * 3.3 * 2500"),
+        ("V", Fraction(1, 4), "(adc / 4095 * 3.3 - 0.25) * 2.5"),
+    ],
+)
+def test_the_formula_of_a_reading_with_fixed_numbers(unit: str, offset: Fraction | None, formula: str) -> None:
+    volt = unit_named("V")
+    conversion = SimpleNamespace(
+        channel=SimpleNamespace(full_scale=4095, reference=Fraction(33, 10)),
+        multiplier=SimpleNamespace(unit=SimpleNamespace(scale=Fraction(1)), value=Fraction(5, 2)),
+        offset=None if offset is None else SimpleNamespace(unit=volt, value=offset),
+    )
+    reading: Any = SimpleNamespace(quantity=SimpleNamespace(unit=unit_named(unit)), conversion=conversion)
+    assert measured_view._formula(reading) == (formula, "adc")
