@@ -2,7 +2,7 @@
 
 import pytest
 
-from codegen.diff.judging.alignment import Word, _shared_ends, _together, aligned
+from codegen.diff.judging.alignment import Word, _shared_ends, _together, _without_common, aligned
 from codegen.diff.judging.severities import version_of
 from codegen.diff.judging.wording import Likeness, is_reworded, text_likeness
 from codegen.diff.judging.words import excluding, is_negated, is_shortened, is_slip
@@ -152,3 +152,8 @@ def test_three_of_ten_words_are_vague() -> None:
 )
 def test_versions_in_names(label: str, version: tuple[int, ...] | None) -> None:
     assert version_of(label) == version
+
+
+def test_words_on_both_sides_of_a_difference_count_as_often_as_they_are_there() -> None:
+    assert _without_common(("mast", "pump", "mast"), ("pump", "mast", "keel")) == (("mast",), ("keel",))
+    assert _without_common(("mast",), ("keel", "keel")) == (("mast",), ("keel", "keel"))
