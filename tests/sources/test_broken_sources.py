@@ -142,7 +142,7 @@ CASES = [
      ["gives no depth", "hint: sonar\n"]),
     ("an only one", PICO + OWN, "depth: {doc: d, unit: m, stored: mm, source: own, stale_after: 1 s}", []),
     ("one that nobody takes", f"{SONAR}\n  far: {SONAR[7:]}", DEPTH,
-     ["board.yaml:3:3: warning unused-sensor: no quantity has the sensor far as its source", "hint: write source: far"]),
+     ["3:3: warning unused-sensor: no quantity has the sensor far as its source", "hint: write source: far"]),
     ("an only one by its name", PICO + OWN, DEPTH.replace("source: sonar", "source: own.distance"), []),
     ("an only one that is summed up", AMPERES.replace("unit: A, stored: mA, min: -20, max: 20",
      "outputs: {drawn: {unit: A, stored: mA, min: -20, max: 20}}"), f"{CURRENT}{CONSUMED}", []),
