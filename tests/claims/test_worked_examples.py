@@ -150,6 +150,11 @@ def test_a_number_that_follows_is_recomputed(check: Check, text: str, right: str
     assert len(check(text.replace("{}", wrong))) >= 1
 
 
+def test_an_answer_to_a_parameter_is_told_by_what_is_set(check: Check) -> None:
+    text = table("PARAM_SET | Value answered", "BATT_VOLT_MULT 4.01583 | 4.0159, the nearest step")
+    assert [each.message for each in check(text)] == ["the answer to BATT_VOLT_MULT 4.01583 is 4.0158, not 4.0159"]
+
+
 LEFT_ALONE = [
     pytest.param(table("Count | Price (USD)", "3000 | 12"), id="counts of something else"),
     pytest.param(claim("BATTERY_STATUS at 2 Hz, signed", "122 bytes/s"), id="signed frames"),

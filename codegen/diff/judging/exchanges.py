@@ -70,11 +70,10 @@ def other_piece(old: str, new: str, *, is_whole: bool = True) -> Judgement:
         and found.kept == _SMALL_FRAME
     ):
         found = found._replace(kept=_LEAST_FRAME)  # the words that carry nothing hold the rest together, too
-    if found.kept >= _SMALL_FRAME and found.share >= _LEAST_SHARE:
-        exchanged = _exchanged(found, is_whole=is_whole)
-        if exchanged is not None:
-            was, now = exchanged
-            return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
+    exchanged = _exchanged(found, is_whole=is_whole)
+    if exchanged is not None:
+        was, now = exchanged
+        return Judgement(doubt=f"whether {now!r} in place of {was!r} is another meaning")
     return _other_condition(found.pieces, new) if is_whole else HARMLESS
 
 
