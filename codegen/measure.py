@@ -122,7 +122,8 @@ def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Mea
     if measure is None:
         parts = text.split()
         wanted = f"a number and a unit, such as 1 {unit.name}" if unit.name else "a number"
-        hint = nearest_unit(parts[1]) if len(parts) == 2 else f"write {wanted}"
+        is_misspelt = len(parts) == 2 and Unit.parse(parts[1]) is None
+        hint = nearest_unit(parts[1]) if is_misspelt else f"write {wanted}; a number has up to 20 digits"
         report.add(BAD_AMOUNT, place, f"{text!r} is not an amount", hint)
         return None
     way = conversion(measure.unit, unit)

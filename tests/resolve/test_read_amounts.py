@@ -52,6 +52,22 @@ def test_what_the_firmware_does_not_carry_out_is_told():
     assert obstacle(unit_named("deg"), unit_named("V")) is None
 
 
+@pytest.mark.parametrize(
+    ("amount", "hint"),
+    [
+        ("1e300 m", "write a number and a unit, such as 1 V; a number has up to 20 digits"),
+        ("3 volts", "did you mean V"),
+        ("much", "write a number and a unit, such as 1 V; a number has up to 20 digits"),
+    ],
+)
+def test_the_hint_is_about_what_is_wrong(amount, hint):
+    """A unit that is known needs no other one."""
+    report = Report()
+    assert read_amount(amount, unit_named("V"), HERE, report) is None
+    (finding,) = report
+    assert finding.hint.startswith(hint)
+
+
 def test_times_up_to_a_day():
     """In whole steps of the unit."""
     report = Report()
