@@ -16,9 +16,10 @@ UNFINISHED = (".codegen-", ".tmp")
 _IGNORED = frozenset({OWN_FOLDER, "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
 
 
-def leads_outside(folder: str, path: str) -> bool:
-    """Return whether a link in ``path`` (relative to ``folder``) leads out of the
-    folder; the folder itself may be a link.
+def link_outside(folder: str, path: str) -> str | None:
+    """Return the first link in ``path`` (relative to ``folder``) where it leads out of the folder, else None.
+
+    The folder itself may be a link.
     """
     part = folder
     for name in path.split("/"):
@@ -26,9 +27,10 @@ def leads_outside(folder: str, path: str) -> bool:
         if os.path.islink(part):
             break
     else:
-        return False
+        return None
     root = os.path.realpath(folder)
-    return os.path.commonpath([root, os.path.realpath(os.path.join(root, path))]) != root
+    is_outside = os.path.commonpath([root, os.path.realpath(os.path.join(root, path))]) != root
+    return part if is_outside else None
 
 
 def other_files(folder: str, known: Collection[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -6,7 +6,7 @@ from collections.abc import Container, Iterable, Mapping
 from enum import Enum
 
 from codegen.diagnostics import Report, Rule
-from codegen.emit.folder import MANIFEST, leads_outside, other_files
+from codegen.emit.folder import MANIFEST, link_outside, other_files
 from codegen.emit.manifest import Manifest, read_manifest, sha256, stays_inside, with_lf
 from codegen.frozen import dataclass
 from codegen.source import Place
@@ -152,8 +152,9 @@ def _content(folder: str, path: str, report: Report, *, is_wanted: bool = True) 
     For a file that nothing renders any more (not ``is_wanted``) a folder of its name only means that it is gone.
     """
     full = os.path.join(folder, path)
-    if leads_outside(folder, path):
-        report.add(OUTPUT_BLOCKED, Place(full), "a link leads out of the output folder here", "delete the link")
+    link = link_outside(folder, path)
+    if link is not None:
+        report.add(OUTPUT_BLOCKED, Place(link), "a link leads out of the output folder here", "delete the link")
         return None, True
     try:
         mode = os.stat(full).st_mode

@@ -12,7 +12,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 
-from codegen.emit.folder import MANIFEST, OWN_FOLDER, leads_outside, other_files
+from codegen.emit.folder import MANIFEST, OWN_FOLDER, link_outside, other_files
 from codegen.tool.digest import content_digest, digest_of, names_in, tool_digest, tool_files
 
 TYPE_CHECKING = False  # a build with nothing to do takes too little time to import typing in it
@@ -124,6 +124,6 @@ def _below(folder: str, paths: Iterable[str]) -> Iterator[str]:
     """The files of the output; OSError for one that is a link, and may lead anywhere."""
     for path in paths:
         full = os.path.join(folder, path)
-        if leads_outside(folder, path):
+        if link_outside(folder, path):
             raise OSError(errno.ELOOP, "a link leads out of the output folder", full)
         yield full

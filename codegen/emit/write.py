@@ -6,7 +6,7 @@ from contextlib import suppress
 
 from codegen.diagnostics import Report, Rule
 from codegen.emit.file import replace_file
-from codegen.emit.folder import MANIFEST, leads_outside
+from codegen.emit.folder import MANIFEST, link_outside
 from codegen.emit.manifest import Manifest, sha256
 from codegen.emit.plan import Change, Plan
 from codegen.frozen import dataclass
@@ -89,5 +89,5 @@ def _remove(folder: str, path: str) -> None:
 
 def _verify(folder: str, path: str) -> None:
     """OSError if a link that appeared since the plan was made leads out of the folder."""
-    if leads_outside(folder, path):
+    if link_outside(folder, path):
         raise OSError(errno.ELOOP, "a link leads out of the output folder")
