@@ -169,7 +169,9 @@ seed 1 had not noticed; other seeds are as they were drawn, and tests for what t
 `targets` 6 and `claims` 7 tests also compare what is made of every project that there is, and all findings in the
 corpus of documents. With these, and from `claims` 8, `diff` 4, `decode` 4, `rules` 4 and `resolve` 4 on, only the tests
 of some folders were run (`--suites`), which can notice no more than all of them: with `resolve` 4 those of
-`tests/resolve/` alone, which do not reach three of its faults.
+`tests/resolve/` alone, which do not reach three of its faults. Seed 21 was drawn in all folders and tried with all
+tests: 54 of 60. Of the six that are left nobody can notice two, which are listed since, one was in a condition that
+another one implied, which is gone, and three have a test since.
 
 {generator}
 
