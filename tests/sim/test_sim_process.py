@@ -111,8 +111,8 @@ def test_a_scenario_restarts_the_board_once(project: Path, run: Any) -> None:
 
 
 def test_restarts_without_end_are_given_up(project: Path, run: Any) -> None:
-    (project / "rover.py").write_text("import machine\nmachine.reset()\n")
-    code, out, err = run("nominal", "--code", "rover.py")
+    (project / "mine.py").write_text("import machine\nmachine.reset()\n")
+    code, out, err = run("nominal", "--code", "mine.py")
     assert code == 1
     assert "over and over" in err
     assert "Traceback" not in out + err
@@ -143,8 +143,9 @@ def test_a_crash_is_an_error_line_and_stands_in_the_report(project: Path, run: A
     ],
 )
 def test_a_program_that_does_not_even_start(project: Path, run: Any, program: str, says: str) -> None:
-    (project / "rover.py").write_text(program)
-    code, out, err = run("nominal", "--code", "rover.py", "--quiet")
+    """One that is given for this run alone: that of vehicle.yaml is looked at before, as `unfit-code`."""
+    (project / "mine.py").write_text(program)
+    code, out, err = run("nominal", "--code", "mine.py", "--quiet")
     assert code == 1
     assert says in err
     assert "Traceback" not in out + err
