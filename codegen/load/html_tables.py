@@ -3,14 +3,22 @@
 GitHub shows both alike, and documents have HTML where an entry has several lines, or where a tool wrote the table.
 """
 
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from html.parser import HTMLParser
+from itertools import accumulate
 
 from codegen.frozen import dataclass
+from codegen.pattern import pattern
+
+_TAG = pattern(r"<(/?)([A-Za-z][A-Za-z0-9]*)[^<>]*>")
 
 _STRUCK = frozenset(("del", "s", "strike"))
 _BAR = "\u00a6"
 """In place of a bar within an entry, which would end it."""
+
+
+_LARGEST = 100_000
+"""Entries of the largest table that is read: each row is filled up to the longest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,14 +35,13 @@ class Row:
 
 def tables_of(lines: Sequence[str]) -> Iterator[tuple[Row, ...]]:
     """Yield the tables of some lines, each with the delimiter row of Markdown behind its first row."""
-    reader = _Reader()
-    reader.feed("\n".join(lines))
-    reader.close()
+    reader = _Reader(lines)
+    reader.read()
     for table in reader.tables:
         rows = [row for row in table if row]
         most = max(map(len, rows), default=0)
-        if most:
-            found = [_row(row + [_Entry()] * (most - len(row)), lines) for row in rows]
+        if 0 < most * len(rows) <= _LARGEST:
+            found = [_row(row + [_Entry()] * (most - len(row))) for row in rows]
             yield (found[0], Row(f"|{'---|' * most}", found[0].line, 0), *found[1:])
 
 
@@ -46,39 +53,67 @@ class _Entry:
         self.pieces: list[tuple[int, int, str]] = []
 
 
-def _row(entries: list[_Entry], lines: Sequence[str]) -> Row:
+def _row(entries: list[_Entry]) -> Row:
     pieces = [piece for entry in entries for piece in entry.pieces if piece[2].strip()]
     starts = [entry.start for entry in entries if entry.start[0] >= 0]
     at = {line for line, _ in starts} | {line for line, _, _ in pieces}
     if len(at) == 1 and len(starts) == len(entries):
-        return _in_place(starts, pieces, lines[starts[0][0]])
+        return _in_place(starts, pieces)
     texts = (" ".join("".join(text for _, _, text in entry.pieces).split()) for entry in entries)
     line, column = min(((line, column) for line, column, _ in pieces), default=min(starts, default=(0, 0)))
     return Row(f"| {' | '.join(texts)} |", line, max(column - 2, 0))
 
 
-def _in_place(starts: list[tuple[int, int]], pieces: list[tuple[int, int, str]], line: str) -> Row:
+def _in_place(starts: list[tuple[int, int]], pieces: list[tuple[int, int, str]]) -> Row:
     """Return a row of one line, in which each character of an entry stands where it is in HTML."""
-    written = [" "] * (len(line) + 1)
+    line, low = starts[0]
+    high = max([column for _, column in starts] + [column + len(text) for _, column, text in pieces])
+    written = [" "] * (high - low + 1)
     for _, column, text in pieces:
-        written[column : column + len(text)] = text
+        written[column - low : column - low + len(text)] = text
     for _, column in starts:
-        written[column] = "|"
-    return Row("".join(written).rstrip() + " |", starts[0][0], 0)
+        written[column - low] = "|"
+    return Row("".join(written).rstrip() + " |", line, low)
 
 
-class _Reader(HTMLParser):
+class _Reader:
     """Collects the rows of tables, entry by entry."""
 
-    def __init__(self) -> None:
-        super().__init__(convert_charrefs=False)
+    def __init__(self, lines: Sequence[str]) -> None:
         self.tables: list[list[list[_Entry]]] = []
+        self._starts = [0, *accumulate(len(line) + 1 for line in lines)]
+        self._text = "\n".join(lines)
         self._rows: list[list[_Entry]] | None = None
         self._entry: _Entry | None = None
         self._struck = 0
+        self._has_comments = True
 
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:  # noqa: ARG002  the base has it
-        line, column = self.getpos()
+    def read(self) -> None:
+        """Go through the text once, from tag to tag; what is no tag is text, and comments are not shown."""
+        shown = at = 0
+        while (at := self._text.find("<", at)) >= 0:
+            end = self._end_of_comment(at)
+            found = _TAG.match(self._text, at) if end < 0 else None
+            if found is not None:
+                end = found.end()
+            if end < 0:
+                at += 1
+                continue
+            self._show(shown, at)
+            if found is not None:
+                (self._close if found[1] else self._open)(found[2].lower(), at, end)
+            shown = at = end
+        self._show(shown, len(self._text))
+
+    def _end_of_comment(self, at: int) -> int:
+        """Return where a comment ends that begins at ``at``; -1 where there is none, or it never ends."""
+        if self._has_comments and self._text.startswith("<!--", at):
+            end = self._text.find("-->", at + 4)
+            self._has_comments = end >= 0  # else none behind it ends either
+            return end + 3 if end >= 0 else -1
+        return -1
+
+    def _open(self, tag: str, start: int, end: int) -> None:
         if tag == "table":
             self._rows = []
             self.tables.append(self._rows)
@@ -86,37 +121,35 @@ class _Reader(HTMLParser):
             self._entry = None
             self._rows.append([])
         elif tag in ("td", "th") and self._rows:
-            self._entry = _Entry(line - 1, column)
+            self._entry = _Entry(*self._place(start))
             self._rows[-1].append(self._entry)
         elif tag == "code":
-            self._put("`", len(self.get_starttag_text() or "") - 1)
+            self._add("`", end - 1)
         elif tag == "br":
-            self._put(" ")
+            self._add(" ", start)
         self._struck += tag in _STRUCK
 
-    def handle_endtag(self, tag: str) -> None:
+    def _close(self, tag: str, start: int, _end: int) -> None:
         if tag in ("td", "th", "tr", "table"):
             self._entry = None
             self._rows = None if tag == "table" else self._rows
         elif tag == "code":
-            self._put("`")
+            self._add("`", start)
         self._struck = max(0, self._struck - (tag in _STRUCK))
 
-    def handle_data(self, data: str) -> None:
-        line, column = self.getpos()
-        for number, text in enumerate(data.split("\n")):
-            self._add(line - 1 + number, 0 if number else column, " " if number and not text else text)
+    def _show(self, start: int, end: int) -> None:
+        """Add the text between two tags, by its lines; an end of a line is a blank."""
+        at = start
+        for number, text in enumerate(self._text[start:end].split("\n")):
+            if number:
+                self._add(" ", at - 1)
+            self._add(text, at)
+            at += len(text) + 1
 
-    def handle_entityref(self, name: str) -> None:
-        self._put(f"&{name};")
+    def _add(self, text: str, at: int) -> None:
+        if text and self._entry is not None and not self._struck:
+            self._entry.pieces.append((*self._place(at), text.replace("|", _BAR)))
 
-    def handle_charref(self, name: str) -> None:
-        self._put(f"&#{name};")
-
-    def _put(self, text: str, behind: int = 0) -> None:
-        line, column = self.getpos()
-        self._add(line - 1, column + behind, text)
-
-    def _add(self, line: int, column: int, text: str) -> None:
-        if self._entry is not None and not self._struck:
-            self._entry.pieces.append((line, column, text.replace("|", _BAR)))
+    def _place(self, at: int) -> tuple[int, int]:
+        line = bisect_right(self._starts, at) - 1
+        return line, at - self._starts[line]

@@ -1,5 +1,7 @@
 """Tables that are written in HTML are read as those of Markdown, each character of a row of one line at its place."""
 
+import pytest
+
 from codegen.load.html_tables import tables_of
 from codegen.load.markdown_blocks import parse_blocks
 from codegen.load.markdown_table import parse_tables
@@ -29,9 +31,8 @@ def test_a_character_of_a_row_of_one_line_stands_where_it_did() -> None:
     lines = ONE_LINE.split("\n")
     assert delimiter.text == "|---|---|"
     for row, words in ((first, ("Field", "Type")), (second, ("voltages", "uint16_t"))):
-        assert row.column == 0
         for word in words:
-            assert row.text.index(word) == lines[row.line].index(word)
+            assert row.column + row.text.index(word) == lines[row.line].index(word)
     found = parse_tables(ONE_LINE, "notes.md")
     ((cells,),) = [table.rows for table in found.tables]
     assert not found.findings
@@ -53,3 +54,21 @@ def test_rows_of_several_lines_go_on_behind_an_empty_one() -> None:
 def test_nothing_is_read_of_other_html() -> None:
     assert parse_blocks("<div>\nvoltages is in V\n</div>\n", "notes.md") == ()
     assert [*tables_of(["<table></table>", "<tr><td>of no table"])] == []
+
+
+@pytest.mark.parametrize("unit", ["<![", "<!--", "<a ", "</", "<td", "<?", "<table>", "<code>", "<tr><td>x", "<td a='"])
+def test_what_is_no_html_is_read_at_once(unit: str) -> None:
+    """A tag that does not end, and a comment that does not, is text: nothing fails, and nothing is looked for again."""
+    for rows in tables_of(["<table><tr><td>" + unit * 5_000]):
+        assert rows[0].text.startswith("|")
+        assert sum(len(row.text) for row in rows) < 40_000
+
+
+def test_a_comment_is_not_shown() -> None:
+    ((first, *_),) = tables_of(["<table><tr><th>Field<!-- <td>K</td> --></th></tr></table>"])
+    assert first.text.split() == ["|", "Field", "|"]
+
+
+def test_a_table_that_nobody_can_mean_is_left_out() -> None:
+    """Each row would be filled up to one of a thousand entries."""
+    assert [*tables_of(["<table><tr>" + "<td>x" * 1_000, *["<tr><td>y"] * 100])] == []
