@@ -1,7 +1,7 @@
 """The type that encloses a line of code: whether a member there is one of a message, or of somebody's own type."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from codegen.claims.reading import Reading, parts_at, snake
 from codegen.load.prose import CodeBlock
@@ -48,6 +48,32 @@ def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | No
         yield around
         if line.text.startswith("}"):
             around = None
+
+
+def types_below(reading: Reading, code: CodeBlock) -> Mapping[int, tuple[int, WireMessage | None]]:
+    """Return for each comment right above the declaration of a type, by lines: its first line, and the type's message.
+
+    None stands for a type whose name is that of no message.
+    """
+    found: dict[int, tuple[int, WireMessage | None]] = {}
+    comment: list[int] = []
+    for line in code.lines:
+        if _COMMENT.match(line.text):
+            comment.append(line.place.line)
+            continue
+        if _ATTRIBUTE.match(line.text):
+            continue
+        declared = _declared(line.text) if comment else None
+        if declared is not None:
+            plain = _OF_LIBRARY.sub("", declared["name"])
+            message = reading.messages.get(plain) or reading.messages.get(snake(plain).upper())
+            found.update((at, (comment[0], message)) for at in comment)
+        comment = []
+    return found
+
+
+_ATTRIBUTE = pattern(r"\s*(?:@\w|#\[|\[\w)")
+"""A line between a comment and the type that it is about."""
 
 
 def is_of_type(reading: Reading, place: Place, message: str) -> bool:

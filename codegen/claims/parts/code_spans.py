@@ -5,7 +5,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-from codegen.claims.enclosing import types_around
+from codegen.claims.enclosing import types_around, types_below
 from codegen.claims.parts.aligned import aligned_items, csv_rows
 from codegen.claims.parts.data_comments import data_comments
 from codegen.claims.parts.sentence import Sentence, Vocabulary
@@ -59,6 +59,7 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
         return
     first = bisect_left(reading.sightings, (code.place.line, ""))
     note: list[Line] = []
+    below = types_below(reading, code)
     for line, around in zip(code.lines, types_around(reading, code), strict=True):
         last = bisect_left(reading.sightings, (line.place.line + 1, ""))
         sighted = reading.sightings[max(first, last - _MOST) : last]
@@ -67,6 +68,8 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
         ]
         near += [] if around is None else [around]  # what comments of members name besides is another message
         own = Topic((*reversed(near), *topic.above), topic.headings, topic.earlier, topic.document)
+        if line.place.line in below:
+            own = _of_type_below(reading, own, line, *below[line.place.line])
         is_comment = _COMMENT.match(line.text) is not None or (not code.language and _is_prose(line.text))
         sentence = _line(line, words)
         if is_comment:
@@ -92,6 +95,18 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
                     True,
                 )
             note = []
+
+
+def _of_type_below(reading: Reading, own: Topic, line: Line, first: int, below: WireMessage | None) -> Topic:
+    """The messages that a comment above a type may be about: that of the type, or those that the comment names."""
+    low = bisect_left(reading.sightings, (first, ""))
+    named = [
+        reading.messages[name]
+        for _, name in reading.sightings[low : bisect_left(reading.sightings, (line.place.line + 1, ""))]
+    ]
+    if below is not None:
+        return replace(own, above=(below, *own.above))
+    return own if named or not own.above else Topic((), (), (), ())
 
 
 def _only_compared(line: Line, name: str) -> bool:

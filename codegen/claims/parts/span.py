@@ -22,6 +22,7 @@ _DEFINED = pattern(r"[FP](?:,? (?:and )?[FP])* : ")
 """A definition list, which is a paragraph for Markdown."""
 _COMPARED = pattern(
     r"\b(?:unlike|as in|like in|as with|as for|like|than in|compared (?:to|with)|in contrast to|instead of|not in"
+    r"|(?:unlike|not|than|instead of|besides) the [TU] (?:of|in|from)"
     r"|here,? (?:but |and |while |whereas )?(?:[a-z]+ |[NTU] ){0,3}in) (?:the )?$|\((?:but |while )?in (?:the )?$"
 )
 _WINDOW = 400

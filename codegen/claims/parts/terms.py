@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from codegen.claims.parts.sentence import NamedField, Sentence, StatedType, Term, Vocabulary
+from codegen.claims.parts.spelled_names import camel, in_snake, other_ends
 from codegen.claims.parts.worded_units import finer, unit_of_words, worded_unit
-from codegen.claims.reading import snake
 from codegen.model.dialect.literals import named_number
 from codegen.model.dialect.wire_types import SPELLINGS
 from codegen.model.units.unit import Unit
@@ -135,6 +135,7 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
     position = low
     while (found := _TERM.search(text, position, high)) is not None:
         plain(position, found.start())
+        position = found.start()
         term = _term(found, codes, words, "".join(marked[-_BEFORE:]), text, high)
         if term is None:
             end = found.end() if found.lastgroup in ("name", "capitals") else found.start() + 1
@@ -147,10 +148,12 @@ def read_sentence(text: str, low: int, high: int, codes: Sequence[tuple[int, int
             plain(found.start(), end)
             position = end
             continue
-        terms[len(marked)] = term
-        marked.append(term.letter)
-        at.append(term.start)
-        position = term.end
+        for each in (term, *other_ends(term, text, high, words)):
+            plain(position, each.start)  # the stroke between two ends
+            terms[len(marked)] = each
+            marked.append(each.letter)
+            at.append(each.start)
+            position = each.end
     plain(position, high)
     return Sentence("".join(marked), tuple(at), terms, tuple(terms))
 
@@ -233,6 +236,8 @@ _SIGNS = {"unsigned": "u", "signed": "i"}
 def _of_unit(found: "re.Match[str]", before: str) -> _Made | None:
     """The unit that words or symbols are, with what was done to the number."""
     unit: Unit | None = None
+    if found["scaled"] and found["scaledunit"] == "T" and not _TESLA_PLACE.search(before):
+        return None
     if found["scaled"]:
         whole, power = unit_of_words(found["scaledunit"]), _number(found["by"])
         unit = finer(whole, max(power, 1 / power)) if whole is not None and power else None
@@ -300,28 +305,13 @@ def _name(
         return Term("P", NamedField(name), written, start, end)
     if name.lower() in words.fields and name[1:].islower() and len(name) > 2:
         return Term("P", NamedField(name.lower()), written, start, end)
-    for field in _in_snake(name) if is_code else ():
+    for field in in_snake(name) if is_code else ():
         if field in words.fields:
             return Term("F", NamedField(field), written, start, end)
     is_filling = written.lower() == "zero" and _FILLING.match(text, end) is not None
     if written.lower() in NUMBER_WORDS and written.lower() != "one" and not is_filling:
         return Term("N", Fraction(NUMBER_WORDS[written.lower()]), written, start, end)
-    return _camel(name, start, end, words)
-
-
-def _in_snake(name: str) -> tuple[str, ...]:
-    """Return the names that fields may have which code calls so: ``timeBootMs``, or as Go exports them, ``NumSats``."""
-    if name.islower() or name.isupper() or "_" in name or not any(map(str.isupper, name[1:])):
-        return ()
-    return snake(name), name[:1].lower() + name[1:]
-
-
-def _camel(name: str, start: int, end: int, words: Vocabulary) -> Term | None:
-    """``RcChannels``: a message as languages spell types."""
-    if not name[:1].isupper() or "_" in name or name.isupper():
-        return None
-    spelled = pattern(r"(?<=[a-z0-9])(?=[A-Z])").sub("_", name).upper()
-    return Term("M", spelled, name, start, end) if "_" in spelled and spelled in words.messages else None
+    return camel(name, start, end, words)
 
 
 def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
@@ -337,6 +327,10 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
         return Term("U", each, text[start : rate.end()], start, rate.end())
     if unit is None or stated is None or not stated.dimension or text[unit.end() : unit.end() + 1].isalnum():
         return None
+    if unit[0] == "T" and not _TESLA_PLACE.search(before):
+        return None  # a time or a temperature of a formula
+    if len(unit[0]) == 1 and _is_quoted(text, start, unit.end()) and _ASSIGNED.search(before):
+        return None  # a text of code
     is_short = unit[0] in _SHORT_UNITS or unit[0].lower() in _ENGLISH or len(unit[0]) == 1
     is_value = text[unit.end() : unit.end() + 1] == "\n" and _UNIT_KEY.search(before) is not None
     if is_short and not (is_value or (_UNIT_PLACE.search(before) and _UNIT_END.match(text, unit.end(), high))):
@@ -345,6 +339,10 @@ def _symbol(start: int, before: str, text: str, high: int) -> Term | None:
 
 
 _VARIABLE = pattern(r"\w+(?:\.|->)[A-Za-z_]")
+_ASSIGNED = pattern(r"(?<!unit)(?<!unit )(?<!units)(?<!units )(?<!=)= ?$")
+"""Before a letter between quotation marks that is a value: the direction "N"."""
+_TESLA_PLACE = pattern(r"(?:\b(?:in|as|to|gets?|gives?|N for|units?(?: (?:is|of|are))?):? ?|[(\[|] ?|U,? (?:and|or) )$")
+"""Before a lone "T" that is a unit."""
 _INDEX = pattern(r"(\d{1,3})\]")
 _UNIT_KEY = pattern(r"\bunits? ?[:=] ?$")
 """Before the value of a key of YAML, which ends with its line."""

@@ -40,14 +40,25 @@ def check(reading: Reading, parts: Sequence[Span]) -> Iterator[Diagnostic]:
     """Every parameter by number of the command that a part, the heading or the text before it is about."""
     around: str | None = None
     for span in parts:
-        own = [str(term.value) for _, term in span.sentence.within(0, len(span.text), "V")]
-        named = [name for name in own if name in _commands(reading)]
+        named = [name for name in commands_in(reading, span) if name]
         if not span.is_code or span.is_comment:
             yield from _numbered(reading, span, around if not set(named) else None)
         if span.kind is PassageKind.HEADING:
             around = named[0] if len(set(named)) == 1 else None
         elif named:
             around = named[-1] if len(set(named)) == 1 else None
+
+
+def commands_in(reading: Reading, span: Span) -> list[str]:
+    """Return the commands that a part names, in order; in a heading also without "MAV_CMD_", as in "NAV_DELAY (93)".
+
+    A name in capitals that is none of the dialect's is empty there: what follows is about no command that stands above.
+    """
+    commands, is_heading = _commands(reading), span.kind is PassageKind.HEADING
+    named = (term for _, term in span.sentence.within(0, len(span.text), "VC" if is_heading else "V"))
+    whole = [(name, f"MAV_CMD_{name}" if is_heading else name) for name in (str(term.value) for term in named)]
+    found = [next((each for each in names if each in commands), "") for names in whole]
+    return found if is_heading else [name for name in found if name]
 
 
 def _numbered(reading: Reading, span: Span, around: str | None) -> Iterator[Diagnostic]:

@@ -92,6 +92,8 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     if span.is_code and not span.is_comment and _ADDS_TO_TYPE.match(text):
         return
     for found in _LIST.finditer(text):
+        if text[found.end("kind")] == "," and _SAID_BEFORE.search(text, 0, found.start()):
+            continue
         names = [at for at in range(*found.span("names")) if text[at] in "FP"]
         yield from _kinds(reading, span, names, is_extension=found["kind"].startswith("ext"))
     for found in _THESE.finditer(text):
@@ -112,6 +114,11 @@ def _extensions(reading: Reading, span: Span) -> Iterator[Diagnostic]:
     yield from _grouped(reading, span) if _KIND.search(text) else ()
 
 
+_SAID_BEFORE = pattern(
+    r"[FP][^.;:]{0,40}\b(?:is|are|remains?|stays?|counts? as|belongs? to)(?: [a-z]+){0,2} $",
+    needs="is|are|remain|stay|count|belong",
+)
+"""Before a kind of fields that is said of those before it, where a comma follows: "`a` is a base field, `c` ..."."""
 _ADDS_TO_TYPE = pattern(r"\s*(?:public |private |internal |fileprivate )?extension [A-Z]")
 """A line of Swift or Dart that adds to a type."""
 

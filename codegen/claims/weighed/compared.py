@@ -10,7 +10,7 @@ from codegen.claims.weighed.types import of_type
 from codegen.claims.weighed.units import of_unit
 from codegen.pattern import pattern
 
-_DENIED = pattern(r"\b(?:no|not|never|n't)(?: an?| in| of)? $")
+_DENIED = pattern(r"\b(?:no|not|never|n't)(?: an?| the| in| of)? $")
 """Before what is not said, but denied: "is no float"."""
 
 

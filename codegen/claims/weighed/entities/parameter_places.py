@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from codegen.claims.parts.span import Span
 from codegen.claims.parts.spans import spans
 from codegen.claims.reading import Reading
+from codegen.claims.statements.commands import commands_in
 from codegen.claims.statements.fields import number
 from codegen.claims.weighed.comparison import traits
 from codegen.claims.weighed.entities.statement import piece
@@ -88,19 +89,24 @@ def enums_of_parameters(command: EnumEntry) -> tuple[tuple[str, str], ...]:
     return tuple((name, enum) for name, enum in given if enum)
 
 
+_OTHER = "other"
+"""The command above what a heading says of one that the dialect does not have."""
+
+
 @once
 def _above(reading: Reading) -> dict[int, str]:
     """By the identity of each part the one command that its heading, the last part with a command, or all name."""
-    commands, last, every = commands_of(reading), "", set[str]()
+    last, every, is_of_other = "", set[str](), False
     found: dict[int, str] = {}
     for span in spans(reading):
-        named = {str(term.value) for _, term in span.sentence.within(0, len(span.text), "V")} & set(commands)
-        every |= named
+        named = set(commands_in(reading, span))
+        every |= named - {""}
         if named or span.kind is PassageKind.HEADING:
             last = next(iter(named)) if len(named) == 1 else ""
-        found[id(span)] = last
+            is_of_other = "" in named
+        found[id(span)] = _OTHER if is_of_other else last
     only = next(iter(every)) if len(every) == 1 else ""
-    return {part: name or only for part, name in found.items()}
+    return {part: "" if name == _OTHER else name or only for part, name in found.items()}
 
 
 def _marks(span: Span) -> Iterator[tuple[int, int, int, int, str]]:

@@ -104,7 +104,7 @@ def _of_label(span: Span, place: ParameterPlace) -> Iterator[Statement]:
         text = _LEADING.sub("", span.source_text(place.start, place.end).lower())
         words = _WORD.findall(_STOP.split(text)[0])[:_MOST_WORDS]
     said = [word for word in words if word not in _IDLE and word not in _NO_LABEL and len(word) > 2]
-    if not said or _SEVERAL.match(span.text, place.mark):
+    if not said or _SEVERAL.match(span.text, place.mark) or _is_own_unit(span, place):
         return
     shares = {each.number: _share(said, each) for each in place.command.parameters}
     own, most = shares[place.parameter.number], max(shares.values())
@@ -138,6 +138,16 @@ def _of_label(span: Span, place: ParameterPlace) -> Iterator[Statement]:
     )
 
 
+def _is_own_unit(span: Span, place: ParameterPlace) -> bool:
+    """Return whether the first word about a parameter is its unit: "param1: seconds" is not the one called Second."""
+    link = _LINK_TO.match(span.text, place.start, place.end)
+    stated = span.sentence.terms.get(link.end()) if link is not None else None
+    unit = stated.value if stated is not None and stated.letter == "U" else None
+    own = Unit.parse(dict(place.parameter.attributes).get("units"))
+    return own is not None and isinstance(unit, Unit) and is_same_unit(unit, own)
+
+
+_LINK_TO = pattern(r"[\s,:=(|-]*(?:(?:is|are|in|the|holds?|means|takes)\b ?)*")
 _INTO = pattern(r"\b(?:is|are|goes|comes|in|into|to|as|by|with)(?: (?:to|in|into|the|of))* $|= ?$")
 """Between the words for a parameter and its number, where the number comes last: "the mode goes to param 7"."""
 _BEFORE = pattern(r"[.;,|(:)]|\b(?:and|or|where|which|that|is|are|send|sends|put|set|with)\b")
