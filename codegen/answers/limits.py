@@ -197,10 +197,27 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
                 place,
                 f"{taken.source.path} {what} {shown(declared)}, and {covers.label} ({covers.field.type.name}) ends at "
                 f"{shown(end)}",
-                f"{key}: {shortly(end / taken.in_wire)} {where}, if the field is to end there",
+                f"{key}: {_writable(end, taken, upwards=key == 'min')} {where}, if the field is to end there",
                 [(taken.source.spec.at(key if declared is not initial else "initial"), "it is declared here")],
             )
             return
+
+
+def _writable(end: Fraction, taken: "Taken", upwards: bool) -> str:
+    """Return the end of a field in the unit of the source, as a limit of this can be stated: within it, in whole steps.
+
+    A quantity with ``stored`` takes nothing between two steps, and YAML no fraction.
+    """
+    exact, step = end / taken.in_wire, taken.factor / taken.in_wire
+    if isinstance(taken.source, Quantity) and taken.source.spec.stored is not None:
+        rest = step.denominator
+        for prime in (2, 5):
+            while rest % prime == 0:
+                rest //= prime
+        step *= rest
+        steps = exact / step
+        exact = step * (math.ceil(steps) if upwards else math.floor(steps))
+    return shortly(exact)
 
 
 def _begins_unknown(

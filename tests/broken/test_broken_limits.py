@@ -102,6 +102,20 @@ def test_a_quantity_that_its_field_ends_before(told, field, quantity, answer, sa
 
 
 @pytest.mark.parametrize(
+    ("field", "quantity", "hint"),
+    [
+        ('type="int16_t" units="mm/s" invalid="INT16_MIN"', "unit: kn, stored: kn, max: 60, min: -300", "min: -63"),
+        ('type="int16_t" units="mm/s" invalid="INT16_MIN"', "unit: kn, stored: kn, min: -60, max: 300", "max: 63"),
+        ('type="uint8_t" units="s" invalid="UINT8_MAX"', "unit: h, stored: s, min: 0, max: 1", "max: 0.07"),
+    ],
+)
+def test_the_limit_of_a_hint_can_be_written(told, field, quantity, hint):
+    """Where the end of the field is no whole number of steps, or no decimal, in the unit of the quantity."""
+    assert f"  hint: {hint} at m.q, or here" in told(field, quantity, "{state: m.q}")
+    assert told(field, f"{quantity.rsplit(', ', 1)[0]}, {hint}", "{state: m.q}") == ""
+
+
+@pytest.mark.parametrize(
     ("field", "quantity", "answer"),
     [
         (MV, VOLTS, "{state: m.q}"),
