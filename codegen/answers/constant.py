@@ -65,15 +65,13 @@ def read_constant(covers: Elements, written: str | Fraction, key: str, report: R
 def _text(written: str | Fraction, field: WireField, place: Place, report: Report) -> tuple[str, str] | None:
     """A text that the field holds as a whole: what is known now is not cut without a word."""
     problem, hint = "is no text", None
+    fitting = "" if isinstance(written, Fraction) else on_one_line(cut(written, field.count))
     if isinstance(written, Fraction):
         hint = f"'{decimal(written)}'"
     elif NUL in written:
-        problem, hint = "has a NUL in it, which ends a text", f"'{on_one_line(cut(written, field.count))}'"
+        problem, hint = "has a NUL in it, which ends a text", f"'{fitting}'"
     elif len(written.encode()) > field.count:
-        problem, hint = (
-            f"is {len(written.encode())} bytes long in UTF-8",
-            f"'{on_one_line(cut(written, field.count))}' would fit",
-        )
+        problem, hint = f"is {len(written.encode())} bytes long in UTF-8", f"'{fitting}' would fit"
     else:
         return written, "text"
     report.add(BAD_CONSTANT, place, f"{field.name} is a text of at most {field.count} bytes, and this {problem}", hint)

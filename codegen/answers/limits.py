@@ -12,7 +12,7 @@ from codegen.model.answers.scaling import Scaling, rounded
 from codegen.model.dialect.dialect import WireField
 from codegen.model.dialect.literals import exact_number
 from codegen.model.spec.population import FieldAnswer, Rounding
-from codegen.model.units.unit import Unit, shortly
+from codegen.model.units.unit import Unit, beyond_decimals, shortly
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 if TYPE_CHECKING:
@@ -210,13 +210,8 @@ def _writable(end: Fraction, taken: "Taken", upwards: bool) -> str:
     """
     exact, step = end / taken.in_wire, taken.factor / taken.in_wire
     if isinstance(taken.source, Quantity) and taken.source.spec.stored is not None:
-        rest = step.denominator
-        for prime in (2, 5):
-            while rest % prime == 0:
-                rest //= prime
-        step *= rest
-        steps = exact / step
-        exact = step * (math.ceil(steps) if upwards else math.floor(steps))
+        step *= beyond_decimals(step)
+        exact = step * (math.ceil(exact / step) if upwards else math.floor(exact / step))
     return shortly(exact)
 
 

@@ -36,15 +36,19 @@ _OF_LIBRARY = pattern(r"^(?:mavlink_)?(?:msg_)?|^MVMessage(?=[A-Z])|(?<=[a-z0-9]
 """Around the name of a message in the name of a type: "msg_altitude", "mavlink_altitude_t", "MVMessageAltitude"."""
 
 
+def _message_of(reading: Reading, declared: "re.Match[str]") -> WireMessage | None:
+    """Return the message whose name a declared type bears, word by word."""
+    plain = _OF_LIBRARY.sub("", declared["name"])
+    return reading.messages.get(plain) or reading.messages.get(snake(plain).upper())
+
+
 def types_around(reading: Reading, code: CodeBlock) -> Iterator[WireMessage | None]:
     """Yield for each line of code the message whose name the type around it bears, word by word; None for none."""
     around = None
     for line in code.lines:
         found = _declared(line.text)
         if found is not None:
-            name = found["name"]
-            plain = _OF_LIBRARY.sub("", name)
-            around = reading.messages.get(plain) or reading.messages.get(snake(plain).upper())
+            around = _message_of(reading, found)
         yield around
         if line.text.startswith("}"):
             around = None
@@ -65,8 +69,7 @@ def types_below(reading: Reading, code: CodeBlock) -> Mapping[int, tuple[int, Wi
             continue
         declared = _declared(line.text) if comment else None
         if declared is not None:
-            plain = _OF_LIBRARY.sub("", declared["name"])
-            message = reading.messages.get(plain) or reading.messages.get(snake(plain).upper())
+            message = _message_of(reading, declared)
             found.update((at, (comment[0], message)) for at in comment)
         comment = []
     return found

@@ -37,8 +37,6 @@ STALE_OUTPUT = Rule(
     remedy="run codegen build, and commit what it changes",
 )
 
-_CONFLICT = ("a conflict of a merge is open in it", "--force writes it anew: merge the specification alone")
-
 _STALE = {
     Change.NEW: ("it is missing", "run the command without --check"),
     Change.CHANGED: ("it is out of date", "run the command without --check"),
@@ -56,17 +54,13 @@ def report_refusals(plan: Plan, report: Report) -> None:
     """Report the files that forbid the build (errors, unless it is forced), and those that will stay behind."""
     if not plan.force:
         for file in plan.those(Change.EDITED):
-            message, hint = "it was edited by hand", "--diff shows the edit, --force undoes it"
-            if _is_in_conflict(file):
-                message, hint = _CONFLICT
+            message, hint = _of_conflict(file) or ("it was edited by hand", "--diff shows the edit, --force undoes it")
             report.add(EDITED_BY_HAND, plan.place(file.path), f"{message}, so nothing is written", hint)
         for file in plan.those(Change.FOREIGN):
-            message, hint = (
+            message, hint = _of_conflict(file) or (
                 "this file, which codegen did not write, is in the way",
                 "move it away, or overwrite it with --force",
             )
-            if _is_in_conflict(file):
-                message, hint = _CONFLICT
             report.add(FOREIGN_FILE, plan.place(file.path), f"{message}, so nothing is written", hint)
     for file in plan.those(Change.ORPHAN, Change.EDITED_ORPHAN):
         if file not in plan.removals:
@@ -81,8 +75,7 @@ def report_stale(plan: Plan, report: Report) -> None:
         message, hint = _STALE[file.change]
         if file in plan.removals:
             hint = "run the command without --check, which removes it"
-        if _is_in_conflict(file):
-            message, hint = _CONFLICT
+        message, hint = _of_conflict(file) or (message, hint)
         report.add(STALE_OUTPUT, plan.place(file.path), message, hint)
 
 
@@ -96,6 +89,8 @@ def report_strays(plan: Plan, report: Report) -> None:
             report.add(STRAY_FILE, plan.place(path), message, "--clean removes it")
 
 
-def _is_in_conflict(file: PlannedFile) -> bool:
-    """Return whether git has left both sides of a merge in a file."""
-    return file.old is not None and line_of_conflict(file.old.decode("utf-8", "replace")) is not None
+def _of_conflict(file: PlannedFile) -> tuple[str, str] | None:
+    """Return the message and the hint about a file in which git has left both sides of a merge; None for any other."""
+    if file.old is None or line_of_conflict(file.old.decode("utf-8", "replace")) is None:
+        return None
+    return "a conflict of a merge is open in it", "--force writes it anew: merge the specification alone"

@@ -15,8 +15,6 @@ _TAG = pattern(r"<(/?)([A-Za-z][A-Za-z0-9]*)[^<>]*>")
 _STRUCK = frozenset(("del", "s", "strike"))
 _BAR = "\u00a6"
 """In place of a bar within an entry, which would end it."""
-
-
 _LARGEST = 100_000
 """Entries of the largest table that is read: each row is filled up to the longest."""
 
@@ -100,8 +98,10 @@ class _Reader:
                 at += 1
                 continue
             self._show(shown, at)
-            if found is not None:
-                (self._close if found[1] else self._open)(found[2].lower(), at, end)
+            if found is not None and found[1]:
+                self._close(found[2].lower(), at)
+            elif found is not None:
+                self._open(found[2].lower(), at, end)
             shown = at = end
         self._show(shown, len(self._text))
 
@@ -129,7 +129,7 @@ class _Reader:
             self._add(" ", start)
         self._struck += tag in _STRUCK
 
-    def _close(self, tag: str, start: int, _end: int) -> None:
+    def _close(self, tag: str, start: int) -> None:
         if tag in ("td", "th", "tr", "table"):
             self._entry = None
             self._rows = None if tag == "table" else self._rows

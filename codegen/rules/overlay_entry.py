@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.dialect.carried_entries import Carrier, is_beyond, widest, words
-from codegen.model.dialect.dialect import EnumEntry
+from codegen.model.dialect.carried_entries import is_beyond, widest, words
 from codegen.model.system import System
 
 RULE = Rule(
@@ -27,11 +26,5 @@ def check(system: System) -> Iterator[Diagnostic]:
         added = [each for each in enum.entries if each.place.file in dialect.overlays and each.name not in corrected]
         carrier = widest(enum.name, messages, dialect.enums) if added else None
         if carrier is not None:
-            yield from (_told(entry, enum.name, carrier) for entry in added if is_beyond(entry, carrier))
-
-
-def _told(entry: EnumEntry, enum: str, carrier: Carrier) -> Diagnostic:
-    text, hint = words(entry, enum, carrier)
-    message, field = carrier
-    related = ((field.place, f"{message.name}.{field.name} is declared here"),)
-    return Diagnostic(entry.place, RULE, f"{entry.name}: {text}", hint, related)
+            beyond = (entry for entry in added if is_beyond(entry, carrier))
+            yield from (Diagnostic(entry.place, RULE, *words(entry, enum.name, carrier)) for entry in beyond)

@@ -160,7 +160,8 @@ def test_after_an_edit_the_findings_are_those_of_a_run_that_knows_nothing(
     known: Path, check: Check, first: list[list[dict[str, Any]]], what: str
 ) -> None:
     path, old, new = EDITS[what]
-    first += [] if first else [check()]
+    if not first:
+        first.append(check())
     text = (known / path).read_text()
     assert old in text
     (known / path).write_text(text.replace(old, new, 1))

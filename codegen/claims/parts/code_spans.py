@@ -99,14 +99,10 @@ def code_spans(reading: Reading, code: CodeBlock, topic: Topic, words: Vocabular
 
 def _of_type_below(reading: Reading, own: Topic, line: Line, first: int, below: WireMessage | None) -> Topic:
     """The messages that a comment above a type may be about: that of the type, or those that the comment names."""
-    low = bisect_left(reading.sightings, (first, ""))
-    named = [
-        reading.messages[name]
-        for _, name in reading.sightings[low : bisect_left(reading.sightings, (line.place.line + 1, ""))]
-    ]
     if below is not None:
         return replace(own, above=(below, *own.above))
-    return own if named or not own.above else Topic((), (), (), ())
+    low, high = (bisect_left(reading.sightings, (at, "")) for at in (first, line.place.line + 1))
+    return own if low < high or not own.above else Topic((), (), (), ())
 
 
 def _only_compared(line: Line, name: str) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from codegen.model.dialect.dialect import EnumDefinition, EnumEntry, FieldDefinition, MessageDefinition
 from codegen.model.dialect.wire_types import WIRE_TYPES
+from codegen.source import Place
 
 Carrier = tuple[MessageDefinition, FieldDefinition]
 
@@ -27,8 +28,10 @@ def is_beyond(entry: EnumEntry, carrier: Carrier) -> bool:
     return entry.value > WIRE_TYPES[carrier[1].type].maximum
 
 
-def words(entry: EnumEntry, enum: str, carrier: Carrier) -> tuple[str, str]:
-    """Return that no field with the enum carries an entry, and what the widest one does."""
+def words(entry: EnumEntry, enum: str, carrier: Carrier) -> tuple[str, str, tuple[tuple[Place, str]]]:
+    """Return message, hint and related place of a finding about an entry that even the widest carrier does not hold."""
     message, field = carrier
-    text = f"no field with {enum} carries {entry.value}: {message.name}.{field.name} is {field.type}"
-    return text, f"take a number up to {WIRE_TYPES[field.type].maximum}"
+    name = f"{message.name}.{field.name}"
+    text = f"{entry.name}: no field with {enum} carries {entry.value}: {name} is {field.type}"
+    hint = f"take a number up to {WIRE_TYPES[field.type].maximum}"
+    return text, hint, ((field.place, f"{name} is declared here"),)

@@ -200,15 +200,20 @@ def read_measure(text: str) -> Measure | None:
     return None if match is None or unit is None else Measure(Fraction(match[1]), unit)
 
 
-def decimal(value: Fraction) -> str:
-    """An exact decimal where there is one, such as 0.0001; else a fraction, such as 1/3."""
+def beyond_decimals(value: Fraction) -> int:
+    """Return the denominator without what a decimal can write: 1 where there is an exact one."""
     rest = value.denominator
-    if rest == 1:
-        return str(value.numerator)
     for prime in (2, 5):
         while rest % prime == 0:
             rest //= prime
-    if rest != 1:
+    return rest
+
+
+def decimal(value: Fraction) -> str:
+    """An exact decimal where there is one, such as 0.0001; else a fraction, such as 1/3."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    if beyond_decimals(value) != 1:
         return str(value)
     places = 0
     while (value * 10**places).denominator != 1:

@@ -107,10 +107,7 @@ def _check_carried(correction: "Correction", result: Corrected, report: Report) 
         return
     carrier = widest(enum.name, result.messages.values(), result.enums)
     if carrier is not None and is_beyond(entry, carrier):
-        text, hint = words(entry, enum.name, carrier)
-        message, field = carrier
-        related = [(field.place, f"{message.name}.{field.name} is declared here")]
-        report.add(CORRECTION_VALUE, correction.at("set"), f"{entry.name}: {text}", hint, related)
+        report.add(CORRECTION_VALUE, correction.at("set"), *words(entry, enum.name, carrier))
 
 
 def _check_grounds(correction: "Correction", report: Report) -> None:

@@ -1,6 +1,7 @@
 """A unit that a text writes behind a number, beside the one in which the number is shown."""
 
 from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import ratio
 from codegen.model.vehicle import Quantity
 from codegen.pattern import pattern
 
@@ -23,5 +24,4 @@ def other_unit(quantity: Quantity, behind: str) -> str | None:
     unit = worded_unit(written)
     if unit is None or unit.dimension != quantity.unit.dimension:
         return None
-    own = quantity.unit
-    return None if (unit.scale, unit.pi, unit.zero) == (own.scale, own.pi, own.zero) else written
+    return None if ratio(unit, quantity.unit) == 1 else written

@@ -89,24 +89,23 @@ def enums_of_parameters(command: EnumEntry) -> tuple[tuple[str, str], ...]:
     return tuple((name, enum) for name, enum in given if enum)
 
 
-_OTHER = "other"
-"""The command above what a heading says of one that the dialect does not have."""
-
-
 @once
 def _above(reading: Reading) -> dict[int, str]:
-    """By the identity of each part the one command that its heading, the last part with a command, or all name."""
-    last, every, is_of_other = "", set[str](), False
-    found: dict[int, str] = {}
+    """By the identity of each part the one command that its heading, the last part with a command, or all name.
+
+    None for what stands below a command that the dialect does not have.
+    """
+    last: str | None = ""
+    every = set[str]()
+    found: dict[int, str | None] = {}
     for span in spans(reading):
         named = set(commands_in(reading, span))
         every |= named - {""}
         if named or span.kind is PassageKind.HEADING:
-            last = next(iter(named)) if len(named) == 1 else ""
-            is_of_other = "" in named
-        found[id(span)] = _OTHER if is_of_other else last
+            last = None if "" in named else next(iter(named)) if len(named) == 1 else ""
+        found[id(span)] = last
     only = next(iter(every)) if len(every) == 1 else ""
-    return {part: "" if name == _OTHER else name or only for part, name in found.items()}
+    return {part: "" if name is None else name or only for part, name in found.items()}
 
 
 def _marks(span: Span) -> Iterator[tuple[int, int, int, int, str]]:
