@@ -22,7 +22,7 @@ fields:
   battery_function: {enum: MAV_BATTERY_FUNCTION_PROPULSION}
   type: {board: pack.chemistry}
   capacity_full_specification: {parameter: BATT_CAPACITY}
-  capacity_full: {parameter: BATT_CAPACITY, rounding: up}
+  capacity_full: {parameter: BATT_CAPACITY}
   cycle_count: {state: house.cycles, max: 65534}
   serial_number: {board: pack.serial}
   device_name: {constant: two packs}
