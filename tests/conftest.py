@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
+from hypothesis.internal.entropy import deterministic_PRNG
 
 from codegen.tool.cache import cache_folder
 
@@ -44,6 +45,11 @@ settings.load_profile("codegen")
 # Hypothesis tries numbers that stand in the modules which happen to be imported: other ones in a run of all tests than
 # in that of a single one, where a failure could not be seen again. All of these would be filtered for each new range.
 providers._get_local_constants = lambda: providers._local_constants  # of which there are none
+
+# The first time that Hypothesis draws it looks for cycles, and for who refers to its generator: seconds in a process
+# that has run tests for a while, and nothing as long as there is little to look through.
+with deterministic_PRNG():
+    pass
 
 # Nearly nothing here dies in a cycle, as in codegen itself, which looks for none either: the end of the run does once.
 gc.disable()
