@@ -90,6 +90,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         value = number(term)
         if value is None or isinstance(value, float) or not _is_together(span, low, start, end):
             continue
+        if offset < at and _RANGE.fullmatch(text, start + 1, end):
+            continue
         if _COMPARED.search(text[low:offset].removesuffix("(")) and not text[low:offset].rstrip().endswith(" to"):
             continue
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):
@@ -111,6 +113,8 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         return
 
 
+_RANGE = pattern(r" (?:up )?to ")
+"""Between a number and an amount that are the ends of a range: "2 to 100 %"."""
 _EXAMPLE = pattern(r"(?: [a-z]+){0,4}: F = ")
 """Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
 _SENT_AS = pattern(
