@@ -90,8 +90,6 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         value = number(term)
         if value is None or isinstance(value, float) or not _is_together(span, low, start, end):
             continue
-        if offset < at and _RANGE.fullmatch(text, start + 1, end):
-            continue
         if _COMPARED.search(text[low:offset].removesuffix("(")) and not text[low:offset].rstrip().endswith(" to"):
             continue
         if _BEHIND.match(text, offset + 1) or _is_parameter(text, low, offset):
@@ -113,7 +111,7 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         return
 
 
-_RANGE = pattern(r" (?:up )?to ")
+_RANGE = pattern(r"N (?:up )?to ")
 """Between a number and an amount that are the ends of a range: "2 to 100 %"."""
 _EXAMPLE = pattern(r"(?: [a-z]+){0,4}: F = ")
 """Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
@@ -172,7 +170,11 @@ def _is_parameter(text: str, low: int, offset: int) -> bool:
 
 def _is_together(span: Span, low: int, start: int, end: int) -> bool:
     """Return whether an amount and a number belong together, and the amount is not the first side of a mapping."""
-    if end - start > _FAR or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP"))):
+    if (
+        end - start > _FAR
+        or _RANGE.fullmatch(span.text, start, end)
+        or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP")))
+    ):
         return False
     return _is_tied(span, start, end) or _EXAMPLE.fullmatch(span.text, start + 1, end) is not None
 
