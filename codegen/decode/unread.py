@@ -9,6 +9,7 @@ from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.decode.waivers import WAIVERS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.files import Files
+from codegen.pattern import pattern
 from codegen.source import Place, shown_path
 
 UNREAD_FILE = Rule(
@@ -28,7 +29,10 @@ DOCUMENTS = "requirements"
 READ_BY_ENDING = (*TABLES, DOCUMENTS)
 """The folders of which each file with the right ending is read; the files of others are named somewhere."""
 _YAML = (".yaml", ".yml")
-_MARKDOWN = (".md", ".markdown", ".mkd", ".mdown")
+_MARKDOWN = (".md", ".markdown", ".mkd", ".mdown", ".mdx")
+_TEXTS = (".rst", ".rest", ".txt", ".adoc", ".asciidoc", ".org", ".tex", ".html", ".htm", ".docx", ".odt")
+"""Endings of documents that are no Markdown: they are told where requirements lie and their name begins with an id."""
+_ID = pattern(r"[A-Z]{2,}-[0-9a-z]")
 _DEEPEST = 8
 """The most folders below one another that are looked into."""
 
@@ -61,11 +65,13 @@ def _seeming_files(specification: str, files: Files, report: Report) -> Iterator
     folders below. Hidden files (of editors) are left out.
     """
     for folder in ("", *TABLES, "dialects", DOCUMENTS, OWN, DRIVERS):
-        endings = (*_YAML, *_MARKDOWN) if folder == DOCUMENTS else _YAML
+        endings = (*_YAML, *_MARKDOWN, *_TEXTS) if folder == DOCUMENTS else _YAML
         deepest = _DEEPEST if folder in READ_BY_ENDING else 0
         path = os.path.join(specification, folder).rstrip(os.sep)
         for found in _below(path, endings, deepest, files, report):
-            yield folder, found
+            name = os.path.basename(found)
+            if not name.lower().endswith(_TEXTS) or _ID.match(name):
+                yield folder, found
 
 
 def _below(folder: str, endings: tuple[str, ...], deepest: int, files: Files, report: Report) -> Iterator[str]:
@@ -91,7 +97,7 @@ def _hint(folder: str, path: str, specification: str, absent: Sequence[str], *, 
     """
     name = os.path.basename(path)
     stem, ending = os.path.splitext(name)
-    read = ".md" if folder == DOCUMENTS and ending.lower() in _MARKDOWN else ".yaml"
+    read = ".md" if folder == DOCUMENTS and ending.lower() not in _YAML else ".yaml"
     if folder in READ_BY_ENDING and os.path.dirname(path) != os.path.join(specification, folder):
         return f"only what lies in {folder} itself is read: move it to {folder}/{stem}{read}"
     hints = {
@@ -100,7 +106,7 @@ def _hint(folder: str, path: str, specification: str, absent: Sequence[str], *, 
         else "population tables end in .yaml",
         "receives": "tables of received messages end in .yaml",
         "dialects": "name it under corrections in codegen.yaml",
-        DOCUMENTS: "requirement documents end in .md",
+        DOCUMENTS: "requirement documents are Markdown, and end in .md",
         DRIVERS: f"name it in board.yaml: driver: {stem}",
         OWN: f"name it in board.yaml: board: {stem}",
     }

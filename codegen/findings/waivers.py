@@ -40,8 +40,8 @@ WAIVER_RULE = Rule(
 )
 WAIVER_FORM = Rule(
     "waiver-form",
-    "A waiver names a fingerprint of 12 hex digits and the day from which the finding counts again, as in 2027-06-30. "
-    "One that cannot be read is not applied.",
+    "A waiver names a fingerprint of 12 hex digits, the day from which the finding counts again, as in 2027-06-30, a "
+    "reason and an owner; a severity that is set has a reason. One that lacks something of that is not applied.",
 )
 
 _FINGERPRINT = pattern(rf"[0-9a-f]{{{LENGTH}}}", re.IGNORECASE)
@@ -139,6 +139,10 @@ def _read(waiver: WaiverSpec, report: Report) -> _Readable | None:
         day = None
     if day is None:
         report.add(WAIVER_FORM, waiver.at("expires"), f"{waiver.expires!r} is no day", "write it as in 2027-06-30")
+    for key in ("reason", "owner"):
+        if not getattr(waiver, key).strip():
+            report.add(WAIVER_FORM, waiver.at(key), f"{waiver.id} has no {key}", f"write the {key}, in words")
+            is_readable = False
     return _Readable(waiver, day) if is_readable and day is not None else None
 
 

@@ -1,6 +1,7 @@
 """Compares type, unit and value for unknown of a field in a document with the dialect."""
 
 import re
+from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.importing.answer import Target
@@ -10,6 +11,8 @@ from codegen.importing.stated import StatedField
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.literals import same_number
 from codegen.model.dialect.wire_types import WIRE_TYPES
+from codegen.model.units.nearest_unit import worded_unit
+from codegen.model.units.unit import Unit, conversion
 
 DOCUMENT_TYPE = Rule("document-type", "A document states another type for a field than the dialect.")
 DOCUMENT_UNIT = Rule("document-unit", "A document states another unit for a field than the dialect.")
@@ -20,6 +23,9 @@ DOCUMENT_UNKNOWN = Rule(
 )
 
 _NO_UNIT = ("", "-", "\u2013", "\u2014", "none", "n/a", "1")
+_STEP = re.compile(
+    r"(?:(?P<step>1 ?/ ?\d{1,9}|\d{1,9}(?:[.,]\d{1,9})?)(?: ?[x\u00d7*\u00b7] ?| ?))?(?P<unit>[^\d\s].*)"
+)
 _TYPE = re.compile(r"(u?)int_?(\d{1,2})(?:_t)?|([uif])(\d{1,2})|(float|double|char)", re.IGNORECASE)
 
 
@@ -34,7 +40,7 @@ def check_declared(row: StatedField, target: Target, report: Report) -> None:
             text = f"{target.name} is {wanted} in the dialect, not {written.text}"
             report.add(DOCUMENT_TYPE, written.place, text, f"write {wanted}", related)
     unit = row.cells.get(Role.UNIT)
-    if unit is not None and unit.text.casefold() not in _NO_UNIT and unit.text != (definition.units or ""):
+    if unit is not None and unit.text.casefold() not in _NO_UNIT and not _is_unit(unit.text, target):
         wanted = definition.units or "nothing"
         text = (
             f"{target.name} is in {definition.units} in the dialect"
@@ -45,6 +51,19 @@ def check_declared(row: StatedField, target: Target, report: Report) -> None:
     unknown = row.cells.get(Role.UNKNOWN)
     if unknown is not None and unknown.text:
         _check_unknown(unknown, target, report)
+
+
+def _is_unit(text: str, target: Target) -> bool:
+    """Return whether a text is the unit of the field: in its spelling, in words, or as a step, 0.01 degrees Celsius."""
+    if text == (target.field.definition.units or ""):
+        return True
+    own, match = Unit.parse(target.field.definition.units), _STEP.fullmatch(text.strip("[]() "))
+    unit = worded_unit(match["unit"]) if match is not None else None
+    if own is None or unit is None or match is None:
+        return False
+    step = Fraction(match["step"].replace(" ", "").replace(",", ".") if match["step"] else 1)
+    turned = conversion(own, unit)
+    return turned is not None and turned.ratio == step
 
 
 def _check_unknown(cell: Cell, target: Target, report: Report) -> None:

@@ -9,7 +9,7 @@ from codegen.importing.comparison import Compared, Verdict, compare, place_of
 from codegen.importing.existing import senders
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import check_declarations, propose, report_unread
-from codegen.importing.stated import FieldList, StatedFields
+from codegen.importing.stated import FieldList, StatedFields, columns_of
 from codegen.importing.subject import coverage, is_example, subjects
 from codegen.model.system import PopulatedMessage, System
 
@@ -41,11 +41,27 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
     for name, found in lists.items():
         for fields in found:
             check_declarations(fields, dialect.messages[name], report)
-        answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
-        if answered:
+        if answered := _answered(found):
             report.extend(_of_programs(name, answered, systems))
             report_unread(stated.others, dialect.messages[name], report)
+    _report_tables_of_others(stated, systems, {name for name, found in lists.items() if _answered(found)}, report)
     yield from report
+
+
+def _answered(found: Sequence[FieldList]) -> list[FieldList]:
+    return [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
+
+
+def _report_tables_of_others(stated: StatedFields, systems: Sequence[System], read: set[str], report: Report) -> None:
+    """Report the tables of most fields of a message that is sent, of which the document has no table that is read."""
+    for table, context in zip(stated.others, stated.other_contexts, strict=True):
+        for fields in columns_of(table, context):
+            about = subjects(fields, systems[0].dialect)
+            if len(about) != 1 or about[0].name in read or is_example(fields):
+                continue
+            is_sent = any(system.tables(about[0].name) for system in systems)
+            if is_sent and 2 * coverage(fields, about[0]) > len(about[0].fields):
+                report_unread([table], about[0], report)
 
 
 def _of_programs(name: str, answered: Sequence[FieldList], systems: Sequence[System]) -> Iterator[Diagnostic]:

@@ -90,6 +90,10 @@ def read_number(
         return Reading("unknown")
     enum = target.enum(sources.dialect)
     if enum is not None and isinstance(number, Fraction):
+        other = _entry_in_words(remark, enum)
+        if other is not None and other.value != value:
+            _contradiction(other, number, cell, target, sources, report)
+            return UNREAD
         return _numbered_entry(number, enum, cell, target, report)
     if head in LIMITS or says_unknown or isinstance(number, float):
         if target.sentinel is None:
@@ -182,6 +186,13 @@ def _numbered_entry(number: Fraction, enum: EnumDefinition, cell: Cell, target: 
     message = f"{enum.name} has no entry {decimal(number)} for {target.name}"
     report.add(DOCUMENT_ENTRY, cell.place, message, f"it has {entries}", [_declared(target)])
     return UNREAD
+
+
+def _entry_in_words(remark: str, enum: EnumDefinition) -> EnumEntry | None:
+    """Return the one entry whose name ends with the words of a remark, such as LASER or laser; None for other words."""
+    tail = "_" + "_".join(remark.upper().split())
+    found = [entry for entry in enum.entries if entry.name.endswith(tail)]
+    return found[0] if len(found) == 1 else None
 
 
 def _entry_answer(entry: EnumEntry, target: Target) -> str:

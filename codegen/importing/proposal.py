@@ -109,9 +109,10 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
             reading = UNREAD
         said = cell or row.cells.get(Role.NOTES)
         answer = ReadAnswer(target, reading, said.text if said else "", (cell or row).place, (row.place.line,))
-        if not _is_known(answer, answers, report):
-            report.extend(found)
+        if not (is_known := _is_known(answer, answers, report)):
             answers.append(answer)
+        if not is_known or reading.answer is None:
+            report.extend(found)
     order = {field.name: index for index, field in enumerate(message.definition.fields)}
     answers.sort(key=lambda answer: (order[answer.target.field.name], answer.target.first))
     return Proposal(

@@ -78,12 +78,14 @@ class FieldList:
 class StatedFields:
     """Every list of fields of a document in its order, and what is wrong with the form of the document.
 
-    ``others`` are the tables in which no column of fields is known by its heading.
+    ``others`` are the tables in which no column of fields is known by its heading, and ``other_contexts`` the texts
+    around each of them.
     """
 
     lists: tuple[FieldList, ...]
     findings: tuple[Diagnostic, ...]
     others: tuple[Table, ...] = ()
+    other_contexts: tuple[tuple[str, ...], ...] = ()
 
 
 def stated_fields(text: str, path: str) -> StatedFields:
@@ -117,7 +119,18 @@ def stated_fields(text: str, path: str) -> StatedFields:
         ),
         tuple(findings),
         tuple(others),
+        tuple(_contexts(blocks, [table.place.line for table in others])),
     )
+
+
+def columns_of(table: Table, context: tuple[str, ...]) -> Iterator[FieldList]:
+    """Yield each column of a table whose headings are not known, as the list of fields that it may be."""
+    for column in range(len(table.header.cells)):
+        cells = [cell for row in table.rows if (cell := _cell_at(row, column)) is not None]
+        matches = [(match, cell) for cell in cells if (match := _LABEL.fullmatch(cell.text)) is not None]
+        rows = tuple(_stated(match, cell.place, {}) for match, cell in matches)
+        if rows:
+            yield FieldList(rows, table.place, context, frozenset())
 
 
 def _unnamed(table: Table, roles: dict[Role, int]) -> Iterator[Cell]:

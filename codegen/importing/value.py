@@ -8,7 +8,8 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
 from codegen.importing.number import carries, has_entries, read_entry, read_number, stated_number, unknown_answer
 from codegen.importing.quantity import field_unit, likely_quantity, read_quantity
-from codegen.load.expression import read_product
+from codegen.importing.remark import remarked
+from codegen.load.expression import quantity_path, read_product
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect.dialect import Kind
 from codegen.model.dialect.literals import same_number
@@ -37,10 +38,15 @@ DOCUMENT_PROSE = Rule(
 _OPEN = re.compile(
     r"\b(?:or|either|optional(?:ly)?|tb[dca]|maybe|perhaps|possibly|undecided|to be (?:defined|decided))\b"
 )
+_NOT_DECIDED = re.compile(
+    r"(?:still )?(?:to be (?:confirmed|clarified|determined|agreed|checked)|pending|proposed|proposal|draft|preliminary"
+    r"|provisional|tentative|placeholder)"
+)
 _QUESTION = re.compile(r"\?\s*$|^\?+$")
 _NUMBER = r"[-+\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,20}(?:\.\d{1,20})?(?:[eE][-+]?\d{1,2})?)"
 _ATOM = re.compile(
-    rf"(?P<head>{_NUMBER}(?![\w.])|[uif]\d{{1,2}}::(?:MAX|MIN|NAN)|[A-Za-z_]\w*(?![\w.\[(:]|->)|n/a)"
+    rf"(?P<head>{_NUMBER}(?![\w.])|[uif]\d{{1,2}}::(?:MAX|MIN|NAN)"
+    r"|(?:[Nn]ot|[Nn]o) (?:available|known|measured|provided)\b|[A-Za-z_]\w*(?![\w.\[(:]|->)|[Nn]/[Aa])"
     r"\s*(?:\((?P<inner>[^()]*(?:\([^()]*\)[^()]*)*)\)|(?:=|:|,|;|[-\u2013\u2014]\s)\s*(?P<after>.*))?",
     re.DOTALL,
 )
@@ -58,6 +64,10 @@ _UNKNOWN = re.compile(
 )
 _UNKNOWN_HEADS = ("unknown", "unavailable", "unset", "invalid", "n/a", "none")
 _REMARK = re.compile(r"\s*\([^()]*\)$")
+_DOTTED = re.compile(r"\b[A-Za-z_]\w+(?:(?:\.|::|->)[A-Za-z_]\w+)+")
+_FOOTNOTE = re.compile(r"\s?\[\^[^\]\s]{1,40}\]")
+_LIST = re.compile(rf"[\[{{(]\s*({_NUMBER})((?:\s*,\s*\1)*)\s*[\])}}]")
+_WORD = re.compile(r"[A-Za-z_]\w*")
 _RUST = re.compile(r"([uif])(\d{1,2})::(MAX|MIN|NAN)")
 
 
@@ -65,7 +75,7 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
     """Return what ``cell`` says about ``target``; everything that keeps it from
     being an answer is reported at its place.
     """
-    text = cell.text.strip()
+    text = _FOOTNOTE.sub("", cell.text.strip())
     if not text or text in ("-", "\u2013", "\u2014"):
         hint = _hint(_proposals(cell, target, sources))
         report.add(DOCUMENT_EMPTY, cell.place, f"nothing is said about the value of {target.name}", hint)
@@ -85,6 +95,8 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
         return _ambiguous(cell, target, sources, report)
     if in_brackets and _says_another(text.partition("(")[0].strip(), in_brackets[-1], target):
         return _prose(cell, target, sources, report)
+    if (listed := _LIST.fullmatch(text)) is not None and target.count > 1 == target.count - listed[2].count(","):
+        text = listed[1] if same_number(stated_number(listed[1], target), target.sentinel) else text
     reading = _read_atom(text, cell, target, sources, report) or _read_product(text, cell, target, sources, report)
     return reading or _prose(cell, target, sources, report)
 
@@ -96,7 +108,8 @@ def leaves_open(note: Cell) -> bool:
 
 def _is_open(text: str) -> bool:
     text = text.strip().casefold()
-    return _QUESTION.fullmatch(text) is not None or _OPEN.fullmatch(text.rstrip(".!")) is not None
+    bare = text.rstrip(".!")
+    return any((_QUESTION.fullmatch(text), _OPEN.fullmatch(bare), _NOT_DECIDED.fullmatch(bare)))
 
 
 def in_unit(cell: Cell, unit: str, target: Target) -> Cell:
@@ -126,11 +139,11 @@ def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: 
     if match is None or measured != text:
         return None
     head, remark = match["head"], match["inner"] or match["after"] or ""
-    if match["after"] and not _is_remark(match["after"], head, target):
+    if match["after"] and not (_is_remark(match["after"], head, target) and _names_no_source(match, sources)):
         return None
     head = _RUST.sub(_limit_of_rust, head).replace("\u2212", "-")
     says_unknown = _UNKNOWN.search(remark) is not None
-    if head.casefold() in _UNKNOWN_HEADS:
+    if _is_unknown(head):
         return unknown_answer(remark, cell, target, sources, report)
     if head in sources.parameters:
         return Reading(f"{{parameter: {head}}}")
@@ -162,6 +175,21 @@ def _is_remark(after: str, head: str, target: Target) -> bool:
     return number is None or all(stated_number(found[1], target) == number for found in further)
 
 
+def _is_unknown(head: str) -> bool:
+    return head.casefold() in _UNKNOWN_HEADS or (" " in head and _UNKNOWN.fullmatch(head) is not None)
+
+
+def _names_no_source(match: re.Match[str], sources: Sources) -> bool:
+    """Return whether no quantity or parameter stands behind a number: 20 - tank.air is no 20 with a remark."""
+    if _is_unknown(match["head"]):
+        return True
+    names = _DOTTED.findall(match["after"])
+    known = sources.quantities
+    paths = {quantity_path(name) for name in names}
+    is_source = bool(names) if known is None else not paths.isdisjoint(known)
+    return not is_source and not any(word in sources.parameters for word in _WORD.findall(match["after"]))
+
+
 def _says_another(text: str, remark: str, target: Target) -> bool:
     """Return whether nothing but another number stands in brackets behind a number: 5 (6), 50 (0.4 m) in centimetres.
 
@@ -187,7 +215,9 @@ def _limit_of_rust(match: re.Match[str]) -> str:
 
 def _read_product(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
     """A quantity, perhaps multiplied and cast, with a remark in brackets or none."""
-    product = read_product(text) or read_product(_REMARK.sub("", text))
+    product, remark = read_product(text), _REMARK.search(text)
+    if product is None and remark is not None and (bare := read_product(text[: remark.start()])) is not None:
+        product = remarked(bare, remark[0].strip(" ()"), target, sources)
     return None if product is None else read_quantity(product, cell, target, sources, report)
 
 

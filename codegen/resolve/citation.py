@@ -6,6 +6,7 @@ from typing import Protocol
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.model.spec.spec import Requirement
 from codegen.model.vehicle import Citation
+from codegen.pattern import pattern
 from codegen.source import Place
 
 UNKNOWN_REQUIREMENT = Rule(
@@ -17,13 +18,15 @@ UNKNOWN_REQUIREMENT = Rule(
 WITHDRAWN_REQUIREMENT = Rule(
     "withdrawn-requirement",
     "A table cites a document whose status says that it does not hold any more: withdrawn, rejected, superseded, "
-    "obsolete, deprecated, retired or cancelled. What the row says has nobody left who asks for it, and a trace would "
-    "show it as covered. Cite the document that came after, or take the row out.",
+    "replaced, obsolete, deprecated, retired, removed, void, no longer valid and the like, in its first words. What "
+    "the row says has nobody left who asks for it, and a trace would show it as covered. Cite the document that came "
+    "after, or take the row out.",
     Severity.WARNING,
     remedy="cite the document that came after, or take the row out",
 )
-_NO_LONGER = frozenset(
-    ("withdrawn", "rejected", "superseded", "obsolete", "deprecated", "retired", "cancelled", "canceled")
+_NO_LONGER = pattern(
+    r"(?i)[\W_]*(?:~~[^~]*~~\W*)?(?:withdrawn|rejected|superseded|obsolete|deprecated|retired|cancell?ed|deleted|removed"
+    r"|replaced|revoked|repealed|abandoned|dropped|discontinued|expired|archived|void|invalid|no longer|not valid)\b"
 )
 UNKNOWN_ASPECT = Rule(
     "unknown-aspect",
@@ -48,7 +51,7 @@ def cite(text: str, place: Place, index: Mapping[str, Requirement], report: Repo
     if requirement is None:
         report.add(UNKNOWN_REQUIREMENT, place, f"no requirement document is called {name}", did_you_mean(name, index))
         return None
-    if _NO_LONGER.intersection(requirement.status.lower().replace(",", " ").split()[:1]):
+    if _NO_LONGER.match(requirement.status):
         related = [(requirement.place, f"{requirement.id} is here")]
         report.add(
             WITHDRAWN_REQUIREMENT, place, f"the status of {requirement.id} is {requirement.status}", None, related

@@ -42,8 +42,13 @@ class Review(StrEnum):
 
 
 def text_fingerprint(text: str) -> str:
-    """12 hex digits for the text of a criterion: markup, line breaks and repeated spaces do not count in it."""
-    return hashlib.sha256(normalised(text).encode("utf-8", "surrogatepass")).hexdigest()[:LENGTH]
+    """12 hex digits for the text of a criterion: markup, line breaks and repeated spaces do not count in it.
+
+    What is struck is asked for no more, so those marks do.
+    """
+    return hashlib.sha256(normalised(text.replace("~~", " <struck> ")).encode("utf-8", "surrogatepass")).hexdigest()[
+        :LENGTH
+    ]
 
 
 def required(trace: Trace) -> list[str]:

@@ -37,6 +37,7 @@ EDITS = [
     (DECISION, "2 Hz costs 96 bytes/s", "2 Hz costs 160 bytes/s", "no message of the document has frames of that size"),
     (DECISION, "`SR0_EXTRA1`, 0 to 50 Hz", "`SR0_EXTRA1`, 0 to 40 Hz", "SR0_EXTRA1 has the maximum 50 Hz, not 40"),
     (PACKS, "beyond the 13.035 V", "beyond the 14.035 V", "claim-full-scale: full scale is 13.035 V, not 14.035"),
+    (PACKS, "FR-00074.5", "FR-00074.95", "claim-reference: FR-00074 has no criterion 95"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent twice per second", "HEARTBEAT is sent at 1 Hz, not 2 Hz"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT (0) goes out every 500 ms", "HEARTBEAT is sent at 1 Hz, not 2 Hz"),

@@ -33,8 +33,14 @@ RIGHT = {
         "A correction holds: `{enum: MAV_CMD, entry: MAV_CMD_DO_SET_PARAMETER, param: 4}`, `{entry: ..., param: 4, set: 0}`.\n",
     "a value for the field behind it":
         "BATTERY_STATUS: `current_battery` in cA. INT16_MAX for `temperature`: not available.\n",
+    "the ends of a range":
+        "`signal_quality` of DISTANCE_SENSOR is the quality of the echo, 2 to 100 %.\n",
+    "two ranges":
+        "`humidity` of HYGROMETER_SENSOR: 0 to 10000 means 0 to 100 %.\n",
 }  # fmt: skip
 WRONG = {
+    "an amount behind its number":
+        ("`temperature` of SCALED_PRESSURE is 215 for 21.5 degC.\n", "claim-scaling"),
     "a comparison with another message":
         ("GLOBAL_POSITION_INT is easy: `relative_alt` is a float, unlike the one in VFR_HUD.\n", "claim-struct"),
     "one length":

@@ -102,6 +102,7 @@ def test_two_for_one_finding_or_with_one_name(tmp_path: Path) -> None:
         ("2030-01-31", "2030-02-30", ("waiver-form", 9, 14)),
         ("2030-01-31", "20300131x", ("waiver-form", 9, 14)),
         ("2030-01-31", "next year", ("waiver-form", 9, 14)),
+        ("owner: Ada", 'owner: " "', ("waiver-form", 8, 12)),
     ],
 )
 def test_what_cannot_be_applied_is_told_and_excuses_nothing(

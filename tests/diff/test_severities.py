@@ -168,6 +168,7 @@ def test_a_dialect_s_change_is_waived(run: Run) -> None:
         (setting("field-unit-changed", "off"), "error severity-unknown-kind: codegen diff knows no kind"),
         (setting("any", "off", since="next"), "error severity-version: next: no version is written so"),
         (setting("any", "loud"), "error "),
+        ('  - {kind: any, severity: off, reason: ""}\n', "error waiver-form: the severity of any has no reason"),
     ],
 )  # fmt: skip
 def test_what_could_never_be_used_is_told(settings: str, rule: str, run: Run) -> None:

@@ -33,6 +33,8 @@ def test_the_shipped_document_has_not_drifted(system: System) -> None:
         ("`{state: vehicle.mode}`", "`{stat: vehicle.mode}`", "92:30: error unknown-key"),
         ("| --- | --- | --- | --- |\n| type", "| --- | --- | --- |\n| type", "88:1: error table-delimiter"),
         ("| temperature | int16_t | cdegC |", "| temperature | int16_t |", "62:1: warning table-cell-missing"),
+        ("| cdegC |", "| 0.1 \u00b0C |", "62:27: error document-unit: BATTERY_STATUS.temperature is in cdegC"),
+        ("| temperature |", "| type | uint8_t | | of the pack | | |\n| temperature |", "62:22: error document-prose: 'of the pack'"),
     ],
 )  # fmt: skip
 def test_drift_is_found_by_line(system: System, old: str, new: str, finding: str) -> None:
@@ -70,3 +72,24 @@ def test_an_amount_in_another_unit_is_the_same(old: str, new: str, findings: lis
     found = [one.message for one in report]
     assert len(found) == len(findings), found
     assert all(wanted in one for wanted, one in zip(findings, found, strict=True)), found
+
+
+@pytest.mark.parametrize("unit", ["centidegrees Celsius", "0.01 \u00b0C", "1/100 degC", "0,01 \u00b0C"])
+def test_a_unit_in_words_or_as_a_step_is_the_same(system: System, unit: str) -> None:
+    """Who writes for readers writes 0.01 \u00b0C for cdegC; it was an error."""
+    text = DOCUMENT.read_text().replace("| cdegC |", f"| {unit} |", 1)
+    assert [*drift(stated_fields(text, str(DOCUMENT)), [system])] == []
+
+
+def test_a_table_of_most_fields_with_other_headings_is_told(system: System) -> None:
+    """It is compared with nothing, and nothing said so: the drift of a table that was translated went unnoticed."""
+    rows = "".join(f"| {name} | 0 |\n" for name in ("type", "autopilot", "base_mode", "custom_mode"))
+    for text, told in (
+        (f"HEARTBEAT:\n\n| Feld | Wert |\n| --- | --- |\n{rows}", [3]),
+        (f"HEARTBEAT:\n\n| Feld | Wert |\n| --- | --- |\n{rows[:20]}", []),
+        (f"For example of HEARTBEAT:\n\n| Feld | Wert |\n| --- | --- |\n{rows}", [3]),
+        (f"An example of HEARTBEAT:\n\n| Feld | Wert |\n| --- | --- |\n{rows}", []),
+        (f"RADIO_STATUS:\n\n| Feld | Wert |\n| --- | --- |\n{rows}", []),
+    ):
+        found = drift(stated_fields(text, "/a.md"), [system])
+        assert [one.place.line for one in found if one.rule.id == "document-table-unread"] == told, text

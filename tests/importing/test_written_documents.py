@@ -19,13 +19,12 @@ EXPECTED: dict[str, tuple[str | None, dict[str, str], list[tuple[str, int]]]] = 
     ),
     "battery": (
         "BATTERY_STATUS",
-        {"id": "{constant: 0}", "temperature": "unknown", "energy_consumed": "unknown"},
+        {"id": "{constant: 0}", "temperature": "unknown", "current_consumed": "unknown", "energy_consumed": "unknown"},
         [
             ("document-prose", 8),
             ("document-prose", 9),
             ("document-prose", 11),
             ("document-prose", 12),
-            ("document-prose", 13),
             ("document-prose", 15),
         ],
     ),

@@ -22,12 +22,36 @@ def told(status: str) -> list[tuple[str, str]]:
     return [(each.rule.id, each.message) for each in report]
 
 
-@pytest.mark.parametrize("status", ["Withdrawn", "superseded by FR-8", "Rejected, see FR-8", "OBSOLETE"])
+@pytest.mark.parametrize(
+    "status",
+    [
+        "Withdrawn",
+        "superseded by FR-8",
+        "Rejected, see FR-8",
+        "OBSOLETE",
+        "No longer valid",
+        "Replaced by FR-8",
+        "~~Approved~~ Removed",
+        "Void",
+    ],
+)
 def test_what_does_not_hold_any_more_is_told(status: str) -> None:
     assert told(status) == [("withdrawn-requirement", f"the status of FR-7 is {status}")]
     assert WITHDRAWN_REQUIREMENT.standing == "warning"
 
 
-@pytest.mark.parametrize("status", ["Approved", "Draft", "Accepted", "Proposed, supersedes FR-6", ""])
+@pytest.mark.parametrize(
+    "status",
+    [
+        "Approved",
+        "Draft",
+        "Accepted",
+        "Proposed, supersedes FR-6",
+        "~~Draft~~ Approved",
+        "Valid; replaces FR-6",
+        "Voidable",
+        "",
+    ],
+)
 def test_what_holds_or_may_come_to_hold_is_not(status: str) -> None:
     assert told(status) == []

@@ -213,6 +213,14 @@ def test_wherever_one_begins(start: str | None) -> None:
     assert line.count("\n") == 1
 
 
+def test_what_is_struck_is_another_text() -> None:
+    """Marks of emphasis are not; a criterion that was struck kept its review."""
+    assert text_fingerprint("It *beats* `once`.") == text_fingerprint("It beats once.")
+    assert (
+        len({text_fingerprint(text) for text in ("It beats.", "~~It beats.~~", "~~It~~ beats.", "It ~~beats.~~")}) == 4
+    )
+
+
 def test_any_reason_is_read_as_it_was_given(project: Project) -> None:
     reason = 'a "b" \\ # {c}: é, \t- y'
     assert project.run("accept", "FR-1.1", "--reason", reason) == 0

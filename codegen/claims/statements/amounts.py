@@ -102,7 +102,12 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         if one is None or _is_right(one, value, amount, unit, span.sentence.term(at).written):
             continue
         own = _in_own(one.field, amount, unit)
-        if own is None or _is_taken(one.field, own) or _is_taken(one.field, Fraction(value)):
+        if (
+            own is None
+            or _is_taken(one.field, own)
+            or _is_taken(one.field, Fraction(value))
+            or _are_ends(span, (start, end), (low, high), amount, own)
+        ):
             continue
         written = span.sentence.term(at).written
         stated = f"{one.name} {term.written} for {written}"
@@ -111,6 +116,7 @@ def _amount(reading: Reading, span: Span, at: int, amount: Fraction, unit: Unit)
         return
 
 
+_RANGE = pattern(r"N (?:up )?to ")
 _EXAMPLE = pattern(r"(?: [a-z]+){0,4}: F = ")
 """Between an amount with its circumstances and its field: "12.5 m/s to the north: `vx` = 1250"."""
 _SENT_AS = pattern(
@@ -171,6 +177,15 @@ def _is_together(span: Span, low: int, start: int, end: int) -> bool:
     if end - start > _FAR or (span.kind is PassageKind.ROW and not any(span.sentence.within(low, start, "FP"))):
         return False
     return _is_tied(span, start, end) or _EXAMPLE.fullmatch(span.text, start + 1, end) is not None
+
+
+def _are_ends(span: Span, ends: tuple[int, int], bounds: tuple[int, int], amount: Fraction, own: Fraction) -> bool:
+    """Return whether a number and an amount are the ends of a range: "2 to 100 %" of what is in percent, or "0 to 10000
+    means 0 to 100 %".
+    """
+    if _RANGE.fullmatch(span.text, *ends) is None:
+        return False
+    return own == amount or any(number(term) == own for _, term in span.sentence.within(*bounds, "N"))
 
 
 def _is_tied(span: Span, start: int, end: int) -> bool:

@@ -10,6 +10,7 @@ from codegen.diff.change import Area, Change, Weight
 from codegen.diff.report.grouping import Group
 from codegen.diff.report.review import Review
 from codegen.diff.rules import CHANGE_RULES
+from codegen.findings.waivers import WAIVER_FORM
 from codegen.model.spec.waiver import SetSeverity, SeveritySpec
 
 UNKNOWN_KIND = Rule(
@@ -43,6 +44,10 @@ def usable(specs: Iterable[SeveritySpec], report: Report) -> list[SeveritySpec]:
             report.add(UNKNOWN_KIND, spec.at("kind"), f"codegen diff knows no kind {spec.kind}", hint)
         elif not all(_WRITTEN.fullmatch(text) for text in versions):
             report.add(SEVERITY_VERSION, spec.place, f"{' and '.join(versions)}: no version is written so")
+        elif not spec.reason.strip():
+            report.add(
+                WAIVER_FORM, spec.at("reason"), f"the severity of {spec.kind} has no reason", "write it, in words"
+            )
         else:
             found.append(spec)
     return found
