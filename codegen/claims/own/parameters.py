@@ -57,8 +57,8 @@ _IN_FURTHER_WORDS = {
 }
 """Words that may be about something else: the unit behind the number has to fit the parameter, or none may follow."""
 _FACTS_ALONE = pattern(
-    rf"(?i)(?:[\s,;:()=|]|\b(?:is|it|can|may|be|set|to|of|the|an?|and|with|by|default|defaults|value|range|from|between|steps?"
-    rf"|increment|settable|adjustable|min(?:imum)?|max(?:imum)?)\b\.?|\bin [a-z]+|{_NUMBER}(?: ?{_WORD})?)*"
+    rf"(?i)(?>[\s,;:()=|]|\b(?:is|it|can|may|be|set|to|of|the|an?|and|with|by|default|defaults|value|range|from|between|steps?"
+    rf"|increment|settable|adjustable|min(?:imum)?|max(?:imum)?)\b\.?|\bin [a-z]+|{_NUMBER}(?: ?{_WORD})?)*+"
 )
 _NO_UNIT = pattern(r"\s*(?:[.,;:)\]]|$|(?:and|by|with)\b)")
 _BEFORE = pattern(r"\bdefault of (?:the )?$")
