@@ -63,6 +63,19 @@ CASES = {
         0,
         "warning idle-limit: a mean of battery_voltage may take 1000 ms, and it is read every 100 ms",
     ),
+    "a parameter that a second instance does not look at": (
+        [
+            (
+                "parameters.yaml",
+                "  BATT_CAPACITY:\n    doc: Charge of the full pack.\n    for_each: battery\n",
+                "  BATT2_CAPACITY: {doc: Of the second., type: int32, unit: mAh, default: 9, min: 0, max: 99, step: 1}\n"
+                "  BATT_CAPACITY:\n    doc: Charge of the full pack.\n",
+            )
+        ],
+        0,
+        "warning idle-parameter: BATT2_CAPACITY is no parameter of battery 2, which goes by BATT_CAPACITY\n"
+        "  hint: write for_each: battery at BATT_CAPACITY, and leave BATT2_CAPACITY out, or call it otherwise",
+    ),
 }
 
 
