@@ -65,12 +65,15 @@ def check_project_documents(systems: Sequence[System], files: Files, report: Rep
 
 
 def _without_texts(systems: Iterable[System], documents: Iterable[str]) -> tuple[System, ...]:
-    """The systems without the hashes of the documents: an edit of one that changes no criterion concerns no other."""
+    """The systems without the hashes of the documents and of what they say: an edit of one that changes no criterion
+    concerns no other.
+    """
     left_out = set(documents)
     kept = []
     for system in systems:
         files = {path: found for path, found in system.spec.files.items() if path not in left_out}
-        kept.append(replace(system, spec=replace(system.spec, files=files)))
+        requirements = tuple(replace(each, said="") for each in system.spec.requirements)
+        kept.append(replace(system, spec=replace(system.spec, files=files, requirements=requirements)))
     return tuple(kept)
 
 

@@ -143,6 +143,7 @@ def decode_requirement(document: Document, report: Report) -> Requirement | None
         links=tuple(dict.fromkeys(links)),
         criteria=_criteria(document, identifier, heading.place, report, is_misspelt=CRITERIA in misspelt),
         host_limits=tuple(_host_limits(document)),
+        said=document.said,
     )
 
 

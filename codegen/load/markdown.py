@@ -1,5 +1,6 @@
 """Markdown as headings, sections and list items that know their lines (CommonMark, read by markdown-it)."""
 
+import hashlib
 import html
 import os
 import re
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 _LINE_END = pattern(r"\r\n?|\n")
 _CHECK_BOX = pattern(r"^\[[ xX]\]\s+")
 _HTML_TAG = pattern(r"<!--.*?-->|<[^>]*>", re.DOTALL)
+_CODE = ("fence", "code_block")
+_LAYOUT = pattern(r"[*`\\]|(?<!\w)_+|_+(?!\w)|(?<=---)-+|[ \t]+(?=\|)|(?<=\|)[ \t]+")
+"""Marks of emphasis and code, blanks beside the bars of tables, and the widths of the lines below their heads."""
 _BLOCKS_OF_TEXT = ("inline", "fence", "code_block", "html_block")
 
 
@@ -60,10 +64,15 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """One Markdown file; what stands before the first heading is not in it."""
+    """One Markdown file; what stands before the first heading is in no section.
+
+    ``said`` is a fingerprint of all that it says: lines that are broken otherwise, blanks outside of code and marks of
+    emphasis do not count in it.
+    """
 
     path: str
     sections: tuple[Section, ...]
+    said: str
 
 
 @cache
@@ -90,7 +99,14 @@ class _Reader:
             if token.type == "heading_open" and token.level == 0 and token.tag in ("h1", "h2")
         ]
         sections = [self._section(start, end) for start, end in pairwise([*starts, len(self._tokens)])]
-        return Document(self._path, tuple(sections))
+        return Document(self._path, tuple(sections), self._said())
+
+    def _said(self) -> str:
+        found = hashlib.sha256()
+        for token in self._tokens:
+            text = token.content if token.type in _CODE else " ".join(_LAYOUT.sub("", token.content).split())
+            found.update(f"{token.type} {token.tag} {token.info} {text}\n".encode("utf-8", "surrogatepass"))
+        return found.hexdigest()
 
     def _section(self, start: int, end: int) -> Section:
         heading = self._tokens[start]

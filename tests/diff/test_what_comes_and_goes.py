@@ -84,9 +84,7 @@ CASES: Mapping[str, tuple[Callable[[System], System], str]] = {
     ),
     "criterion-uncovered": (lambda system: replace(system, messages=()), "criterion-covered"),
     "document-text-changed": (
-        lambda system: replace(
-            system, spec=replace(system.spec, files={name: f"{text}x" for name, text in system.spec.files.items()})
-        ),
+        lambda system: with_documents(system, lambda each: replace(each, said=f"{each.said}x")),
         "document-text-changed",
     ),
 }

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from codegen.diff.change import Change, changed
 from codegen.diff.system import trace_rules as rules
@@ -36,7 +37,7 @@ def requirement_changes(old: System, new: System) -> Iterator[Change]:
     for name in sorted(before.keys() & after.keys()):
         yield from _criteria(before[name], after[name])
     for name in sorted(before.keys() & after.keys()):
-        yield from _prose(before[name], after[name], old, new)
+        yield from _prose(before[name], after[name])
 
 
 def _document(requirement: Requirement, name: str) -> Subject:
@@ -75,10 +76,9 @@ def _criteria(old: Requirement, new: Requirement) -> Iterator[Change]:
             yield changed(rule, name, texts[0], texts[1], places, cited=(name,))
 
 
-def _prose(old: Requirement, new: Requirement, before: System, after: System) -> Iterator[Change]:
+def _prose(old: Requirement, new: Requirement) -> Iterator[Change]:
     """Yield whether a document differs in what the model does not hold: its rationale, its tables, its examples."""
-    hashes = [side.spec.files.get(each.place.file) for side, each in ((before, old), (after, new))]
-    if hashes[0] != hashes[1] and old == new and old.criteria == new.criteria:
+    if old.said != new.said and replace(old, said=new.said) == new:
         yield changed(rules.DOCUMENT, new.id, None, "other text", (old.place, new.place), cited=(new.id,))
 
 

@@ -312,7 +312,10 @@ class HostLimit(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement(Written):
-    """A requirement or decision document: ``# ID | Title``, a metadata list, numbered acceptance criteria."""
+    """A requirement or decision document: ``# ID | Title``, a metadata list, numbered acceptance criteria.
+
+    ``said`` is a fingerprint of all that the document says, its layout left out.
+    """
 
     id: str
     title: str
@@ -321,6 +324,7 @@ class Requirement(Written):
     links: tuple[str, ...]
     criteria: tuple[Criterion, ...]
     host_limits: tuple[HostLimit, ...] = ()
+    said: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
