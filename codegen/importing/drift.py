@@ -34,6 +34,7 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
     report = Report()
     dialect = systems[0].dialect
     lists: dict[str, list[FieldList]] = {}
+    read: set[str] = set()
     for fields in stated.lists:
         about = subjects(fields, dialect)
         if len(about) == 1:
@@ -41,15 +42,13 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
     for name, found in lists.items():
         for fields in found:
             check_declarations(fields, dialect.messages[name], report)
-        if answered := _answered(found):
+        answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
+        if answered:
+            read.add(name)
             report.extend(_of_programs(name, answered, systems))
             report_unread(stated.others, dialect.messages[name], report)
-    _report_tables_of_others(stated, systems, {name for name, found in lists.items() if _answered(found)}, report)
+    _report_tables_of_others(stated, systems, read, report)
     yield from report
-
-
-def _answered(found: Sequence[FieldList]) -> list[FieldList]:
-    return [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
 
 
 def _report_tables_of_others(stated: StatedFields, systems: Sequence[System], read: set[str], report: Report) -> None:

@@ -46,9 +46,8 @@ def text_fingerprint(text: str) -> str:
 
     What is struck is asked for no more, so those marks do.
     """
-    return hashlib.sha256(normalised(text.replace("~~", " <struck> ")).encode("utf-8", "surrogatepass")).hexdigest()[
-        :LENGTH
-    ]
+    said = normalised(text.replace("~~", " <struck> "))
+    return hashlib.sha256(said.encode("utf-8", "surrogatepass")).hexdigest()[:LENGTH]
 
 
 def required(trace: Trace) -> list[str]:

@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import groupby
 
 from codegen.claims.field_notes import cells
-from codegen.claims.own.stream_rate import RATE, SECONDS
+from codegen.claims.own.stream_rate import RATE, SECONDS, rate_of
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage, PassageKind
@@ -71,6 +71,4 @@ def _rate(text: str, unit: str | None) -> Fraction | None:
     number, named = Fraction(found["number"].replace(",", ".")), (found["unit"] or unit or "").replace(" ", "")
     if named in ("Hz", "/s"):
         return number
-    if not named or not number:
-        return None
-    return 1 / (number * (Fraction(1, 1000) if named == "ms" else SECONDS[named[0]]))
+    return rate_of(number, named) if named else None

@@ -36,6 +36,7 @@ _AND = pattern(rf"(?<=[QN] and )(?P<name>F) (?P<value>[QN]){_END}")
 _RULED_OUT = words(
     DENIED, PAST, PROPOSED, ASKED, SUPPOSED, CONDITIONAL, MISTAKEN, r"\bexample", r"\be\.g\b", r"\breceiv"
 )
+_DECIMALS = pattern(r"\.(\d{1,9})")
 _EXAMPLE = pattern(r"(?i)\bexamples?\b")
 
 
@@ -85,7 +86,7 @@ def _stated(term: Term, field: WireField) -> tuple[Fraction, Fraction] | None:
 
     None where its unit is none of the field's.
     """
-    digits = pattern(r"\.(\d{1,9})").search(term.written)
+    digits = _DECIMALS.search(term.written)
     step = Fraction(1, 10 ** len(digits[1])) if digits is not None else Fraction(0)
     own = Unit.parse(field.definition.units)
     if isinstance(term.value, tuple):

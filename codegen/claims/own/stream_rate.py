@@ -37,7 +37,24 @@ _AT = pattern(
 _IS = pattern(rf"{_ID}(?:(?: rate| frequency)(?: is| of|:| =)?|:|,| =| \() ?{_HZ}(?=[.,;)]| \(|$)")
 _RATE_OF = pattern(r"\b(?:rate|frequency) of (?:the )?[`*]*$", re.IGNORECASE)
 _IS_AT = pattern(rf"{_ID}[`*]*(?: (?:is|shall be|must be|has to be)|:| =) {_HZ}")
-_WORDS = "one|two|three|four|five|six|seven|eight|nine|ten|twelve|fifteen|twenty|thirty|fifty"
+_NUMBERS = {
+    "one": 1,
+    "two": 2,
+    "three": 3,
+    "four": 4,
+    "five": 5,
+    "six": 6,
+    "seven": 7,
+    "eight": 8,
+    "nine": 9,
+    "ten": 10,
+    "twelve": 12,
+    "fifteen": 15,
+    "twenty": 20,
+    "thirty": 30,
+    "fifty": 50,
+}
+_WORDS = "|".join(_NUMBERS)
 _TIMES = (
     rf"(?P<times>once|twice|(?:\d{{1,4}}|{_WORDS}) times) (?:per|an?|each|every) (?P<per>second|minute|hour)"
     rf"|(?:every|each) (?:(?P<number>\d{{1,5}}(?:\.\d{{1,3}}|,\d{{1,2}}(?!\d))?|{_WORDS}) ?)?"
@@ -58,19 +75,6 @@ _THEN_SENT = pattern(
     r"(?:is |are )?(?:sent|streamed|transmitted|emitted|broadcast|published|goes out)\b"
 )
 _COUNTS = {"once": 1, "twice": 2}
-_NUMBERS = {
-    "one": 1,
-    "two": 2,
-    "three": 3,
-    "four": 4,
-    "five": 5,
-    "six": 6,
-    "seven": 7,
-    "eight": 8,
-    "nine": 9,
-    "ten": 10,
-}
-_NUMBERS |= {"twelve": 12, "fifteen": 15, "twenty": 20, "thirty": 30, "fifty": 50}
 SECONDS = {"m": 60, "h": 3600, "s": 1}
 _OTHERWISE = pattern(
     r"\b(?:if|when|would|could|asks?|asked|up to|at most|instead|from|bytes?|receives?)\b", re.IGNORECASE
@@ -122,9 +126,13 @@ def _rate(found: "re.Match[str]") -> Fraction | None:
         word = said["times"].lower()
         return Fraction(_COUNTS.get(word) or _number(word.split()[0]), SECONDS[said["per"][0].lower()])
     written, named = said["period"] or said["number"], (said["period_unit"] or said["unit"]).lower()
-    number = Fraction(1) if written is None else _number(written)
-    unit = Fraction(1, 1000) if named.startswith(("ms", "mill")) else Fraction(SECONDS[named[0]])
-    return 1 / (number * unit) if number else None
+    return rate_of(Fraction(1) if written is None else _number(written), named)
+
+
+def rate_of(number: Fraction, unit: str) -> Fraction | None:
+    """Return in Hz what comes once in a time, such as 500 ms, 2 s or 1 min; None for no time."""
+    seconds = Fraction(1, 1000) if unit.startswith(("ms", "mill")) else Fraction(SECONDS[unit[0]])
+    return 1 / (number * seconds) if number else None
 
 
 def _number(written: str) -> Fraction:
