@@ -29,6 +29,7 @@ LONGEST = 140  # bytes of the longest payload
 _LENGTHS = ((0, 54), (97, 97), (107, 107))
 
 OFF = -1
+_OWN = const(-2)  # as an interval: the own rate of its stream, whatever was asked for of that
 _LOOK_MS = const(100)  # from one look at what is watched to the next
 _FURTHEST_MS = const(1 << 21)  # nothing is due later: the ticks went half round while nobody asked
 _TICKS = const(0x3FFFFFFF)  # they are counted in 30 bits
@@ -164,7 +165,7 @@ class Streams:
         self._next_ms = ticks_ms()  # when something is due, or is looked at again
         due_ms = self._next_ms & _TICKS
         self._times = array("i", [len(_IDS), _FURTHEST_MS] + [due_ms, 0, 0, 0] * len(_IDS))  # scan_plain says what
-        self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the stream's own rate
+        self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the rate of the stream
         self._asked_hz = array("i", [OFF] * len(_FASTEST_HZ))  # asked for; -1 is the stream's own rate
         self._parameters = state.parameters
         self._changes = state.parameters.changes
@@ -263,7 +264,7 @@ class Streams:
 
     def _is_off(self, index):
         """Return whether a message is left out: by its generation, or because a ground station has switched it off."""
-        return self._interval_us[index] < 0 or not self._is_chosen(index)
+        return self._interval_us[index] == OFF or not self._is_chosen(index)
 
     def _is_announced_soon(self, index):
         """Return whether a message waits; then all of its instances do, so that its stream need not send it, too."""
@@ -337,9 +338,7 @@ class Streams:
     def _set_interval(self, index, interval_us):
         if interval_us > 0:
             interval_us = min(max(interval_us, _SHORTEST_US[index]), 0x3FFFFFFF)
-        self._interval_us[index] = interval_us
-        if interval_us == 0 and _STREAMS[index] is not None:
-            self._asked_hz[_STREAMS[index]] = OFF
+        self._interval_us[index] = interval_us or _OWN
         self._restart(index, ticks_ms())
 
     def interval_us(self, message_id):
@@ -425,9 +424,9 @@ class Streams:
         numerator = self._interval_us[index]
         denominator = 1000 if numerator > 0 else 0
         stream = _STREAMS[index]
-        if not (numerator or stream is None or not self._is_chosen(index)):
+        if not (numerator > 0 or numerator == OFF or stream is None or not self._is_chosen(index)):
+            denominator = OFF if numerator == _OWN else self._asked_hz[stream]
             numerator = 1000
-            denominator = self._asked_hz[stream]
             if denominator < 0:
                 numerator, denominator = self._own_period(stream)
         self._times[_STEP * index + _PERIOD] = numerator

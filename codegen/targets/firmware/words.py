@@ -93,7 +93,7 @@ def word_layout(system: System) -> Layout:
 
 OWN_CONSTANTS = frozenset(
     (
-        *("_SIZE", "_AGED", "_UNKNOWN", "_FAILURES", "_LONGEST_US", "_TOTAL_US", "_READINGS", "_LONG"),
+        *("_SIZE", "_AGED", "_UNKNOWN", "_FAILURES", "_LONGEST_US", "_TOTAL_US", "_READINGS", "_LONG", "_OWN"),
         *("_LENGTHS", "_LOOK_MS", "_WITHHELD", "_FURTHEST_MS", "_TICKS", "_DUE_MS", "_LATE_BY", "_PERIOD", "_PARTS"),
         *("_STEP", "_IDS", "_STREAMS", "_SHORTEST_US", "_GENERATIONS", "_NUMBER_AT", "_DATA_STREAMS", "_FASTEST_HZ"),
         *("_ENCODERS", "_SENDERS", "_TELLS", "_ANNOUNCED", "_MESSAGES", "_ON_CONNECTION", "_JOBS", "_SAVE_MS"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: e46e963d9b8d5864
+# Inputs: 75c6c45e4da94834
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -387,7 +387,7 @@ def _follows_requests(data_stream, streams):
 
 
 def an_interval_of_zero_is_the_streams_own():
-    """The default of SET_MESSAGE_INTERVAL is the rate without requests, though one came before it."""
+    """The default of SET_MESSAGE_INTERVAL is the rate without requests, of this message and no other of its stream."""
     streams = [stream for stream in _by_parameter() if stream["data_stream"] is not None and stream["default"]]
     needs(streams, "a number of a stream")
     craft, (station, _) = _two_links()
@@ -397,9 +397,13 @@ def an_interval_of_zero_is_the_streams_own():
         _request(station, stream["data_stream"], 2 if own_us == SECOND_US else 1)
         run(craft, 4 * LINKS_US)
         assert _interval(craft, station, number) != own_us, stream["name"]
+        others = [each[0] for each in stream["messages"] if each[0] != number]
+        asked_us = [_interval(craft, station, other) for other in others]
         station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 0)
+        craft.parameters.changes += 1  # all rates are looked at again
         run(craft, 4 * LINKS_US)
         assert _interval(craft, station, number) == own_us, stream["name"]
+        assert [_interval(craft, station, other) for other in others] == asked_us, stream["name"]
 
 
 def _sent_in(craft, seconds, *stations):
