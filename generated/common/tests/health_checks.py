@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: ed53929b3274e2cc
+# Inputs: 4d4594b1f0beff21
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -379,6 +379,24 @@ def high_value_is_warned_about_at_intervals():
         assert not [text for _, text in craft.said() if "above" in text]
 
 
+def readings_at_their_edges():
+    """Below a half and at one it is rounded to the nearest; at the limit it is not warned about, a step above it is."""
+    for measured in MEASURED:
+        needs(measured["edges"], "a multiplier that comes to an edge")
+        family = measured["families"]["multiplier"]
+        for count, steps, value, is_warned in measured["edges"]:
+            craft = new_craft()
+            setattr(craft.parameters, family[0] if family else measured["multiplier"], steps)
+            save(craft)
+            craft = new_craft(flash=craft.flash)
+            analog(measured).source = count << measured["spare_bits"]
+            run(craft, SECOND_US, measured["period_us"])
+            component = getattr(craft.state, measured["component"])
+            component = component if measured["first"] == measured["component"] else component[0]
+            assert getattr(component, measured["attribute"]) == value, (count, steps)
+            assert bool([text for _, text in craft.said() if "above" in text]) == is_warned, (count, steps)
+
+
 def good_count_is_good():
     """The value that the other checks start from is neither low nor worth a warning."""
     for measured in MEASURED:
@@ -408,6 +426,7 @@ CHECKS = (
     (a_converter_that_comes_back_is_used, "reading.absence"),
     (sensor_loss_is_noticed, "quantity.invalid_after", "quantity.stale_after"),
     (high_value_is_warned_about_at_intervals, "quantity.warn_above"),
+    (readings_at_their_edges, "quantity.multiplier", "quantity.warn_above"),
     (late_reading_is_refused_in_the_program, "reading.read_limit"),
     (good_count_is_good, "component.mock"),
 )

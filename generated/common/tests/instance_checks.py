@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: 5238b94a623c4e60
+# Inputs: 3de1b1724f69ce76
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -284,6 +284,25 @@ def arming_says_which():
     assert craft.arm() == f"PreArm: {title} low {facts['quantity']} failsafe", craft.arm()
 
 
+def each_has_its_own_minimum_to_arm():
+    """What is below its own minimum is a reason not to arm, and no level of its failsafe."""
+    measured, facts = _watched()
+    minimums = facts["families"]["minimum"]
+    needs(minimums and facts["minimum"], "a minimum for arming of each instance")
+    craft = craft_with(measured)
+    run(craft, SECOND_US)
+    for instance, value in enumerate(_values(craft, measured)[: len(_pins(measured))]):
+        assert craft.arm() is None
+        own = getattr(craft.parameters, minimums[instance])
+        setattr(craft.parameters, minimums[instance], value // facts["minimum_scale"] + 1)
+        run(craft, 3 * SECOND_US)
+        assert not any(_levels(craft, facts)), _levels(craft, facts)
+        craft.disarm()
+        title = facts["title"][:-1] + str(instance + 1)
+        assert craft.arm() == f"PreArm: {title} below minimum arming {facts['quantity']}", craft.arm()
+        setattr(craft.parameters, minimums[instance], own)
+
+
 def health_of_each_is_its_own():
     """Each is judged by its own thresholds."""
     measured, facts = _watched()
@@ -334,6 +353,7 @@ CHECKS = (
     (highest_of_two_acts, "component.own_failsafe"),
     (lower_level_does_not_act_later, "component.own_failsafe"),
     (arming_says_which, "component.own_failsafe"),
+    (each_has_its_own_minimum_to_arm, "component.own_failsafe"),
     (health_of_each_is_its_own, "component.own_failsafe"),
     (several_allocate_nothing, "component.several"),
 )
@@ -344,6 +364,7 @@ LONG = (
     each_that_is_on_is_reported,
     highest_of_two_acts,
     lower_level_does_not_act_later,
+    each_has_its_own_minimum_to_arm,
     several_allocate_nothing,
 )
 

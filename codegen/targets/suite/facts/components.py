@@ -15,6 +15,7 @@ from codegen.targets.naming import parameter_attribute
 from codegen.targets.suite.cases.case import literal_of
 from codegen.targets.suite.cases.messages import first_attribute
 from codegen.targets.suite.expected import nominal_values
+from codegen.targets.suite.facts.edges import Edge, edges
 from codegen.targets.suite.facts.set_together import SetTogetherFacts, set_together_facts
 
 
@@ -77,7 +78,7 @@ class MeasuredFacts:
     """The conversion of an ADC count to a component's quantity: ``count * steps * numerator / denominator``.
 
     ``period_us`` is the time between two readings. ``warning_counts`` are, by instance, the smallest counts that are
-    warned about; None where there is none.
+    warned about; None where there is none. ``edges`` are readings of the first instance.
     """
 
     name: str
@@ -93,6 +94,7 @@ class MeasuredFacts:
     warns: bool
     warn_every_ms: int | None
     warning_counts: tuple[int | None, ...]
+    edges: tuple[Edge, ...]
     invalid_after: int | None
     stale_after_ms: int | None
     represented: RepresentedFacts | None
@@ -336,6 +338,7 @@ def _measured(quantity: Quantity, component: Component, system: System) -> Measu
         warns=threshold is not None,
         warn_every_ms=threshold.every_ms if threshold else None,
         warning_counts=_warning_counts(quantity, component, system),
+        edges=edges(quantity),
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
         represented=_represented(quantity, component, system),
