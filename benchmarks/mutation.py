@@ -35,10 +35,9 @@ PROGRAMS = {
 }
 """By program the output folder of its project, and its name there; what its tests read of the project lies above."""
 LONGEST = 6
-"""The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again.
-
-A check that hangs is left after two minutes at most, and fails: it is the computer that is busy.
-"""
+"""The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again."""
+GIVES_UP_S = 240
+"""What a run may take beside that: a check that hangs fails after two minutes, one that simulates days after four."""
 
 
 NO_TESTS = 5
@@ -161,7 +160,7 @@ def _longest_s(copy: Path) -> float:
     begun = time.monotonic()
     if not _passes(copy, None):
         raise SystemExit("the suite fails without any fault")
-    return LONGEST * (time.monotonic() - begun)
+    return LONGEST * (time.monotonic() - begun) + GIVES_UP_S
 
 
 def _passes_with(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]", longest_s: float) -> bool | None:
