@@ -76,6 +76,14 @@ def _take_battery_current(battery, now_ms):
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+        # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+        if battery[_BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+            if now_ms - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+                battery[_BATTERY_CURRENT_MA] = _UNKNOWN
+                battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+                battery[_BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
     else:
         # (count / 4095 * reference - offset) * multiplier, rounded to nearest (FR-00077.3).
         count = count * battery[_BATTERY_CURRENT_MULTIPLIER]

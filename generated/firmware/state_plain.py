@@ -147,6 +147,15 @@ def _take_battery(battery, now_ms):
                 battery[_BATTERY_TREND_COUNT] = 0
                 battery[_BATTERY_TREND_NEWER] = 0
                 battery[_BATTERY_TREND_OLDER] = 0
+            # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+            if battery[_BATTERY_EXPIRES_MS] != _UNKNOWN:
+                if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                    battery[_BATTERY_TREND_COUNT] = 0
+                    battery[_BATTERY_TREND_NEWER] = 0
+                    battery[_BATTERY_TREND_OLDER] = 0
+                    battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
             value = _UNKNOWN
     else:
         # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).

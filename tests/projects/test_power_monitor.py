@@ -35,6 +35,8 @@ EXPECTED = {
     "and comes back": [12088, 809, 8070],
     # (0.805861 - 1.65) * -20 = 16.882784 A.
     "the other way round, from the middle, at once": [12088, 1688, 8070],
+    # Two failures would make it unknown, or 2 s, whichever comes first: no message was built meanwhile.
+    "one fails, and the last one is too old": [12088, 1688, None],
     "voltage only": [12088, None, 8070],
     "nothing of the pack": [None, None, 8070],
 }

@@ -85,6 +85,11 @@ def _take_battery(battery, now_ms):
         battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
         if battery[_BATTERY_FAILURES] >= 5:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+        # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+        if battery[_BATTERY_EXPIRES_MS] != _UNKNOWN:
+            if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+                battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
     else:
         # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
         value = count * battery[_BATTERY_MULTIPLIER]

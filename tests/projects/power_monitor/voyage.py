@@ -6,6 +6,7 @@ import sys
 sys.path[:0] = ["generated/firmware", "generated/mocks"]
 
 from mock_board import MockBoard  # noqa: E402  mocks first: they bring the clock
+from mock_time import advance_us  # noqa: E402
 from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 
@@ -45,6 +46,8 @@ taken("and comes back", 3000, 1000, 3000)
 parameters.set("BATT_AMP_PERVLT", -20)
 parameters.set("BATT_AMP_OFFSET", 1.65)
 taken("the other way round, from the middle, at once", 3000, 1000, 3000)
+advance_us(2_001_000)
+taken("one fails, and the last one is too old", 3000, 1000, None)
 parameters.set("BATT_MONITOR", 3)
 board, state = started()
 taken("voltage only", 3000, 1000, 3000)

@@ -91,6 +91,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     failed = [f"{failures} = {failures} + 1"]
     if lasting:
         failed += [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
+    failed += _expiry(reading, code, "now_ms")  # messages do that too, but nobody may build one that has it
     good = [
         *_converted(reading, code),
         *(summed(reading, code) if counting_on is None else counting_on),
