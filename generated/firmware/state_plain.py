@@ -201,13 +201,6 @@ def _take_battery(battery, now_ms):
                 battery[_BATTERY_ENERGY_HIGH] = 50000
             battery[_BATTERY_COUNTED_FROM_FULL] = 0
         battery[_BATTERY_GONE] = is_gone
-        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-        since = battery[_BATTERY_WARNED_MS]
-        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
-            battery[_BATTERY_WARNED_MS] = _UNKNOWN
-        if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
-            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
-            told |= 4
     # The sum of battery.cells comes first while all of them are known (FR-00067.3).
     value = 0
     count = 0
@@ -217,6 +210,15 @@ def _take_battery(battery, now_ms):
     if count == 3:
         battery[_BATTERY_VOLTAGE_MV] = value
         battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
+    value = battery[_BATTERY_VOLTAGE_MV]
+    if value != _UNKNOWN:
+        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
+        since = battery[_BATTERY_WARNED_MS]
+        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
+            battery[_BATTERY_WARNED_MS] = _UNKNOWN
+        if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
+            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
+            told |= 4
     if battery[_BATTERY_VOLTAGE_MV] != _UNKNOWN:
         _change_battery(battery)
     return told

@@ -202,13 +202,6 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                         battery[_BATTERY_ENERGY_HIGH] = 50000
                     battery[_BATTERY_COUNTED_FROM_FULL] = 0
                 battery[_BATTERY_GONE] = is_gone
-                # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-                since = battery[_BATTERY_WARNED_MS]
-                if since != unknown and now_ms - since & 0x3FFFFFFF >= 10000:
-                    battery[_BATTERY_WARNED_MS] = _UNKNOWN
-                if value > 13000 and battery[_BATTERY_WARNED_MS] == unknown:
-                    battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
-                    told |= 4
             # The sum of battery.cells comes first while all of them are known (FR-00067.3).
             value = 0
             count = 0
@@ -218,6 +211,15 @@ def read_battery(words, every, board, ticks, first: int) -> int:
             if count == 3:
                 battery[_BATTERY_VOLTAGE_MV] = value
                 battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
+            value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+            if value != _UNKNOWN:
+                # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
+                since = battery[_BATTERY_WARNED_MS]
+                if since != unknown and now_ms - since & 0x3FFFFFFF >= 10000:
+                    battery[_BATTERY_WARNED_MS] = _UNKNOWN
+                if value > 13000 and battery[_BATTERY_WARNED_MS] == unknown:
+                    battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
+                    told |= 4
 
             if battery[_BATTERY_VOLTAGE_MV] != unknown:
                 # The change per second: the sum of the newer 20 readings against that of the older ones (FR-00021.1).

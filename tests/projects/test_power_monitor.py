@@ -35,6 +35,11 @@ EXPECTED = {
     "and comes back": [12088, 809, 8070],
     # (0.805861 - 1.65) * -20 = 16.882784 A.
     "the other way round, from the middle, at once": [12088, 1688, 8070],
+    # The sum of the cells is the voltage: what is estimated of it and what warns of it see no other one.
+    "full cells, and no ADC": [19000, 100, ["warning: the pack's voltage is above 15 V:"]],
+    "cells, and an ADC that shows more": [16500, 86, []],
+    "other cells, and an ADC that shows more": [12000, 60, []],
+    "ADC alone": [12088, 61, []],
     # Two failures would make it unknown, or 2 s, whichever comes first: no message was built meanwhile.
     "one fails, and the last one is too old": [12088, 1688, None],
     "voltage only": [12088, None, 8070],
@@ -42,11 +47,27 @@ EXPECTED = {
 }
 
 
+CELLS = (
+    ("board.yaml", "facts:", "curves:\n  pack: {points: {9 V: 0, 12 V: 60, 19 V: 100}}\nfacts:"),
+    (
+        "state.yaml",
+        "stale_after: 1 s}",
+        "stale_after: 1 s, prefers: cells, warn_above: 15, warn_every: 10 s}\n"
+        "      cells: {doc: Of its cells., unit: V, stored: mV, elements: cells, stale_after: 5 s}\n"
+        '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}',
+    ),
+)
+"""The project measures a pack whose cells another system may tell: file, what stands there, and what does then."""
+
+
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built."""
     folder = tmp_path_factory.mktemp("power") / "monitor"
     subprocess.run(["cp", "-r", str(HERE / "power_monitor"), str(folder)], check=True)
+    for name, old, new in CELLS:
+        path = folder / "specs" / name
+        path.write_text(path.read_text().replace(old, new, 1))
     build(folder)
     return folder
 

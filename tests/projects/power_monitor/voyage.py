@@ -15,9 +15,14 @@ parameters = Parameters()
 told = []
 
 
+def note(text, *_):
+    """Keep a text, without the value behind it."""
+    told.append(text)
+
+
 def started():
     """A board and a state after a start with the parameters."""
-    return MockBoard(log=lambda *_: None, parameters=parameters), SystemState(parameters, log=lambda *_: None)
+    return MockBoard(log=lambda *_: None, parameters=parameters), SystemState(parameters, log=note)
 
 
 def taken(name, voltage, current, level):
@@ -33,6 +38,15 @@ def taken(name, voltage, current, level):
     found[name] = [state.pack.voltage_mv, state.pack.current_ca, state.tank.level_cpct]
 
 
+def cells_told(name, cells, count):
+    """Keep what comes of cells that another system tells, and of a count: what is estimated, and what is warned of."""
+    state.pack.cells_mv = cells
+    told.clear()
+    board.set_adc_waveform([count])
+    state.update_pack(board)
+    found[name] = [state.pack.voltage_mv, state.pack.guess_pct, list(told)]
+
+
 board, state = started()
 taken("half", 2047, 2047, 2047)
 taken("no current", 4095, 410, 496)
@@ -46,6 +60,12 @@ taken("and comes back", 3000, 1000, 3000)
 parameters.set("BATT_AMP_PERVLT", -20)
 parameters.set("BATT_AMP_OFFSET", 1.65)
 taken("the other way round, from the middle, at once", 3000, 1000, 3000)
+advance_us(10_001_000)
+cells_told("full cells, and no ADC", (6300, 6200, 6500), None)
+cells_told("cells, and an ADC that shows more", (3800, 4000, None), 4095)
+advance_us(10_001_000)
+cells_told("other cells, and an ADC that shows more", (3800, 4000, 4200), 4095)
+cells_told("ADC alone", None, 3000)
 advance_us(2_001_000)
 taken("one fails, and the last one is too old", 3000, 1000, None)
 parameters.set("BATT_MONITOR", 3)

@@ -130,7 +130,7 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"told |= {GOOD}"
     if reading.returns:
         yield from _returned(reading.component, reading.returns, code)
-    if threshold is not None:
+    if threshold is not None and reading.quantity.derivation.prefers is None:
         yield from _above(reading, threshold, code)
 
 
@@ -168,6 +168,12 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
     if measured.trust.stale_after_ms is not None:
         later = f"now_ms - {(1 << 30) - measured.trust.stale_after_ms} & {CLOCK_MASK}"
         yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
+    if reading.is_estimated_from:  # the converter may have failed
+        yield f"    told |= {GOOD}"
+    if measured.derivation.threshold is not None:  # the limit is that of what has become the value
+        yield f"value = {code.number_of(code.word(name, measured.attribute))}"
+        yield f"if value != {UNKNOWN}:"
+        yield from indented(list(_above(reading, measured.derivation.threshold, code)))
 
 
 def _converted(reading: Reading, code: SpelledCode) -> list[str]:
