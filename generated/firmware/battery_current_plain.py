@@ -164,10 +164,10 @@ def _sum_battery_current(battery, value, now_ms):
     # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
     part = battery[_BATTERY_TIME_LEFT_MEAN]
     if battery[_BATTERY_CURRENT_MA] == _UNKNOWN:
-        part = value * 64
-    part += (value * 64 - part) // 300
+        part = value * 300
+    part += value - (part + 150) // 300
     battery[_BATTERY_TIME_LEFT_MEAN] = part
-    part = part // 64
+    part = (part + 150) // 300
     if part <= 0 or battery[_BATTERY_LEFT_MAH] == _UNKNOWN:
         battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
     else:

@@ -155,10 +155,10 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
                 part = (battery[_BATTERY_TIME_LEFT_MEAN] ^ sign) - sign
                 if battery[_BATTERY_CURRENT_MA] == unknown:
-                    part = value * 64
-                part += (value * 64 - part) // 300
+                    part = value * 300
+                part += value - (part + 150) // 300
                 battery[_BATTERY_TIME_LEFT_MEAN] = part
-                part = part // 64
+                part = (part + 150) // 300
                 if part <= 0 or battery[_BATTERY_LEFT_MAH] == unknown:
                     battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
                 else:

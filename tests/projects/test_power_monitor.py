@@ -44,11 +44,15 @@ EXPECTED = {
     "one fails, and the last one is too old": [12088, 1688, None],
     "voltage only": [12088, None, 8070],
     "nothing of the pack": [None, None, 8070],
+    # 3300 mAh at 0.01 A and, less 5, at 0.06 A: the mean of a minute comes up to what is drawn, to the last step.
+    "next to nothing": [1, 3300, 1000000],
+    "a little more, for five minutes": [6, 3295, 197700],
 }
 
 
 CELLS = (
     ("board.yaml", "facts:", "curves:\n  pack: {points: {9 V: 0, 12 V: 60, 19 V: 100}}\nfacts:"),
+    ("state.yaml", "over: 1 s", "over: 60 s"),
     (
         "state.yaml",
         "stale_after: 1 s}",
@@ -57,7 +61,7 @@ CELLS = (
         '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}',
     ),
 )
-"""The project measures a pack whose cells another system may tell: file, what stands there, and what does then."""
+"""The project measures a pack whose cells another system may tell, and means over a minute: file, what stands there, and what does then."""
 
 
 @pytest.fixture(scope="module")

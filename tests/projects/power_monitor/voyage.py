@@ -47,6 +47,15 @@ def cells_told(name, cells, count):
     found[name] = [state.pack.voltage_mv, state.pack.guess_pct, list(told)]
 
 
+def drawn_for_long(name, count, turns):
+    """Keep what is left and how long it lasts after so many readings of the same draw."""
+    board.set_pack_current_adc_waveform([count])
+    for _ in range(turns):
+        advance_us(100000)
+        state.update_pack(board)
+    found[name] = [state.pack.current_ca, state.pack.left_mah, state.pack.time_left_s]
+
+
 board, state = started()
 taken("half", 2047, 2047, 2047)
 taken("no current", 4095, 410, 496)
@@ -74,4 +83,8 @@ taken("voltage only", 3000, 1000, 3000)
 parameters.set("BATT_MONITOR", 0)
 board, state = started()
 taken("nothing of the pack", 3000, 1000, 3000)
+parameters.__init__()
+board, state = started()
+drawn_for_long("next to nothing", 410, 1)
+drawn_for_long("a little more, for five minutes", 414, 3000)
 print(json.dumps(found))  # noqa: T201
