@@ -61,7 +61,7 @@ CELLS = (
         '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}',
     ),
 )
-"""The project measures a pack whose cells another system may tell, and means over a minute: file, what stands there, and what does then."""
+"""A pack whose cells another system may tell, and a mean over a minute: file, what stands there, and what does then."""
 
 
 @pytest.fixture(scope="module")

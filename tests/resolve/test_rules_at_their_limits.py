@@ -198,10 +198,10 @@ LEFT = SimpleNamespace(full=CAPACITY, after="sum", steps=3, share=None)
         (
             counted(9_000, 1, left={"remains": LEFT}, time={"lasts": Lasting("left", "of", 10, 6)}),
             "time",
-            9_000 * 11 * 11,
+            9_000 * 121,
         ),
         (counted(5, 1, left={"remains": LEFT}, time={"lasts": Lasting("left", "of", 10, 36)}), "time", 1_500 * 36),
-        (counted(5, 1, time={"lasts": Lasting("gone", "of", 10, 360)}), "time", 5 * 11 * 11),
+        (counted(5, 1, time={"lasts": Lasting("gone", "of", 10, 360)}), "time", 5 * 121),
     ],
 )
 def test_how_far_counting_reaches(system: Any, path: str, most: int, monkeypatch: pytest.MonkeyPatch) -> None:
