@@ -142,21 +142,6 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                 else:
                     # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
                     battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
-                    if battery[_BATTERY_FAILURES] >= 5:
-                        battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                        battery[_BATTERY_TREND_COUNT] = 0
-                        battery[_BATTERY_TREND_NEWER] = 0
-                        battery[_BATTERY_TREND_OLDER] = 0
-                    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-                    if battery[_BATTERY_EXPIRES_MS] != unknown:
-                        if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-                            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                            battery[_BATTERY_TREND_COUNT] = 0
-                            battery[_BATTERY_TREND_NEWER] = 0
-                            battery[_BATTERY_TREND_OLDER] = 0
-                            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
                     value = _UNKNOWN
             else:
                 # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
@@ -211,6 +196,22 @@ def read_battery(words, every, board, ticks, first: int) -> int:
             if count == 3:
                 battery[_BATTERY_VOLTAGE_MV] = value
                 battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
+            elif battery[_BATTERY_FAILURES] and not battery[_BATTERY_IS_SET]:
+                if battery[_BATTERY_FAILURES] >= 5:
+                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                    battery[_BATTERY_TREND_COUNT] = 0
+                    battery[_BATTERY_TREND_NEWER] = 0
+                    battery[_BATTERY_TREND_OLDER] = 0
+                # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+                if battery[_BATTERY_EXPIRES_MS] != unknown:
+                    if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+                        battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                        battery[_BATTERY_TREND_COUNT] = 0
+                        battery[_BATTERY_TREND_NEWER] = 0
+                        battery[_BATTERY_TREND_OLDER] = 0
+                        battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
             value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
             if value != _UNKNOWN:
                 # Above 13000 a warning is due, unless there was one just now (FR-00069.5).

@@ -39,6 +39,7 @@ EXPECTED = {
     "full cells, and no ADC": [19000, 100, ["warning: the pack's voltage is above 15 V:"]],
     "cells, and an ADC that shows more": [16500, 86, []],
     "other cells, and an ADC that shows more": [12000, 60, []],
+    "cells that rise, and no ADC": [12330, 300],  # 30 mV in 100 ms
     "ADC alone": [12088, 61, []],
     # Two failures would make it unknown, or 2 s, whichever comes first: no message was built meanwhile.
     "one fails, and the last one is too old": [12088, 1688, None],
@@ -58,7 +59,8 @@ CELLS = (
         "stale_after: 1 s}",
         "stale_after: 1 s, prefers: cells, warn_above: 15, warn_every: 10 s}\n"
         "      cells: {doc: Of its cells., unit: V, stored: mV, elements: cells, stale_after: 5 s}\n"
-        '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}',
+        '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}\n'
+        "      trend: {doc: Of the voltage., unit: V/s, stored: mV/s, trend_of: voltage, window: 1 s}",
     ),
 )
 """A pack whose cells another system may tell, and a mean over a minute: file, what stands there, and what does then."""

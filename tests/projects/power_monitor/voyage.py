@@ -74,6 +74,9 @@ cells_told("full cells, and no ADC", (6300, 6200, 6500), None)
 cells_told("cells, and an ADC that shows more", (3800, 4000, None), 4095)
 advance_us(10_001_000)
 cells_told("other cells, and an ADC that shows more", (3800, 4000, 4200), 4095)
+for turn in range(12):
+    cells_told("cells that rise, and no ADC", [4000 + 10 * turn] * 3, None)
+found["cells that rise, and no ADC"] = [state.pack.voltage_mv, state.pack.trend_mv_s]
 cells_told("ADC alone", None, 3000)
 advance_us(2_001_000)
 taken("one fails, and the last one is too old", 3000, 1000, None)

@@ -89,9 +89,10 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     name, full_scale = reading.component.name, conversion.channel.full_scale
     failures = code.word(name, reading.word("failures"))
     failed = [f"{failures} = {failures} + 1"]
-    if lasting:
-        failed += [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
-    failed += _expiry(reading, code, "now_ms")  # messages do that too, but nobody may build one that has it
+    lost = [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))] if lasting else []
+    lost += _expiry(reading, code, "now_ms")  # messages do that too, but nobody may build one that has it
+    if measured.derivation.prefers is None:
+        failed += lost
     good = [
         *_converted(reading, code),
         *(summed(reading, code) if counting_on is None else counting_on),
@@ -117,7 +118,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         "told = 0",
         f"count = {code.number_of(code.word(name, reading.word('count')))}",
         *taking,
-        *_preferred(reading, code),
+        *_preferred(reading, lost, code),
     ]
 
 
@@ -149,8 +150,11 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     yield f"    value = {code.number_of(code.word(name, measured.attribute))}"
 
 
-def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
-    """Take what comes before a reading, where all of it is known."""
+def _preferred(reading: Reading, lost: list[str], code: SpelledCode) -> Iterator[str]:
+    """Take what comes before a reading, where all of it is known; else ``lost`` is what a failed one does.
+
+    What was counted of readings so far, such as a trend, goes on with it.
+    """
     measured, name = reading.quantity, reading.component.name
     if measured.derivation.prefers is None:
         return
@@ -170,6 +174,12 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
     if reading.is_estimated_from:  # the converter may have failed
         yield f"    told |= {GOOD}"
+    if lost:
+        failing = code.word(name, reading.word("failures"))
+        if measured.derivation.represented is not None:
+            failing += f" and not {code.word(name, reading.word('is_set'))}"
+        yield f"elif {failing}:"
+        yield from indented(lost)
     if measured.derivation.threshold is not None:  # the limit is that of what has become the value
         yield f"value = {code.number_of(code.word(name, measured.attribute))}"
         yield f"if value != {UNKNOWN}:"
