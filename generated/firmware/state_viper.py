@@ -121,10 +121,6 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
                     if battery[_BATTERY_FAILURES] > 50:
                         battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                        battery[_BATTERY_TREND_COUNT] = 0
-                        battery[_BATTERY_TREND_NEWER] = 0
-                        battery[_BATTERY_TREND_OLDER] = 0
                         battery[_BATTERY_CURRENT_MA] = _UNKNOWN
                         battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
                         battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
@@ -138,6 +134,11 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                         battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
                         battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
                         battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+                    if battery[_BATTERY_VOLTAGE_MV] == unknown:
+                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                        battery[_BATTERY_TREND_COUNT] = 0
+                        battery[_BATTERY_TREND_NEWER] = 0
+                        battery[_BATTERY_TREND_OLDER] = 0
                     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
                 else:
                     # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).

@@ -45,6 +45,8 @@ EXPECTED = {
     "one fails, and the last one is too old": [12088, 1688, None],
     "voltage only": [12088, None, 8070],
     "nothing of the pack": [None, None, 8070],
+    # What code sets is a reading, with what is estimated of it, though no channel is read; None is none of either.
+    "code sets": [[12000, 60], [None, None], [12000, 60], [None, None]],
     # 3300 mAh at 0.01 A and, less 5, at 0.06 A: the mean of a minute comes up to what is drawn, to the last step.
     "next to nothing": [1, 3300, 1000000],
     "a little more, for five minutes": [6, 3295, 197700],
@@ -54,10 +56,22 @@ EXPECTED = {
 CELLS = (
     ("board.yaml", "facts:", "curves:\n  pack: {points: {9 V: 0, 12 V: 60, 19 V: 100}}\nfacts:"),
     ("state.yaml", "over: 1 s", "over: 60 s"),
+    ("parameters.yaml", "max: 4, step: 1, values: {", "max: 29, step: 1, values: {29: Code, "),
+    (
+        "parameters.yaml",
+        "  BATT_VOLT_PIN:",
+        "  BATT_VOLT_USED: {doc: d, default: 1, min: 0, max: 1, step: 1, reboot: true}\n  BATT_VOLT_PIN:",
+    ),
+    (
+        "board.yaml",
+        "multiplier: BATT_VOLT_MULT, samples",
+        "multiplier: BATT_VOLT_MULT, when: {BATT_VOLT_USED: 1}, samples",
+    ),
     (
         "state.yaml",
         "stale_after: 1 s}",
-        "stale_after: 1 s, prefers: cells, warn_above: 15, warn_every: 10 s}\n"
+        "stale_after: 1 s, prefers: cells, warn_above: 15, warn_every: 10 s,\n"
+        "         set_at: {BATT_MONITOR: 29}, set_stale_after: 1 s}\n"
         "      cells: {doc: Of its cells., unit: V, stored: mV, elements: cells, stale_after: 5 s}\n"
         '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}\n'
         "      trend: {doc: Of the voltage., unit: V/s, stored: mV/s, trend_of: voltage, window: 1 s}",

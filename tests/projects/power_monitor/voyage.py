@@ -90,4 +90,15 @@ parameters.__init__()
 board, state = started()
 drawn_for_long("next to nothing", 410, 1)
 drawn_for_long("a little more, for five minutes", 414, 3000)
+parameters.set("BATT_MONITOR", 29)
+parameters.set("BATT_VOLT_USED", 0)
+board, state = started()
+found["code sets"] = []
+for value, turns in ((12000, 1), (None, 1), (12000, 10), (None, 0)):
+    if turns:
+        state.pack.voltage_mv = value
+    for _ in range(turns or 1):
+        advance_us(100000)
+        state.update_pack(board)
+    found["code sets"].append([state.pack.voltage_mv, state.pack.guess_pct])
 print(json.dumps(found))  # noqa: T201

@@ -70,8 +70,12 @@ def _once_past(moment: str, statements: list[str], code: SpelledCode, now: str) 
 
 def forgotten(reading: Reading, code: SpelledCode) -> list[str]:
     """Make what comes of a reading unknown."""
+    return _forgotten(reading, reading.given, code)
+
+
+def _forgotten(reading: Reading, quantities: Iterable[Quantity], code: SpelledCode) -> list[str]:
     lines, name = [], reading.component.name
-    for quantity in reading.given:
+    for quantity in quantities:
         lines.append(f"{code.word(name, quantity.attribute)} = {UNKNOWN}")
         if quantity.derivation.kept_readings:
             lines += [f"{code.word(name, f'{quantity.name}_{word}')} = 0" for word in TREND_WORDS]
@@ -144,9 +148,12 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     yield f"    # Code sets it; that is forgotten {represented.stale_after_ms} ms later{cited}."
     yield f"    {failures} = {failures} + 1"
     yield f"    if {failures} > {represented.readings(reading.component)}:"
-    yield from indented(forgotten(reading, code), 2)
+    yield f"        {code.word(name, measured.attribute)} = {UNKNOWN}"
     if reading.returns:
         yield from indented([*_gone(reading.component, reading.returns, code, sums=True)], 2)
+    if lost := _forgotten(reading, [each for each in reading.given if each is not measured], code):
+        yield f"    if {code.word(name, measured.attribute)} == {code.unknown()}:"  # code may say so, too
+        yield from indented(lost, 2)
     yield f"    value = {code.number_of(code.word(name, measured.attribute))}"
 
 
