@@ -104,8 +104,8 @@ def _trust(derivation: Derivation | None, around: Surroundings) -> Trust:
 def _check(around: Surroundings) -> None:
     """Report what is wrong without a look at the rest of the specification."""
     spec, name = around.spec, around.name
-    estimates = any(each.written(EstimateSpec) for each in around.others.values())
-    if not is_name(name) or name in _RESERVED_QUANTITIES or (estimates and name == _ESTIMATING):
+    is_taken = name == _ESTIMATING and any(each.written(EstimateSpec) for each in around.others.values())
+    if is_taken or not is_name(name) or name in _RESERVED_QUANTITIES:
         around.bad("", f"{name} cannot be the name of a quantity", hint="choose another name")
     if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
         around.bad(
