@@ -8,7 +8,7 @@ from codegen.model.answers.answer import Answer
 from codegen.model.code.storage import SMALL_INT_MAX
 from codegen.model.quantities.basis import Basis
 from codegen.model.quantities.conversion import Conversion, factors_by_instance
-from codegen.model.quantities.summed import RADIX, SMOOTH_STEPS
+from codegen.model.quantities.summed import RADIX
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter, Quantity
 
@@ -80,7 +80,9 @@ def _sums(reading: Basis, system: System) -> Iterator[Diagnostic]:
         if lasting is not None and quantity in reading.given:
             left = quantities.get(lasting.left)
             first, second = lasting.factors(left.derivation.remains if left else None)
-            worst = max(most * SMOOTH_STEPS * 2, _largest_left(left) * first, most * second)
+            worst = max(
+                most * lasting.smooth_steps * (lasting.readings + 1), _largest_left(left) * first, most * second
+            )
         if worst > SMALL_INT_MAX:
             hint = "a shorter stale_after, a smaller max of its parameters or of its sensor, or a coarser unit"
             yield Diagnostic(quantity.spec.place, RULE, f"{quantity.path}: counting it reaches {worst}", hint)

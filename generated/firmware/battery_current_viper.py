@@ -73,6 +73,9 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
             if count < 0 or count > 4095:
                 # A failed reading keeps the last value; 5 in a row make it unknown (FR-00077.4).
                 battery[_BATTERY_CURRENT_FAILURES] = battery[_BATTERY_CURRENT_FAILURES] + 1
+                # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+                if now_ms - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+                    battery[_BATTERY_CURRENT_FAILURES] = 5
                 if battery[_BATTERY_CURRENT_FAILURES] >= 5:
                     battery[_BATTERY_CURRENT_MA] = _UNKNOWN
                     battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
@@ -147,10 +150,10 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
                 part = (battery[_BATTERY_TIME_LEFT_MEAN] ^ sign) - sign
                 if battery[_BATTERY_CURRENT_MA] == unknown:
-                    part = value * 64
-                part += (value * 64 - part) // 300
+                    part = value * 300
+                part += value - (part + 150) // 300
                 battery[_BATTERY_TIME_LEFT_MEAN] = part
-                part = part // 64
+                part = (part + 150) // 300
                 if part <= 0 or battery[_BATTERY_LEFT_MAH] == unknown:
                     battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
                 else:

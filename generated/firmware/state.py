@@ -141,16 +141,16 @@ class BatteryState(Component):
         " current_ma: current: number 1 -327680 327670 current 1000 1 25\n"
         # Charge drawn since the start, or since the pack was put in [mAh]
         # mAh, or None while it is unknown; FR-00077.5
-        " consumed_mah: consumed: number 2 -1073741823 1073741823 consumed 1 1 25\n"
+        " consumed_mah: consumed: number 2 - + consumed 1 1 25\n"
         # Energy drawn since the start, or since the pack was put in [hJ]
         # hJ, or None while it is unknown; FR-00077.5
-        " energy_hj: energy: number 3 -1073741823 1073741823 energy 1 1 25\n"
+        " energy_hj: energy: number 3 - + energy 1 1 25\n"
         # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
         # %, or None while it is unknown; FR-00068.5
         " remaining_pct: remaining: number 4 0 100 remaining 1 1 25\n"
         # Charge that is left of BATT_CAPACITY, where current is measured [mAh]
         # mAh, or None while it is unknown; FR-00077.6
-        " left_mah: left: number 5 0 1073741823 left 1 1 25\n"
+        " left_mah: left: number 5 0 + left 1 1 25\n"
         # How long the charge is enough, as far as the last half minute tells [s]
         # s, or None while it is unknown; FR-00077.7
         " time_left_s: time_left: number 6 0 1000000 time_left 1 1 25\n"
@@ -160,7 +160,7 @@ class BatteryState(Component):
         # degC, or None while it is unknown; FR-00068.6
         " temperature_cdegc: temperature: number 8 -32768 32766 temperature 100 1 25\n"
         # Change of the pack's voltage per second, positive while it rises [mV/s]
-        " trend_mv_s: whole 9 -1073741823 1073741823 trend\n"
+        " trend_mv_s: whole 9 - + trend\n"
         # V/s, or None while it is unknown; FR-00021.1
         " trend: result 9 1000\n"
         # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
@@ -205,10 +205,10 @@ class BatteryState(Component):
         " protected: truth 14\n"
         # Voltage of the cell that has the least [mV]
         # V, or None while it is unknown; FR-00072.5
-        " lowest_cell_mv: lowest_cell: number 15 -1073741823 1073741823 lowest_cell 1000\n"
+        " lowest_cell_mv: lowest_cell: number 15 - + lowest_cell 1000\n"
         # Voltage of the cell that has the most [mV]
         # V, or None while it is unknown; FR-00072.5
-        " highest_cell_mv: highest_cell: number 16 -1073741823 1073741823 highest_cell 1000\n"
+        " highest_cell_mv: highest_cell: number 16 - + highest_cell 1000\n"
         # Whether a cell is charged above what it stands, whatever the pack's voltage is
         # FR-00072.5
         " cell_over_voltage: at_least 16 4250\n"

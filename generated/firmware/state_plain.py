@@ -82,23 +82,20 @@ def _take_battery(battery, now_ms):
             while count < 3:
                 battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
                 count += 1
-            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
-            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
-        else:
-            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
-            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
-            count = 0
-            while count < 3:
-                value = battery[_BATTERY_CELLS_MV + count]
-                count += 1
-                if value == _UNKNOWN:
-                    continue
-                if battery[_BATTERY_LOWEST_CELL_MV] == _UNKNOWN:
-                    battery[_BATTERY_LOWEST_CELL_MV] = value
-                if value < battery[_BATTERY_LOWEST_CELL_MV]:
-                    battery[_BATTERY_LOWEST_CELL_MV] = value
-                if value > battery[_BATTERY_HIGHEST_CELL_MV]:
-                    battery[_BATTERY_HIGHEST_CELL_MV] = value
+        battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+        battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+        count = 0
+        while count < 3:
+            value = battery[_BATTERY_CELLS_MV + count]
+            count += 1
+            if value == _UNKNOWN:
+                continue
+            if battery[_BATTERY_LOWEST_CELL_MV] == _UNKNOWN:
+                battery[_BATTERY_LOWEST_CELL_MV] = value
+            if value < battery[_BATTERY_LOWEST_CELL_MV]:
+                battery[_BATTERY_LOWEST_CELL_MV] = value
+            if value > battery[_BATTERY_HIGHEST_CELL_MV]:
+                battery[_BATTERY_HIGHEST_CELL_MV] = value
     # What else code sets is forgotten 5000 ms after the last of it (FR-00073.11).
     if battery[_BATTERY_SET_AGE] != _UNKNOWN:
         battery[_BATTERY_SET_AGE] = battery[_BATTERY_SET_AGE] + 1
@@ -120,10 +117,6 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
             if battery[_BATTERY_FAILURES] > 50:
                 battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                battery[_BATTERY_TREND_COUNT] = 0
-                battery[_BATTERY_TREND_NEWER] = 0
-                battery[_BATTERY_TREND_OLDER] = 0
                 battery[_BATTERY_CURRENT_MA] = _UNKNOWN
                 battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
                 battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
@@ -137,16 +130,15 @@ def _take_battery(battery, now_ms):
                 battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
                 battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
                 battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
-            value = battery[_BATTERY_VOLTAGE_MV]
-        else:
-            # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
-            battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
-            if battery[_BATTERY_FAILURES] >= 5:
-                battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            if battery[_BATTERY_VOLTAGE_MV] == _UNKNOWN:
                 battery[_BATTERY_TREND_MV_S] = _UNKNOWN
                 battery[_BATTERY_TREND_COUNT] = 0
                 battery[_BATTERY_TREND_NEWER] = 0
                 battery[_BATTERY_TREND_OLDER] = 0
+            value = battery[_BATTERY_VOLTAGE_MV]
+        else:
+            # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
+            battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
             value = _UNKNOWN
     else:
         # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
@@ -192,13 +184,6 @@ def _take_battery(battery, now_ms):
                 battery[_BATTERY_ENERGY_HIGH] = 50000
             battery[_BATTERY_COUNTED_FROM_FULL] = 0
         battery[_BATTERY_GONE] = is_gone
-        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-        since = battery[_BATTERY_WARNED_MS]
-        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
-            battery[_BATTERY_WARNED_MS] = _UNKNOWN
-        if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
-            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
-            told |= 4
     # The sum of battery.cells comes first while all of them are known (FR-00067.3).
     value = 0
     count = 0
@@ -208,6 +193,25 @@ def _take_battery(battery, now_ms):
     if count == 3:
         battery[_BATTERY_VOLTAGE_MV] = value
         battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
+    elif battery[_BATTERY_FAILURES] and not battery[_BATTERY_IS_SET]:
+        # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+        if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_FAILURES] = 5
+        if battery[_BATTERY_FAILURES] >= 5:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+    value = battery[_BATTERY_VOLTAGE_MV]
+    if value != _UNKNOWN:
+        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
+        since = battery[_BATTERY_WARNED_MS]
+        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
+            battery[_BATTERY_WARNED_MS] = _UNKNOWN
+        if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
+            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
+            told |= 4
     if battery[_BATTERY_VOLTAGE_MV] != _UNKNOWN:
         _change_battery(battery)
     return told

@@ -204,7 +204,12 @@ MEASURED = (
         "warn_every_ms": 10000,
         "warning_counts": [4085, 4085],
         # Count, multiplier in steps, what is kept of them, and whether it is warned about.
-        "edges": [(4093, 88663, 29244, True), (4095, 10050, 3317, False), (4095, 39393, 13000, False), (4095, 39396, 13001, True)],
+        "edges": [
+            (4093, 88663, 29244, True),
+            (4095, 10050, 3317, False),
+            (4095, 39393, 13000, False),
+            (4095, 39396, 13001, True),
+        ],
         "invalid_after": 5,
         "stale_after_ms": 1000,
         "period_us": 100000,

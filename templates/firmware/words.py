@@ -94,9 +94,11 @@ class Component:
 
 
 def _told(word):
-    """Return what a word in VIEWS stands for: a number, None or a name."""
+    """Return what a word in VIEWS stands for: a number, None or a name; - and + are the least and the largest one."""
     if word == "None":
         return None
+    if word in "-+":
+        return LARGEST if word == "+" else -LARGEST
     return int(word) if word[0] in "-0123456789" else word
 
 

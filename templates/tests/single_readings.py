@@ -185,19 +185,22 @@ def allocates_nothing(facts, fresh):
 def lasts_at_the_mean(facts, fresh):
     """The rest lasts at the mean of the readings: the first one, then each one by its share of the way to it."""
     lasting = facts["lasting"]
+    readings = lasting["readings"]
+    parts = max(1, 128 // (readings + 1))
     board, state, _ = fresh(facts["on"])
     for one in facts["others"]:
         set_count(board, one, one["counts"][0])
     mean = None
     for count in facts["counts"]:
         set_count(board, facts, count)
-        for _ in range(lasting["readings"] // 2):
+        for _ in range(readings // 2):
             mock_time.advance_us(1000)  # next to nothing is drawn in so short a time
             update(state, board, facts)
             value = value_of(state, facts)
-            mean = 64 * value if mean is None else mean + (64 * value - mean) // lasting["readings"]
+            mean = parts * readings * value if mean is None else mean
+            mean += parts * value - (mean + readings // 2) // readings
             left, told = (own(state, facts, lasting[name]) for name in ("left", "attribute"))
-            at = mean // 64
+            at = (mean + parts * readings // 2) // (parts * readings)
             expected = None if at <= 0 or left is None else min(left * lasting["factor"] // at, lasting["most"])
             assert told == expected, (told, expected, mean)
     mock_time.set_ticks_us(0)

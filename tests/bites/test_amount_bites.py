@@ -151,7 +151,7 @@ FAULTS = [
         "speed: aged_number 8 0 60000 speed 10",
         ("path.speed",),
     ),
-    ("mean-over-less", "sources", "(value * 64 - part) // 10", "(value * 64 - part) // 5", ("pack.consumed-1",)),
+    ("mean-over-less", "sources", "- (part + 5) // 10", "- (part + 5) // 5", ("pack.consumed-1",)),
     ("sum-rounded-down", "sources", "[_PATH_DISTANCE_REST] = 50000", "[_PATH_DISTANCE_REST] = 0", ("path.distance",)),
     (
         "age-of-what-is-left",

@@ -740,6 +740,14 @@ CASES = [
         "62.5 Hz is once in 16 ms",
         is_alone=False,
     ),
+    Case(
+        "bad-quantity",
+        "state.yaml",
+        "      voltage:\n        doc: Voltage of",
+        '      guess: {doc: g, unit: "%", min: 0, max: 100, estimate_from: voltage, curve: discharge}\n'
+        "      §estimate: {doc: e}\n      voltage:\n        doc: Voltage of",
+        "cannot be the name",
+    ),
 ]
 
 ESTIMATE = "state.yaml:80:16"

@@ -21,8 +21,8 @@ def level(name: str, said: FailsafeText, *senses: Sense) -> Any:
     return SimpleNamespace(name=name, text=said, conditions=tuple(SimpleNamespace(sense=each) for each in senses))
 
 
-def failsafe(*levels: Any, over: FailsafeText | None = None) -> Any:
-    return SimpleNamespace(levels=levels, over=over, quantity=VOLTAGE)
+def failsafe(*levels: Any, over: FailsafeText | None = None, latch: bool = True) -> Any:
+    return SimpleNamespace(levels=levels, over=over, quantity=VOLTAGE, recovers=not latch)
 
 
 def volts(unknown: str = "?") -> Shown:
@@ -74,6 +74,19 @@ def test_levels_have_their_own_texts_and_the_end_has_one() -> None:
     assert shows(found)
     assert not shows(failsafe(*levels))
     assert shows(failsafe(level("low", LOW, Sense.BELOW), level("worse", text("gone", volts()), Sense.UNKNOWN)))
+
+
+def test_what_it_falls_back_to_may_be_unknown_by_then() -> None:
+    """A worse level that another quantity has led to is over while the one that is watched is unknown."""
+    levels = level("low", LOW, Sense.BELOW), level("worse", text("bad"), Sense.BELOW, Sense.ABOVE)
+    looked_at = [f"    {line}" for line in LOOKED_AT]
+    assert list(text_lines(failsafe(*levels, latch=False), "battery")) == [
+        'if level == "low":',
+        *looked_at,
+        'return "bad"',
+    ]
+    assert shows(failsafe(*levels, latch=False))
+    assert not shows(failsafe(*levels))
 
 
 def test_a_clause_is_left_out_while_a_quantity_in_it_is_unknown() -> None:

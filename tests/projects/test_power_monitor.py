@@ -35,9 +35,49 @@ EXPECTED = {
     "and comes back": [12088, 809, 8070],
     # (0.805861 - 1.65) * -20 = 16.882784 A.
     "the other way round, from the middle, at once": [12088, 1688, 8070],
+    # The sum of the cells is the voltage: what is estimated of it and what warns of it see no other one.
+    "full cells, and no ADC": [19000, 100, ["warning: the pack's voltage is above 15 V:"]],
+    "cells, and an ADC that shows more": [16500, 86, []],
+    "other cells, and an ADC that shows more": [12000, 60, []],
+    "cells that rise, and no ADC": [12330, 300],  # 30 mV in 100 ms
+    "ADC alone": [12088, 61, []],
+    # Two failures would make it unknown, or 2 s, whichever comes first: no message was built meanwhile.
+    "one fails, and the last one is too old": [12088, 1688, None],
     "voltage only": [12088, None, 8070],
     "nothing of the pack": [None, None, 8070],
+    # What code sets is a reading, with what is estimated of it, though no channel is read; None is none of either.
+    "code sets": [[12000, 60], [None, None], [12000, 60], [None, None]],
+    # 3300 mAh at 0.01 A and, less 5, at 0.06 A: the mean of a minute comes up to what is drawn, to the last step.
+    "next to nothing": [1, 3300, 1000000],
+    "a little more, for five minutes": [6, 3295, 197700],
 }
+
+
+CELLS = (
+    ("board.yaml", "facts:", "curves:\n  pack: {points: {9 V: 0, 12 V: 60, 19 V: 100}}\nfacts:"),
+    ("state.yaml", "over: 1 s", "over: 60 s"),
+    ("parameters.yaml", "max: 4, step: 1, values: {", "max: 29, step: 1, values: {29: Code, "),
+    (
+        "parameters.yaml",
+        "  BATT_VOLT_PIN:",
+        "  BATT_VOLT_USED: {doc: d, default: 1, min: 0, max: 1, step: 1, reboot: true}\n  BATT_VOLT_PIN:",
+    ),
+    (
+        "board.yaml",
+        "multiplier: BATT_VOLT_MULT, samples",
+        "multiplier: BATT_VOLT_MULT, when: {BATT_VOLT_USED: 1}, samples",
+    ),
+    (
+        "state.yaml",
+        "stale_after: 1 s}",
+        "stale_after: 1 s, prefers: cells, warn_above: 15, warn_every: 10 s,\n"
+        "         set_at: {BATT_MONITOR: 29}, set_stale_after: 1 s}\n"
+        "      cells: {doc: Of its cells., unit: V, stored: mV, elements: cells, stale_after: 5 s}\n"
+        '      guess: {doc: Of the charge., unit: "%", min: 0, max: 100, estimate_from: voltage, curve: pack}\n'
+        "      trend: {doc: Of the voltage., unit: V/s, stored: mV/s, trend_of: voltage, window: 1 s}",
+    ),
+)
+"""A pack whose cells another system may tell, and a mean over a minute: file, what stands there, and what does then."""
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +85,9 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built."""
     folder = tmp_path_factory.mktemp("power") / "monitor"
     subprocess.run(["cp", "-r", str(HERE / "power_monitor"), str(folder)], check=True)
+    for name, old, new in CELLS:
+        path = folder / "specs" / name
+        path.write_text(path.read_text().replace(old, new, 1))
     build(folder)
     return folder
 

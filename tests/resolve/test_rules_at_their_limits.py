@@ -195,9 +195,13 @@ LEFT = SimpleNamespace(full=CAPACITY, after="sum", steps=3, share=None)
         ),
         (counted(40, 700, sum={"sums": Sum("of", "gone", 7 * 10**6)}), "sum", 40 * 700 + 7),
         (counted(40, 700, left={"remains": LEFT}), "left", 500 * 3 * 2),
-        (counted(9_000, 1, left={"remains": LEFT}, time={"lasts": Lasting("left", "of", 10, 6)}), "time", 9_000 * 128),
+        (
+            counted(9_000, 1, left={"remains": LEFT}, time={"lasts": Lasting("left", "of", 10, 6)}),
+            "time",
+            9_000 * 121,
+        ),
         (counted(5, 1, left={"remains": LEFT}, time={"lasts": Lasting("left", "of", 10, 36)}), "time", 1_500 * 36),
-        (counted(5, 1, time={"lasts": Lasting("gone", "of", 10, 360)}), "time", 5 * 128),
+        (counted(5, 1, time={"lasts": Lasting("gone", "of", 10, 360)}), "time", 5 * 121),
     ],
 )
 def test_how_far_counting_reaches(system: Any, path: str, most: int, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -52,9 +52,10 @@ class Lasting:
         second = next(fitting, 1)
         return self.factor // second, second
 
-
-SMOOTH_STEPS = 64
-"""Parts of a step in which a mean is kept, so that small changes are not lost."""
+    @property
+    def smooth_steps(self) -> int:
+        """Return the parts of a step in which the mean, times ``readings``, is kept: so it comes to what stays."""
+        return max(1, 128 // (self.readings + 1))
 
 
 def whole(value: Fraction | None) -> int | None:

@@ -13,7 +13,7 @@ from codegen.diagnostics import did_you_mean
 from codegen.measure import UNIT_MISMATCH, read_time
 from codegen.model.quantities.derivation import Derivation
 from codegen.model.quantities.trust import Trust
-from codegen.model.spec.derivation import MeasuredSpec
+from codegen.model.spec.derivation import EstimateSpec, MeasuredSpec
 from codegen.model.spec.spec import Requirement
 from codegen.model.units.unit import Unit, read_measure, unit_named
 from codegen.model.vehicle import Quantity, QuantityKind
@@ -41,6 +41,8 @@ _RESERVED_QUANTITIES = {
     "beyond",
     "tell",
 }
+_ESTIMATING = "estimate"
+"""The method of a component in which something is estimated."""
 LONGEST_NAME = 64
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
@@ -102,7 +104,8 @@ def _trust(derivation: Derivation | None, around: Surroundings) -> Trust:
 def _check(around: Surroundings) -> None:
     """Report what is wrong without a look at the rest of the specification."""
     spec, name = around.spec, around.name
-    if not is_name(name) or name in _RESERVED_QUANTITIES:
+    is_taken = name == _ESTIMATING and any(each.written(EstimateSpec) for each in around.others.values())
+    if is_taken or not is_name(name) or name in _RESERVED_QUANTITIES:
         around.bad("", f"{name} cannot be the name of a quantity", hint="choose another name")
     if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
         around.bad(

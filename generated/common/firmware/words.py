@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 51f22e7ed9402c58
+# Inputs: 08bfa7dfabfdd41c
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -96,9 +96,11 @@ class Component:
 
 
 def _told(word):
-    """Return what a word in VIEWS stands for: a number, None or a name."""
+    """Return what a word in VIEWS stands for: a number, None or a name; - and + are the least and the largest one."""
     if word == "None":
         return None
+    if word in "-+":
+        return LARGEST if word == "+" else -LARGEST
     return int(word) if word[0] in "-0123456789" else word
 
 

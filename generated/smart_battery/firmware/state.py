@@ -95,7 +95,7 @@ class BatteryState(Component):
         " current_ma: current: number 1 -327680 327670 current 1000\n"
         # Charge drawn since the pack was full [mAh]
         # mAh, or None while it is unknown; FR-00074.9
-        " consumed_mah: consumed: number 2 -1073741823 1073741823 consumed 1\n"
+        " consumed_mah: consumed: number 2 - + consumed 1\n"
         # Energy drawn since the pack was full [hJ]
         " energy_hj: integer 3 2 -2147483648 2147483647 energy\n"
         # hJ, or None while it is unknown; FR-00074.9
@@ -105,7 +105,7 @@ class BatteryState(Component):
         " remaining_pct: remaining: number 5 0 100 remaining 1\n"
         # Charge that is left [mAh]
         # mAh, or None while it is unknown; FR-00074.9
-        " left_mah: left: number 6 0 1073741823 left 1\n"
+        " left_mah: left: number 6 0 + left 1\n"
         # How long that is enough [s]
         # s, or None while it is unknown; FR-00074.9
         " time_left_s: time_left: number 7 0 1000000 time_left 1\n"
@@ -149,10 +149,10 @@ class BatteryState(Component):
         " protected: truth 13\n"
         # Voltage of the cell that has the least [mV]
         # V, or None while it is unknown; FR-00072.5
-        " lowest_cell_mv: lowest_cell: number 14 -1073741823 1073741823 lowest_cell 1000\n"
+        " lowest_cell_mv: lowest_cell: number 14 - + lowest_cell 1000\n"
         # Voltage of the cell that has the most [mV]
         # V, or None while it is unknown; FR-00072.5
-        " highest_cell_mv: highest_cell: number 15 -1073741823 1073741823 highest_cell 1000\n"
+        " highest_cell_mv: highest_cell: number 15 - + highest_cell 1000\n"
         # Whether a cell is charged above what it stands, whatever the pack's voltage is
         # FR-00072.5
         " cell_over_voltage: at_least 15 4250\n"

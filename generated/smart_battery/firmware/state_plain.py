@@ -61,28 +61,28 @@ def _take_battery(battery, now_ms):
             while count < 3:
                 battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
                 count += 1
-            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
-            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
-        else:
-            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
-            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
-            count = 0
-            while count < 3:
-                value = battery[_BATTERY_CELLS_MV + count]
-                count += 1
-                if value == _UNKNOWN:
-                    continue
-                if battery[_BATTERY_LOWEST_CELL_MV] == _UNKNOWN:
-                    battery[_BATTERY_LOWEST_CELL_MV] = value
-                if value < battery[_BATTERY_LOWEST_CELL_MV]:
-                    battery[_BATTERY_LOWEST_CELL_MV] = value
-                if value > battery[_BATTERY_HIGHEST_CELL_MV]:
-                    battery[_BATTERY_HIGHEST_CELL_MV] = value
+        battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+        battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+        count = 0
+        while count < 3:
+            value = battery[_BATTERY_CELLS_MV + count]
+            count += 1
+            if value == _UNKNOWN:
+                continue
+            if battery[_BATTERY_LOWEST_CELL_MV] == _UNKNOWN:
+                battery[_BATTERY_LOWEST_CELL_MV] = value
+            if value < battery[_BATTERY_LOWEST_CELL_MV]:
+                battery[_BATTERY_LOWEST_CELL_MV] = value
+            if value > battery[_BATTERY_HIGHEST_CELL_MV]:
+                battery[_BATTERY_HIGHEST_CELL_MV] = value
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:
         # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
         battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+        # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+        if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_FAILURES] = 5
         if battery[_BATTERY_FAILURES] >= 5:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
     else:

@@ -46,7 +46,14 @@ def _is_known(part: Shown, level: FailsafeLevel | None, failsafe: Failsafe) -> b
     """Return whether a quantity cannot be unknown where it is shown: it is what was compared."""
     if part.quantity.initial is not None:
         return True
-    return part.quantity is failsafe.quantity and level is not None and not _can_be_unknown(level)
+    if part.quantity is not failsafe.quantity or level is None or _can_be_unknown(level):
+        return False
+    return not failsafe.recovers or not any(len(worse.conditions) > 1 for worse in _worse(level, failsafe))
+
+
+def _worse(level: FailsafeLevel, failsafe: Failsafe) -> tuple[FailsafeLevel, ...]:
+    """Return the levels from which it may fall back to this one, whatever the value is meanwhile."""
+    return failsafe.levels[failsafe.levels.index(level) + 1 :]
 
 
 def _said(text: FailsafeText, level: FailsafeLevel | None, failsafe: Failsafe, variable: str) -> Iterator[str]:

@@ -24,10 +24,9 @@ def aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"    {age} = {age} + 1"
         yield f"    if {age} > {math.ceil((stale_ms or 0) / component.read_every_ms)}:"
         yield f"        {age} = {UNKNOWN}"
-        yield from indented(all_unknown(quantity, component, code), 2)
+        yield from indented(_unknown(quantity, code), 2)
         if extremes := component.extremes(quantity):
-            yield "    else:"
-            yield from indented([*_found(extremes, quantity, code)], 2)
+            yield from indented([*_found(extremes, quantity, code)])
     yield from _set_together(component, code)
 
 
@@ -70,16 +69,18 @@ def _found(extremes: Iterable[Quantity], listed: Quantity, code: SpelledCode) ->
 
 
 def all_unknown(quantity: Quantity, component: Component, code: SpelledCode) -> list[str]:
-    """Make a list unknown, and the lowest and the highest of it.
+    """Make a list unknown, and the lowest and the highest of it."""
+    extremes = (f"{code.word(each.component, each.attribute)} = {UNKNOWN}" for each in component.extremes(quantity))
+    return [*_unknown(quantity, code), *extremes]
 
-    ``count`` counts its values, since one more variable would put all on the heap.
-    """
+
+def _unknown(quantity: Quantity, code: SpelledCode) -> list[str]:
+    """Make a list unknown. ``count`` counts its values, since one more variable would put all on the heap."""
     return [
         "count = 0",
         f"while count < {max(quantity.elements or (0,))}:",
         f"    {code.half(quantity, 0, 'count')} = {UNKNOWN}",
         "    count += 1",
-        *(f"{code.word(each.component, each.attribute)} = {UNKNOWN}" for each in component.extremes(quantity)),
     ]
 
 

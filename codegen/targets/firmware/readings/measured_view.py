@@ -183,7 +183,8 @@ def read_words(reading: Reading, block: Block, parameters: str) -> Iterator[tupl
         return
     switch = reading.component.switch
     is_on = "" if enabled is None or switch is when[0] else f" and words[{block.constant(enabled.attribute)}]"
-    yield (
-        block.constant(reading.word("is_read")),
-        f"1 if {parameter_expression(when[0], parameters)} == {when[1]}{is_on} else 0",
-    )
+    is_chosen = f"{parameter_expression(when[0], parameters)} == {when[1]}"
+    if represented is not None:  # what code sets is taken as a reading, too
+        is_chosen += f" or words[{block.constant(reading.word('is_set'))}]"
+        is_chosen = f"({is_chosen})" if is_on else is_chosen
+    yield block.constant(reading.word("is_read")), f"1 if {is_chosen}{is_on} else 0"

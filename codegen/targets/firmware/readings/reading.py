@@ -43,6 +43,22 @@ def _expiry(reading: Reading, code: SpelledCode, now: str) -> list[str]:
     ]
 
 
+def _lost(reading: Reading, code: SpelledCode) -> list[str]:
+    """Forget a reading that failed too often, or is too old: messages do that too, but nobody may build one with it.
+
+    One that is too old counts as failed so often; where there is none, the time may be any, and nothing is forgotten.
+    """
+    lasting, expiry = reading.quantity.trust.invalid_after, _expiry(reading, code, "now_ms")
+    if not lasting:
+        return expiry
+    failures = code.word(reading.component.name, reading.word("failures"))
+    lost = [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
+    if expiry:
+        expires = code.word(reading.component.name, reading.word("expires_ms"))
+        lost = [expiry[0], f"if {_is_past(expires, 'now_ms')}:", f"    {failures} = {lasting}", *lost]
+    return lost
+
+
 def forgetting(quantity: Quantity, code: SpelledCode, now: str) -> list[str]:
     """Forget what code has set where that was too long ago by the time ``now``, in ms."""
     expires = code.word(quantity.component, age_word(quantity))
@@ -61,17 +77,21 @@ def _once_past(moment: str, statements: list[str], code: SpelledCode, now: str) 
 
     Without a variable for the age: functions with many of them keep all on the heap in plain Python.
     """
-    return [
-        f"if {moment} != {code.unknown()}:",
-        f"    if {now} - {moment} - 1 & {CLOCK_MASK} < 0x1FFFFFFF:",
-        *indented(statements, 2),
-    ]
+    return [f"if {moment} != {code.unknown()}:", f"    if {_is_past(moment, now)}:", *indented(statements, 2)]
+
+
+def _is_past(moment: str, now: str) -> str:
+    return f"{now} - {moment} - 1 & {CLOCK_MASK} < 0x1FFFFFFF"
 
 
 def forgotten(reading: Reading, code: SpelledCode) -> list[str]:
     """Make what comes of a reading unknown."""
+    return _forgotten(reading, reading.given, code)
+
+
+def _forgotten(reading: Reading, quantities: Iterable[Quantity], code: SpelledCode) -> list[str]:
     lines, name = [], reading.component.name
-    for quantity in reading.given:
+    for quantity in quantities:
         lines.append(f"{code.word(name, quantity.attribute)} = {UNKNOWN}")
         if quantity.derivation.kept_readings:
             lines += [f"{code.word(name, f'{quantity.name}_{word}')} = 0" for word in TREND_WORDS]
@@ -89,8 +109,9 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     name, full_scale = reading.component.name, conversion.channel.full_scale
     failures = code.word(name, reading.word("failures"))
     failed = [f"{failures} = {failures} + 1"]
-    if lasting:
-        failed += [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
+    lost = _lost(reading, code)
+    if measured.derivation.prefers is None:
+        failed += lost
     good = [
         *_converted(reading, code),
         *(summed(reading, code) if counting_on is None else counting_on),
@@ -116,7 +137,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         "told = 0",
         f"count = {code.number_of(code.word(name, reading.word('count')))}",
         *taking,
-        *_preferred(reading, code),
+        *_preferred(reading, lost, code),
     ]
 
 
@@ -129,7 +150,7 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"told |= {GOOD}"
     if reading.returns:
         yield from _returned(reading.component, reading.returns, code)
-    if threshold is not None:
+    if threshold is not None and reading.quantity.derivation.prefers is None:
         yield from _above(reading, threshold, code)
 
 
@@ -142,14 +163,20 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     yield f"    # Code sets it; that is forgotten {represented.stale_after_ms} ms later{cited}."
     yield f"    {failures} = {failures} + 1"
     yield f"    if {failures} > {represented.readings(reading.component)}:"
-    yield from indented(forgotten(reading, code), 2)
+    yield f"        {code.word(name, measured.attribute)} = {UNKNOWN}"
     if reading.returns:
         yield from indented([*_gone(reading.component, reading.returns, code, sums=True)], 2)
+    if lost := _forgotten(reading, [each for each in reading.given if each is not measured], code):
+        yield f"    if {code.word(name, measured.attribute)} == {code.unknown()}:"  # code may say so, too
+        yield from indented(lost, 2)
     yield f"    value = {code.number_of(code.word(name, measured.attribute))}"
 
 
-def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
-    """Take what comes before a reading, where all of it is known."""
+def _preferred(reading: Reading, lost: list[str], code: SpelledCode) -> Iterator[str]:
+    """Take what comes before a reading, where all of it is known; else ``lost`` is what a failed one does.
+
+    What was counted of readings so far, such as a trend, goes on with it.
+    """
     measured, name = reading.quantity, reading.component.name
     if measured.derivation.prefers is None:
         return
@@ -167,6 +194,18 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
     if measured.trust.stale_after_ms is not None:
         later = f"now_ms - {(1 << 30) - measured.trust.stale_after_ms} & {CLOCK_MASK}"
         yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
+    if reading.is_estimated_from:  # the converter may have failed
+        yield f"    told |= {GOOD}"
+    if lost:
+        failing = code.word(name, reading.word("failures"))
+        if measured.derivation.represented is not None:
+            failing += f" and not {code.word(name, reading.word('is_set'))}"
+        yield f"elif {failing}:"
+        yield from indented(lost)
+    if measured.derivation.threshold is not None:  # the limit is that of what has become the value
+        yield f"value = {code.number_of(code.word(name, measured.attribute))}"
+        yield f"if value != {UNKNOWN}:"
+        yield from indented(list(_above(reading, measured.derivation.threshold, code)))
 
 
 def _converted(reading: Reading, code: SpelledCode) -> list[str]:

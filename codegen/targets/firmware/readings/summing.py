@@ -2,7 +2,7 @@
 
 from codegen.model.code.payload_code import UNKNOWN, indented
 from codegen.model.quantities.basis import Basis
-from codegen.model.quantities.summed import RADIX, SMOOTH_STEPS, Lasting, Rest, Sum
+from codegen.model.quantities.summed import RADIX, Lasting, Rest, Sum
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.messages.payload import SpelledCode
 from codegen.targets.firmware.readings.sum_words import full_word, rest_words
@@ -123,14 +123,17 @@ def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: Spelled
             *_most("part", quantity),
             f"{word} = part",
         ]
+    # Rounded down, a mean of many readings would stay below what is drawn for ever.
+    parts = lasting.smooth_steps * lasting.readings
+    new = "value" if lasting.smooth_steps == 1 else f"value * {lasting.smooth_steps}"
     return [
         f"# {quantity.path}: {lasting.left} at the mean of {lasting.at}; unknown while nothing is drawn{cited}.",
         f"part = {number}",
         f"if {before} == {code.unknown()}:",
-        f"    part = value * {SMOOTH_STEPS}",
-        f"part += (value * {SMOOTH_STEPS} - part) // {lasting.readings}",
+        f"    part = value * {parts}",
+        f"part += {new} - (part + {lasting.readings // 2}) // {lasting.readings}",
         f"{mean} = part",
-        f"part = part // {SMOOTH_STEPS}",
+        f"part = (part + {parts // 2}) // {parts}",
         f"if part <= 0 or {left} == {code.unknown()}:",
         f"    {word} = {UNKNOWN}",
         "else:",

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from codegen.frozen import dataclass
 from codegen.model.code.letters import letter_words
-from codegen.model.code.storage import Storage
+from codegen.model.code.storage import SMALL_INT_MAX, Storage
 from codegen.model.quantities.reach import Reach
 from codegen.model.quantities.set_together import set_together
 from codegen.model.vehicle import Component, Quantity, QuantityKind
@@ -36,6 +36,9 @@ FURTHER = {
     "below": (2, {"own": "None", "floor": "-1073741823", "own_floor": "None"}),
 }
 """The least number of arguments of such a view, and the defaults of its further ones by name."""
+
+ENDS = {str(-SMALL_INT_MAX): "-", str(SMALL_INT_MAX): "+"}
+"""The smallest and the largest whole number that is kept, as a line of text has them: most have no other limit."""
 
 OF_THE_PROGRAM = "vehicle"
 """The component that the program itself uses: its attributes are there at once, for a pass is not to make one."""
@@ -92,7 +95,8 @@ def _line(view: AttributeView, places: Mapping[str, str]) -> LineView:
     ``places`` are the numbers of the words by the names of their constants.
     """
     kind, _, rest = view.expression.partition("(")
-    told = [places.get(value, value).strip('"') for value in _by_position(kind, rest.removesuffix(")").split(", "))]
+    arguments = _by_position(kind, rest.removesuffix(")").split(", "))
+    told = [ENDS.get(value, places.get(value, value).strip('"')) for value in arguments]
     words = ["", *(f"{name}:" for name in view.name.split(", ")), kind, *told[:-1], f"{told[-1]}\\n"]
     comments = tuple(line for text in (view.above, view.behind) if text for line in text.split("\n    # "))
     return LineView(tuple(view.name.split(", ")), kind, comments, text_literals(words, indent=8))
