@@ -1,6 +1,7 @@
 """The commands that the vehicle answers, resolved: those of the project, those of every program, and its modes."""
 
 import math
+from collections.abc import Callable
 from enum import Enum
 from fractions import Fraction
 
@@ -63,6 +64,22 @@ class CommandParam:
     def is_rounded(self) -> bool:
         """Return whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
         return self.is_whole and (self.steps is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
+
+    @property
+    def int_ends(self) -> tuple[Fraction | None, Fraction | None]:
+        """The limits of x or y in COMMAND_INT, whole numbers of its steps: as they are meant, not as floats."""
+        steps = Fraction(1) if self.steps is None else self.steps
+        to_steps = AffineMap(steps / self.scale.factor, -self.scale.pi)
+        found: list[Fraction | None] = []
+        sides: tuple[Callable[[Fraction], int], ...] = (math.ceil, math.floor)
+        for limit, end, inward in zip((self.minimum, self.maximum), self.ends, sides, strict=True):
+            if limit is None:
+                found.append(None)
+            elif end is None:  # of the dialect, and pi lies between its unit and that of the argument
+                found.append(Fraction(inward(limit * steps) if self.steps is None else round(limit * steps)))
+            else:
+                found.append(Fraction(to_steps.settled(end, inward)))
+        return found[0], found[1]
 
     @property
     def whole_ends(self) -> tuple[int, int] | None:
