@@ -1,6 +1,7 @@
 """The commands that the vehicle answers, resolved: those of the project, those of every program, and its modes."""
 
 import math
+import struct
 from collections.abc import Callable
 from enum import Enum
 from fractions import Fraction
@@ -19,6 +20,10 @@ _FAR = 1 << 128
 
 WHOLE_IN_INT = (5, 6)
 """The parameters of which COMMAND_INT has whole numbers: x and y."""
+
+
+def _single(value: Fraction) -> Fraction:
+    return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
 
 
 class Axis(Enum):
@@ -80,6 +85,15 @@ class CommandParam:
             else:
                 found.append(Fraction(to_steps.settled(end, inward)))
         return found[0], found[1]
+
+    @property
+    def int_left(self) -> tuple[Fraction, ...]:
+        """The numbers of ``left`` in COMMAND_INT: of what it multiplies those that are written, not their floats."""
+        if self.steps is None:
+            return self.left
+        written = [each for each in self.spec.unchanged or () if isinstance(each, Fraction)]
+        meant = (next((each for each in written if _single(each) == value), value) for value in self.left)
+        return tuple(dict.fromkeys(Fraction(round(each * self.steps)) for each in meant))
 
     @property
     def whole_ends(self) -> tuple[int, int] | None:

@@ -91,6 +91,7 @@ def test_only_a_whole_number_of_command_int_stands_for_nan(own_commands: ModuleT
     [
         ("unit: deg, min: -179.9999, max: 13.9876", "(6, -1799999000, 139876000, "),
         ("unit: degE7, min: -1799999001, max: 139876001", "(6, -1799999001, 139876001, "),
+        ("unit: deg, unchanged: [99.9]", "(6, -1800000000, 1800000000, 1, 10000000, _REAL, None, None, "),
         ("unit: rad, min: -0.1, max: 3.1", "(6, -57295779, 1776169164, "),
     ],
 )
@@ -104,4 +105,5 @@ def test_limits_of_whole_coordinates_are_not_those_of_floats(written: str, row: 
     assert system is not None
     assert system.program is not None
     (params,) = [each.int_params for each in command_table_view(system.program).commands if each.method == "go_to"]
-    assert any(" ".join(each.split()).replace("( ", "(").startswith(row) for each in params), params
+    (found,) = [line for line in (" ".join(each.split()).replace("( ", "(") for each in params) if line.startswith(row)]
+    assert "unchanged" not in written or "(999000000,)" in found  # not of the float beside 99.9

@@ -113,7 +113,7 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
         _among(param),
         "None" if param.default is None else argument_text(param, param.default),
         quoted(f"{param.name} must be {param.limits}"),
-        *_further(param, steps),
+        *_further(param, param.int_left if is_int else param.left),
     )
     line = f"({', '.join(parts)})"
     if len(line) <= _ROOM:
@@ -133,10 +133,10 @@ def _is_exact_int(param: CommandParam) -> bool:
     )
 
 
-def _further(param: CommandParam, steps: Fraction) -> Iterator[str]:
+def _further(param: CommandParam, numbers: Iterable[Fraction]) -> Iterator[str]:
     """The numbers that leave things as they are, and the ends of the argument, as far as there are any."""
     ends = param.whole_ends
-    left = [*(["None"] if param.is_none_for_nan else []), *(number_text(value * steps) for value in param.left)]
+    left = [*(["None"] if param.is_none_for_nan else []), *map(number_text, numbers)]
     if left or ends:
         yield f"({', '.join(left)}{',' if len(left) == 1 else ''})"
     if ends:
