@@ -1,6 +1,8 @@
 """The commands that the vehicle answers, resolved: those of the project, those of every program, and its modes."""
 
 import math
+import struct
+from collections.abc import Callable
 from enum import Enum
 from fractions import Fraction
 
@@ -18,6 +20,10 @@ _FAR = 1 << 128
 
 WHOLE_IN_INT = (5, 6)
 """The parameters of which COMMAND_INT has whole numbers: x and y."""
+
+
+def _single(value: Fraction) -> Fraction:
+    return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
 
 
 class Axis(Enum):
@@ -63,6 +69,31 @@ class CommandParam:
     def is_rounded(self) -> bool:
         """Return whether an argument is whole of which the wire has fractions, so that the nearest one is meant."""
         return self.is_whole and (self.steps is not None or self.scale.ratio is None or self.scale.ratio.numerator != 1)
+
+    @property
+    def int_ends(self) -> tuple[Fraction | None, Fraction | None]:
+        """The limits of x or y in COMMAND_INT, whole numbers of its steps: as they are meant, not as floats."""
+        steps = Fraction(1) if self.steps is None else self.steps
+        to_steps = AffineMap(steps / self.scale.factor, -self.scale.pi)
+        found: list[Fraction | None] = []
+        sides: tuple[Callable[[Fraction], int], ...] = (math.ceil, math.floor)
+        for limit, end, inward in zip((self.minimum, self.maximum), self.ends, sides, strict=True):
+            if limit is None:
+                found.append(None)
+            elif end is None:  # of the dialect, and pi lies between its unit and that of the argument
+                found.append(Fraction(inward(limit * steps) if self.steps is None else round(limit * steps)))
+            else:
+                found.append(Fraction(to_steps.settled(end, inward)))
+        return found[0], found[1]
+
+    @property
+    def int_left(self) -> tuple[Fraction, ...]:
+        """The numbers of ``left`` in COMMAND_INT: of what it multiplies those that are written, not their floats."""
+        if self.steps is None:
+            return self.left
+        written = [each for each in self.spec.unchanged or () if isinstance(each, Fraction)]
+        meant = (next((each for each in written if _single(each) == value), value) for value in self.left)
+        return tuple(dict.fromkeys(Fraction(round(each * self.steps)) for each in meant))
 
     @property
     def whole_ends(self) -> tuple[int, int] | None:

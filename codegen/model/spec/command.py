@@ -37,7 +37,8 @@ class CommandParamSpec(Written):
     min: Fraction | None = described("Smallest value that is accepted, in unit.", default=None)
     max: Fraction | None = described("Largest value that is accepted, in unit.", default=None)
     whole: bool | None = described(
-        "True: only whole numbers are accepted. Default: where the dialect's increment is whole, and for enums.",
+        "True: only whole numbers are accepted. Default: where the dialect's increment is whole and unit converts "
+        "nothing, and for enums.",
         default=None,
     )
     enum: str | None = described(

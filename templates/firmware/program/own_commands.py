@@ -36,6 +36,7 @@ _WORDS = const(8)
 
 _WHOLE = const(1)
 _ROUNDED = const(2)
+_BITS = const(48)  # behind the point, of a number that is to be multiplied as with all its digits
 _UNKNOWN_INT = const(0x7FFFFFFF)  # in x and y of COMMAND_INT, which have no NaN
 _QUIET_MS = const(1000)  # between two texts that say the same
 _CANNOT = object()  # what the argument is of a value that cannot be
@@ -148,7 +149,8 @@ def _read(row, command, values):
 def _argument(param, value, is_int):
     """Return what a value on the wire is for the method, None where nothing is to change; _CANNOT: it cannot be."""
     leaves = param[_LEAVES] if len(param) > _LEAVES else ()
-    if value != value or (is_int and value == _UNKNOWN_INT):  # noqa: PLR0124  NaN
+    # The float of 32 bits beside 0x7FFFFFFF equals it on a board, and is a number.
+    if value != value or (is_int and isinstance(value, int) and value == _UNKNOWN_INT):  # noqa: PLR0124  NaN
         if None in leaves:
             return None
         return _CANNOT if param[_DEFAULT] is None else param[_DEFAULT]
@@ -156,7 +158,9 @@ def _argument(param, value, is_int):
         return None
     if not param[_LEAST] <= value <= param[_MOST]:
         return _CANNOT
-    if param[_MULTIPLIER] != param[_DIVISOR]:
+    if param[_FORM] == _ROUNDED and isinstance(param[_MULTIPLIER], int):
+        value = _nearest(value, param[_MULTIPLIER], param[_DIVISOR])
+    elif param[_MULTIPLIER] != param[_DIVISOR]:
         value = value * param[_MULTIPLIER] / param[_DIVISOR]
     if not param[_FORM]:
         return value
@@ -166,6 +170,15 @@ def _argument(param, value, is_int):
     if len(param) > _ENDS:
         return min(max(whole, param[_ENDS][0]), param[_ENDS][1])
     return whole if _is_among(param[_AMONG], whole) else _CANNOT
+
+
+def _nearest(value, multiplier, divisor):
+    """Return the whole number nearest to a value times a fraction, by whole numbers: a board's floats have 24 bits."""
+    whole = int(value)
+    parts = (whole << _BITS) + int((value - whole) * (1 << _BITS))
+    one = divisor << _BITS
+    nearest = (2 * abs(parts) * multiplier + one) // (2 * one)
+    return -nearest if parts < 0 else nearest
 
 
 def _is_among(among, value):

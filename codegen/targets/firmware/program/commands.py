@@ -1,5 +1,6 @@
 """Views of the commands: the table of those of the project, the methods of the vehicle that do them, and its modes."""
 
+import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from textwrap import wrap
@@ -99,10 +100,8 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
     steps = param.steps if is_int and param.steps is not None else Fraction(1)
     scale = AffineMap(param.scale.factor / steps, param.scale.pi)
     low, high = (None if end is None else end * steps for end in (param.minimum, param.maximum))
-    if is_int and param.steps is not None:
-        low, high = (None if end is None else Fraction(round(end)) for end in (low, high))
-    elif is_int and _is_exact_int(param):
-        low, high = param.ends
+    if is_int and (param.steps is not None or _is_exact_int(param)):
+        low, high = param.int_ends
     multiplier, divisor = _factor(scale)
     parts = (
         str(param.number),
@@ -114,7 +113,7 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
         _among(param),
         "None" if param.default is None else argument_text(param, param.default),
         quoted(f"{param.name} must be {param.limits}"),
-        *_further(param, steps),
+        *_further(param, param.int_left if is_int else param.left),
     )
     line = f"({', '.join(parts)})"
     if len(line) <= _ROOM:
@@ -124,17 +123,20 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
 
 
 def _is_exact_int(param: CommandParam) -> bool:
-    """Return whether COMMAND_INT carries whole numbers of a parameter of which COMMAND_LONG has the nearest float."""
-    if param.number not in WHOLE_IN_INT or param.steps is not None or not param.is_whole or param.scale.ratio != 1:
+    """Return whether COMMAND_INT carries whole numbers of which the limits of COMMAND_LONG, floats, are others."""
+    if param.number not in WHOLE_IN_INT or param.steps is not None:
         return False
-    limits = (param.minimum, param.maximum)
-    return any(end is not None and end != limit for end, limit in zip(param.ends, limits, strict=True))
+    meant, floats = param.int_ends, (param.minimum, param.maximum)
+    return any(
+        end is not None and limit is not None and end != inward(limit)
+        for end, limit, inward in zip(meant, floats, (math.ceil, math.floor), strict=True)
+    )
 
 
-def _further(param: CommandParam, steps: Fraction) -> Iterator[str]:
+def _further(param: CommandParam, numbers: Iterable[Fraction]) -> Iterator[str]:
     """The numbers that leave things as they are, and the ends of the argument, as far as there are any."""
     ends = param.whole_ends
-    left = [*(["None"] if param.is_none_for_nan else []), *(number_text(value * steps) for value in param.left)]
+    left = [*(["None"] if param.is_none_for_nan else []), *map(number_text, numbers)]
     if left or ends:
         yield f"({', '.join(left)}{',' if len(left) == 1 else ''})"
     if ends:

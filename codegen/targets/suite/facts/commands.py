@@ -216,7 +216,10 @@ def _as_int(param: CommandParam, good: dict[int, _Sample]) -> _Sample:
     """The good value in a COMMAND_INT: x and y are whole, of a position and what else is multiplied as well."""
     sample = good[param.number]
     if param.steps is not None:
-        return _Sample(str(round(Fraction(sample.wire) * param.steps)), sample.argument)
+        low, high = param.int_ends
+        sent = Fraction(round(Fraction(sample.wire) * param.steps))
+        sent = sent if low is None else max(sent, low)
+        return _Sample(str(sent if high is None else min(sent, high)), sample.argument)
     if param.number in WHOLE_IN_INT and param.is_whole and param.scale.ratio == 1:
         return _Sample(sample.argument, sample.argument)
     if param.number in WHOLE_IN_INT:
