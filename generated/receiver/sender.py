@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 28d49257fe64112f
+# Inputs: 02a23eab1ca77294
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from struct import pack_into
@@ -27,7 +27,7 @@ class Sender:
         self, stream, system_id=1, component_id=1, version=2, longest=LONGEST_PAYLOAD, signing=None, lengths=None
     ):
         if not 1 <= system_id <= 255 or not 1 <= component_id <= 255:
-            raise ValueError("a source has a system id and a component id from 1 to 255")
+            raise ValueError("a source has ids from 1 to 255")
         if version not in (1, 2):
             raise ValueError("MAVLink has the versions 1 and 2")
         if not 1 <= longest <= LONGEST_PAYLOAD:

@@ -90,7 +90,7 @@ class Receiver:
         if data is None:
             return
         if not isinstance(data, _BYTES):
-            raise TypeError("what arrives is bytes, a bytearray or a memoryview")
+            raise TypeError("what arrives is bytes or like them")
         state = self._state
         if state[12]:
             data = bytes(memoryview(self._arrived[0])[state[2] :]) + data

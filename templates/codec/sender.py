@@ -25,7 +25,7 @@ class Sender:
         self, stream, system_id=1, component_id=1, version=2, longest=LONGEST_PAYLOAD, signing=None, lengths=None
     ):
         if not 1 <= system_id <= 255 or not 1 <= component_id <= 255:
-            raise ValueError("a source has a system id and a component id from 1 to 255")
+            raise ValueError("a source has ids from 1 to 255")
         if version not in (1, 2):
             raise ValueError("MAVLink has the versions 1 and 2")
         if not 1 <= longest <= LONGEST_PAYLOAD:

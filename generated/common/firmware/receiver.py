@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: 021bf82b580706d8
+# Inputs: 6c2575659c8a4d8a
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -92,7 +92,7 @@ class Receiver:
         if data is None:
             return
         if not isinstance(data, _BYTES):
-            raise TypeError("what arrives is bytes, a bytearray or a memoryview")
+            raise TypeError("what arrives is bytes or like them")
         state = self._state
         if state[12]:
             data = bytes(memoryview(self._arrived[0])[state[2] :]) + data

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/frame_checks.py: do not edit.
-# Inputs: a65c867653bdb7bb
+# Inputs: c19c42b91bad1a59
 """Links by themselves: frames that they make and take, what they refuse, and signatures."""
 
 from invented import Invented, Tiny, Wire, error_of
@@ -11,7 +11,7 @@ from sender import Sender
 
 def links_that_cannot_be():
     """ValueError for ids, versions and lengths that MAVLink does not have; the first and the last that it has are."""
-    source, versions = "a source has a system id and a component id from 1 to 255", "MAVLink has the versions 1 and 2"
+    source, versions = "a source has ids from 1 to 255", "MAVLink has the versions 1 and 2"
     length = "a payload has 1 to 255 bytes"
     for given, reason in (
         ((0, 1, 2), source),
@@ -82,7 +82,7 @@ def what_arrives_is_bytes():
             assert found == list(range(1, 41)), (kind, piece, found)
             assert (link.received, link.signed, link.refused, link.crc_errors) == (40, 0, 0, 0)
     for wrong in ("text", 5, [1]):
-        assert error_of(TypeError, link.feed, wrong) == "what arrives is bytes, a bytearray or a memoryview"
+        assert error_of(TypeError, link.feed, wrong) == "what arrives is bytes or like them"
     link = Link(Wire(), 1, 1, 2, (Tiny,))
     link.put(frames[:-1])
     count = 0

@@ -205,7 +205,7 @@ class Vehicle:
             self._is_limited = False
         elif self._credit_ms < _COST_MS and not self._is_limited:
             self._is_limited = True
-            self.texts("notice: parameters change so often that they are saved once a minute")
+            self.texts("notice: parameters change so often: saved once a minute")
         return self._credit_ms >= _COST_MS
 
     async def _save(self):
