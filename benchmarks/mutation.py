@@ -37,8 +37,7 @@ PROGRAMS = {
 LONGEST = 6
 """The largest multiple of the suite's time without a fault: a longer run says nothing, and is left for --again."""
 GIVES_UP_S = 240
-"""What a run may take beside that: a check that hangs fails after two minutes, one that simulates days after four."""
-
+"""The seconds beside that: a check that hangs fails after two minutes, one that simulates days after four."""
 
 NO_TESTS = 5
 """pytest's exit code for a part that has no tests: not every suite simulates days."""

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: 3de1b1724f69ce76
+# Inputs: 50ae9c2fbbc627d1
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -285,7 +285,7 @@ def arming_says_which():
 
 
 def each_has_its_own_minimum_to_arm():
-    """What is below its own minimum is a reason not to arm, and no level of its failsafe."""
+    """A value below its own minimum is a reason not to arm, and no level of its failsafe."""
     measured, facts = _watched()
     minimums = facts["families"]["minimum"]
     needs(minimums and facts["minimum"], "a minimum for arming of each instance")

@@ -283,7 +283,7 @@ def arming_says_which():
 
 
 def each_has_its_own_minimum_to_arm():
-    """What is below its own minimum is a reason not to arm, and no level of its failsafe."""
+    """A value below its own minimum is a reason not to arm, and no level of its failsafe."""
     measured, facts = _watched()
     minimums = facts["families"]["minimum"]
     needs(minimums and facts["minimum"], "a minimum for arming of each instance")

@@ -31,16 +31,17 @@ def expiry(readings: Iterable[Reading], code: SpelledCode, now: str) -> list[str
 
 
 def _expiry(reading: Reading, code: SpelledCode, now: str) -> list[str]:
-    measured = reading.quantity
-    if measured.trust.stale_after_ms is None:
+    if reading.quantity.trust.stale_after_ms is None:
         return []
-    cited = cited_in(measured.cited("stale_after"))
-    expires = code.word(measured.component, reading.word("expires_ms"))
+    expires = code.word(reading.component.name, reading.word("expires_ms"))
+    return [_of_age(reading), *_once_past(expires, [*forgotten(reading, code), f"{expires} = {UNKNOWN}"], code, now)]
+
+
+def _of_age(reading: Reading) -> str:
+    measured = reading.quantity
     what = "A reading" if reading.is_first else f"The {measured.name}"
-    return [
-        f"# {what} is forgotten once it is older than {measured.trust.stale_after_ms} ms{cited}.",
-        *_once_past(expires, [*forgotten(reading, code), f"{expires} = {UNKNOWN}"], code, now),
-    ]
+    cited = cited_in(measured.cited("stale_after"))
+    return f"# {what} is forgotten once it is older than {measured.trust.stale_after_ms} ms{cited}."
 
 
 def _lost(reading: Reading, code: SpelledCode) -> list[str]:
@@ -48,14 +49,15 @@ def _lost(reading: Reading, code: SpelledCode) -> list[str]:
 
     One that is too old counts as failed so often; where there is none, the time may be any, and nothing is forgotten.
     """
-    lasting, expiry = reading.quantity.trust.invalid_after, _expiry(reading, code, "now_ms")
-    if not lasting:
-        return expiry
+    trust = reading.quantity.trust
+    if trust.invalid_after is None:
+        return _expiry(reading, code, "now_ms")
     failures = code.word(reading.component.name, reading.word("failures"))
-    lost = [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
-    if expiry:
+    lost = [f"if {failures} >= {trust.invalid_after}:", *indented(forgotten(reading, code))]
+    if trust.stale_after_ms is not None:
         expires = code.word(reading.component.name, reading.word("expires_ms"))
-        lost = [expiry[0], f"if {_is_past(expires, 'now_ms')}:", f"    {failures} = {lasting}", *lost]
+        too_old = [f"if {_is_past(expires, 'now_ms')}:", f"    {failures} = {trust.invalid_after}"]
+        lost = [_of_age(reading), *too_old, *lost]
     return lost
 
 

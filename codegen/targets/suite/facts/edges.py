@@ -1,6 +1,7 @@
 """Readings at an edge: where rounding turns, and at the limit that is warned about. Counts drawn by lot miss them."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from itertools import islice
 from math import gcd
 
 from codegen.frozen import dataclass
@@ -31,20 +32,16 @@ def edges(quantity: Quantity) -> tuple[Edge, ...]:
     if multiplier.choices:
         return ()
     half = -(-conversion.denominator // 2)  # the smallest remainder that is rounded up
-    found = [*_first(_with_remainder(half - 1, conversion, multiplier))]
-    found += _first(_with_remainder(half, conversion, multiplier))
+    found = [*islice(_with_remainder(half - 1, conversion, multiplier), 1)]
+    found += islice(_with_remainder(half, conversion, multiplier), 1)
     limit = threshold.above[0] if threshold else None
     for value in () if limit is None else (limit, limit + 1):
-        found += _first(_with_value(value, conversion, multiplier))
+        found += islice(_with_value(value, conversion, multiplier), 1)
     return tuple(
         Edge(count, steps, value, limit is not None and value > limit)
         for count, steps in found
         for value in [conversion.stored(count, steps)]
     )
-
-
-def _first(found: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
-    return [each for each, _ in zip(found, range(1), strict=False)]
 
 
 def _with_remainder(remainder: int, conversion: Conversion, multiplier: Parameter) -> Iterator[tuple[int, int]]:
