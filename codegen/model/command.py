@@ -22,7 +22,8 @@ WHOLE_IN_INT = (5, 6)
 """The parameters of which COMMAND_INT has whole numbers: x and y."""
 
 
-def _single(value: Fraction) -> Fraction:
+def single(value: Fraction) -> Fraction:
+    """Return the nearest float of 32 bits, which COMMAND_LONG carries."""
     return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
 
 
@@ -92,7 +93,7 @@ class CommandParam:
         if self.steps is None:
             return self.left
         written = [each for each in self.spec.unchanged or () if isinstance(each, Fraction)]
-        meant = (next((each for each in written if _single(each) == value), value) for value in self.left)
+        meant = (next((each for each in written if single(each) == value), value) for value in self.left)
         return tuple(dict.fromkeys(Fraction(round(each * self.steps)) for each in meant))
 
     @property

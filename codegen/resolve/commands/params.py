@@ -8,7 +8,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH, find_unit
-from codegen.model.command import WHOLE_IN_INT, Axis, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Axis, CommandParam, single
 from codegen.model.dialect.dialect import Dialect, EnumDefinition, EnumEntry
 from codegen.model.dialect.literals import exact_number
 from codegen.model.spec.command import CommandParamSpec, CommandSpec
@@ -254,7 +254,7 @@ def _end(
 def _nearest(value: Fraction) -> Fraction:
     """The float of 32 bits that COMMAND_LONG has for a value; the largest one for what is beyond all of them."""
     within = max(min(value, _LARGEST), -_LARGEST)
-    return Fraction(struct.unpack("<f", struct.pack("<f", within))[0])
+    return single(within)
 
 
 def _limit(written: Fraction | None, stated: Fraction | None, scale: AffineMap) -> Fraction | None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import islice
 
 from codegen.frozen import dataclass
-from codegen.model.command import WHOLE_IN_INT, Command, CommandParam
+from codegen.model.command import WHOLE_IN_INT, Command, CommandParam, single
 from codegen.model.dialect.dialect import EnumDefinition
 from codegen.model.program import Program
 from codegen.targets.firmware.program.commands import argument_text, title_of
@@ -136,9 +136,9 @@ def _is_usable(param: CommandParam, wire: Fraction) -> bool:
     if wire in param.left:
         return False
     if not param.is_whole or param.is_rounded:
-        return _single(wire) == wire
+        return single(wire) == wire
     argument = param.scale.exact(wire)
-    return _single(wire) == wire and argument is not None and argument.denominator == 1
+    return single(wire) == wire and argument is not None and argument.denominator == 1
 
 
 def _sample(param: CommandParam, wire: Fraction) -> _Sample:
@@ -164,9 +164,9 @@ def _values(enum: EnumDefinition) -> list[int]:
 def _carried(enum: EnumDefinition) -> list[int]:
     """The same as far as floats of 32 bits are these; of more flags than those have room for the highest."""
     if not enum.is_bitmask:
-        return [value for value in _values(enum) if _single(Fraction(value)) == value]
+        return [value for value in _values(enum) if single(Fraction(value)) == value]
     mask = _values(enum)[-1]
-    while _single(Fraction(mask)) != mask:
+    while single(Fraction(mask)) != mask:
         mask &= mask - 1  # without its lowest flag
     return [0, mask]
 
@@ -197,14 +197,14 @@ def _whole_beside(param: CommandParam, end: Fraction, *, up: bool) -> Iterator[s
     ratio = param.scale.ratio or Fraction(1)
     argument = math.floor(end * ratio) + 1 if up else math.ceil(end * ratio) - 1
     beside = Fraction(argument) / ratio
-    if _single(beside) == beside and beside not in param.left:
+    if single(beside) == beside and beside not in param.left:
         yield repr(float(beside))
 
 
 def _fraction(param: CommandParam) -> Fraction | None:
     """A number with a fraction that a float of 32 bits is, within the limits; None where these are all whole ones."""
     near = (Fraction(end) + side for end in (_ends(param)[0].wire, "0") for side in (Fraction(1, 2), Fraction(-1, 2)))
-    return next((each for each in near if _is_within(param, each) and _single(each) == each), None)
+    return next((each for each in near if _is_within(param, each) and single(each) == each), None)
 
 
 def _has(enum: EnumDefinition, value: int) -> bool:
@@ -227,14 +227,10 @@ def _as_int(param: CommandParam, good: dict[int, _Sample]) -> _Sample:
     return sample
 
 
-def _single(value: Fraction) -> Fraction:
-    return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
-
-
 def _beside(value: Fraction, *, up: bool) -> float:
     """The next float of 32 bits, of 0 one that is large enough to be written."""
     if value == 0:
-        return float(_single(Fraction(1 if up else -1, 10**6)))
+        return float(single(Fraction(1 if up else -1, 10**6)))
     bits = struct.unpack("<i", struct.pack("<f", value))[0]
     bits += 1 if up == (bits > 0) else -1
     return float(struct.unpack("<f", struct.pack("<i", bits))[0])
